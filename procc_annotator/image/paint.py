@@ -133,7 +133,9 @@ def _snap_along(
         for course in follow(patch, found.angle, found.offset, found.width, sought):
             turn = abs(found.angle + course.turn - angle)
             if course.length_px >= least and turn <= most_turn:
-                return found
+                # It is wanted beside the position, not where it can be seen.
+                across = found.along * math.tan(course.turn)
+                return replace(found, offset=found.offset - across)
         return None
 
     maxima = Maxima.of(patch, angle + spread, sought, reach_px)

@@ -50,7 +50,7 @@ def pixels(window: MainWindow) -> np.ndarray:
     QApplication.processEvents()
     image = window.canvas.grab().toImage().convertToFormat(QImage.Format.Format_RGB888)
     flat = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
-    return flat[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+    return flat[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(np.int16)
 
 
 def same(some: np.ndarray, other: np.ndarray) -> bool:
@@ -410,13 +410,17 @@ class TestSplit:
 
 
 class TestDisagreement:
-    @pytest.fixture(autouse=True)
-    def show(self, audited: MainWindow, qtbot: QtBot) -> None:
+    @pytest.fixture
+    def plain(self, audited: MainWindow) -> np.ndarray:
+        """The canvas without it; of a fixture, for pytest keeps what a test's object holds."""
         for source in audited.document.sources:
             audited.document.set_source_visible(source, False)
         audited.document.compare_with(named(audited, "bad"))
         audited.show_panel("cameras")
-        self.plain = pixels(audited)
+        return pixels(audited)
+
+    @pytest.fixture(autouse=True)
+    def show(self, audited: MainWindow, plain: np.ndarray, qtbot: QtBot) -> None:
         audited.actions_["disagreement"].trigger()
         qtbot.waitUntil(lambda: audited.document.disagreement.value is not None)
 
@@ -452,9 +456,11 @@ class TestDisagreement:
         hand.move(640, 5)  # the crowd
         assert audited.status.apart.text() == ""
 
-    def test_the_ground_is_covered_and_what_is_above_is_not(self, audited: MainWindow) -> None:
+    def test_the_ground_is_covered_and_what_is_above_is_not(
+        self, audited: MainWindow, plain: np.ndarray
+    ) -> None:
         shown = pixels(audited)
-        changed = np.abs(shown - self.plain).max(axis=2) > 8
+        changed = np.abs(shown - plain).max(axis=2) > 8
         canvas = audited.canvas
         for x, y, covered in ((500, 560, True), (1000, 560, True), (640, 40, False)):
             at = canvas.to_view(x, y)
@@ -471,12 +477,12 @@ class TestDisagreement:
         assert covered.pixelColor(seen) != bare.pixelColor(seen)
         assert covered.pixelColor(unseen) == bare.pixelColor(unseen)
 
-    def test_off_again_nothing_is_left(self, audited: MainWindow) -> None:
+    def test_off_again_nothing_is_left(self, audited: MainWindow, plain: np.ndarray) -> None:
         assert audited.canvas.maps.legend.isVisible()
         assert audited.canvas.maps.legend.title == "true ↔ bad"
         audited.actions_["disagreement"].trigger()
         assert not audited.canvas.maps.legend.isVisible()
-        assert np.array_equal(pixels(audited), self.plain)
+        assert np.array_equal(pixels(audited), plain)
         assert not audited.status.apart.isVisible()
 
     def test_blind_mode_hides_it(self, audited: MainWindow, qtbot: QtBot) -> None:

@@ -6,6 +6,7 @@ import json
 import sys
 import threading
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -203,6 +204,24 @@ class TestAccept:
         assert document.annotation.annotated == KEPT
         wait_for_ghosts(begun, qtbot)
         assert name in names(begun)
+
+    def test_ends_that_cannot_be_seen_are_told(
+        self,
+        begun: MainWindow,
+        hand: Hand,
+        qtbot: QtBot,
+        told: list[str],
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> None:
+        def hidden(*terms: Any) -> GhostPoints:
+            return replace(find_points(*terms), unsure_ends=1)
+
+        for module in (ghosts_module, ghost_accepting):
+            monkeypatch.setattr(module, "find_points", hidden)
+        name = go(begun, hand, qtbot)
+        hand.key(Key.Key_Return)
+        assert begun.document.annotation.get(name) is not None
+        assert "1 end cannot be seen: the points stop before" in told[-1]
 
     def test_enter_before_the_points_are_found_accepts_them_then(
         self, begun: MainWindow, hand: Hand, qtbot: QtBot

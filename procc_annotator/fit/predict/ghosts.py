@@ -16,7 +16,7 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.joints import Joint, joints_of
+from procc_annotator.fit.predict.joints import Ends, ends_of
 from procc_annotator.fit.predict.mistaken import carrying_another_label
 from procc_annotator.fit.predict.sight import (
     Stretch,
@@ -56,12 +56,12 @@ class Ghost:
         name: the class.
         pieces: its visible stretches, along the element; one ends and another begins where a chain
             has a corner.
-        joints: of a straight one, the elements that it ends at.
+        ends: of a straight one, first and last; None where the picture's edge cuts it off.
     """
 
     name: str
     pieces: tuple[GhostPiece, ...]
-    joints: tuple[Joint, ...] = ()
+    ends: Ends = (None, None)
 
     @property
     def sd_px(self) -> float:
@@ -103,8 +103,10 @@ def find_ghosts(
     found: dict[str, list[GhostPiece]] = {}
     for stretch, piece in zip(long_enough, pieces, strict=True):
         found.setdefault(stretch.name, []).append(piece)
-    joints = joints_of(long_enough, field, fit.camera, fit.size)
-    ghosts = (Ghost(name, tuple(pieces), joints.get(name, ())) for name, pieces in found.items())
+    ends = ends_of(long_enough, field, fit)
+    ghosts = (
+        Ghost(name, tuple(pieces), ends.get(name, (None, None))) for name, pieces in found.items()
+    )
     return tuple(g for g in ghosts if g.sd_px <= most_sd_px * per_reference)
 
 

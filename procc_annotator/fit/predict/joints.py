@@ -1,4 +1,4 @@
-"""What says where a straight element ends that is expected in a picture: those it ends at."""
+"""How a straight element ends that is expected in a picture: how surely, and at which others."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.camera.base import Camera
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Field
 from procc_annotator.field.neighbours import distances_to
 from procc_annotator.fit.predict.sight import Stretch, stretches_in_sight
+from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray
 
 _MEET_M = 0.2  # paint has a width, and some lines end at another one's edge
@@ -21,57 +21,82 @@ _LEAST_PX = 15.0
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """Another element at one end of an element.
+    """Another element at an end of an element.
 
     Attributes:
-        last: whether it is at the last point of its stretch, or at the first.
         name: the other class.
         course_px: (n, 2) px around that end, where the camera expects the other element, n >= 2.
-        end_px: (2,) px, that end.
     """
 
-    last: bool
     name: str
     course_px: FloatArray
-    end_px: FloatArray
 
 
-def joints_of(
-    stretches: Sequence[Stretch], field: Field, camera: Camera, size: tuple[int, int]
-) -> dict[str, tuple[Joint, ...]]:
-    """The joints of straight elements, of those ends that the field gives them.
+@dataclass(frozen=True, eq=False)
+class End:
+    """An end that the field gives an element.
+
+    Attributes:
+        place_px: (2,) px, where the camera expects it.
+        sd_px: its standard deviation along the element, px.
+        joints: the elements that it lies at.
+    """
+
+    place_px: FloatArray
+    sd_px: float
+    joints: tuple[Joint, ...] = ()
+
+
+# An element's first and its last end; None where the picture's edge cuts it off.
+Ends = tuple[End | None, End | None]
+
+
+def ends_of(stretches: Sequence[Stretch], field: Field, fit: FitResult) -> dict[str, Ends]:
+    """The ends of straight elements, by class.
 
     Args:
-        stretches: of any elements in the camera's picture; an end at the picture's edge has none.
+        stretches: of any elements in the picture of the fit's camera.
         field: the elements, metres.
-        camera: in px of the picture.
-        size: (width, height) px.
+        fit: with a camera.
     """
     lines = {e.name: e.geometry for e in field.elements if isinstance(e.geometry, Line)}
     straight = [s for s in stretches if s.name in lines]
-    if not straight:
+    if not straight or fit.camera is None:
         return {}
-    ends = np.concatenate([s.points_world[[0, -1]] for s in straight])
-    apart = distances_to(field.elements, ends).reshape(len(straight), 2, -1)
+    world = np.concatenate([s.points_world[[0, -1]] for s in straight])
+    apart = distances_to(field.elements, world).reshape(len(straight), 2, -1)
+    along = np.concatenate([_outwards(s.points_px) for s in straight])
+    sd = np.hypot(fit.projected_sd(world, along), fit.offset_px).reshape(-1, 2)
     shown: dict[str, list[FloatArray]] = {}
-    for stretch in stretches_in_sight(field, camera, size):
+    for stretch in stretches_in_sight(field, fit.camera, fit.size):
         shown.setdefault(stretch.name, []).append(stretch.points_px)
-    found: dict[str, list[Joint]] = {}
-    for stretch, near in zip(straight, apart <= _MEET_M, strict=True):
+    found: dict[str, Ends] = {}
+    for row, stretch in enumerate(straight):
         line = lines[stretch.name]
         corners = np.array([line.start, line.end])
-        for end in (0, -1):
+        ends: list[End | None] = []
+        for k, end in enumerate((0, -1)):
             off = np.linalg.norm(corners - stretch.points_world[end], axis=1)
             if off.min() > 1e-6:
-                continue  # cut by the picture's edge
-            for index in np.flatnonzero(near[end]).tolist():
-                name = field.elements[index].name
-                for course in shown.get(name, ()) if name != stretch.name else ():
-                    around = _around(course, stretch.points_px[end])
-                    if around is not None:
-                        joint = Joint(end == -1, name, around, stretch.points_px[end])
-                        found.setdefault(stretch.name, []).append(joint)
-    return {name: tuple(joints) for name, joints in found.items()}
+                ends.append(None)
+                continue
+            names = [field.elements[i].name for i in np.flatnonzero(apart[row, k] <= _MEET_M)]
+            place = stretch.points_px[end]
+            joints = (
+                Joint(name, around)
+                for name in names
+                for course in (shown.get(name, ()) if name != stretch.name else ())
+                if (around := _around(course, place)) is not None
+            )
+            ends.append(End(place, float(sd[row, k]), tuple(joints)))
+        found[stretch.name] = ends[0], ends[1]
+    return found
+
+
+def _outwards(course: FloatArray) -> FloatArray:
+    """(2, 2) unit vectors along a course at both of its ends."""
+    steps = np.array([course[0] - course[1], course[-1] - course[-2]])
+    return np.asarray(steps / np.maximum(np.hypot(*steps.T), 1e-12)[:, None])
 
 
 def _around(course: FloatArray, place: FloatArray) -> FloatArray | None:

@@ -56,6 +56,7 @@ class ElementsPanel(QWidget):
         self._shown: dict[str, tuple[ElementState, int, bool]] = {}
         self._findings = FindingSigns(document)
         self._narrow = False
+        self._room: tuple[object, ...] = ()  # what the widths of the columns follow from
         self._shaded: str | None = None
         self._build()
         self._fill()
@@ -67,7 +68,7 @@ class ElementsPanel(QWidget):
             document.ghosts.changed,
             document.review.notVisibleChanged,
         )
-        document.store.watch(lambda s: s.hovered_class, self._show_hover)
+        Refresher(self, self._show_hover).follow(document.store, lambda s: s.hovered_class)
         document.store.watch(lambda s: s.field, self._take_field)
 
     def focus_search(self) -> None:
@@ -135,6 +136,7 @@ class ElementsPanel(QWidget):
         self.tree.clear()
         for known in (self._items, self._groups, self._shown):
             known.clear()
+        self._room = ()
         self._keys = {name: k.toString(NATIVE) for name, k in element_keys(field).items()}
         self._short = short_titles(field)
         self._findings.forget()
@@ -203,30 +205,40 @@ class ElementsPanel(QWidget):
         counts = {p.class_name: len(p.points) for p in annotation}
         best = self._document.ghosts.suggestion
         following = None if best is None else best.name
-        # One repaint for all rows: told row by row, the view spends milliseconds a frame on it.
+        # Told cell by cell, the view spends milliseconds a frame on it.
         model = self.tree.model()
         model.blockSignals(True)
-        other = wider = False  # the view is not told, so it would keep the widths of its columns
+        others: list[QTreeWidgetItem] = []
         for name, item in self._items.items():
             state = states.get(name, ElementState.UNTOUCHED)
             if name == following:
                 state = ElementState.NEXT
             shown = (state, counts.get(name, 0), self._narrow)
             if self._shown.get(name) != shown:
-                wider |= self._shown.get(name, (None, None, None))[1:] != shown[1:]
-                other, self._shown[name] = True, shown
+                self._shown[name] = shown
+                others.append(item)
                 item.setText(POINTS, str(shown[1] or ""))
                 item.setText(STATUS, "" if self._narrow else WORDS[state])
                 item.setToolTip(STATUS, EXPLANATIONS[state])
                 item.setIcon(STATUS, self._icon(state))
-        if self._findings.show(self.tree, self._items, CHECK):
-            other = wider = True
+        others += self._findings.show(self.tree, self._items, CHECK)
         model.blockSignals(False)
-        if wider:
-            self.tree.scheduleDelayedItemsLayout()
-        if other:
-            self.tree.viewport().update()
+        self._tell_view(others)
         self._show_selection()
+
+    def _tell_view(self, others: list[QTreeWidgetItem]) -> None:
+        """Have rows painted again, and the columns laid out if they need other room."""
+        most = max((count for _, count, _ in self._shown.values()), default=0)
+        words = {"" if narrow else WORDS[state] for state, _, narrow in self._shown.values()}
+        widest = max(map(self.fontMetrics().horizontalAdvance, words), default=0)
+        room = len(str(most)), widest, self._narrow, self._findings.any_shown
+        if room != self._room:
+            self._room = room
+            self.tree.scheduleDelayedItemsLayout()
+        viewport = self.tree.viewport()
+        for item in others:
+            row = self.tree.visualItemRect(item)
+            viewport.update(0, row.top(), viewport.width(), row.height())
 
     def _icon(self, state: ElementState) -> QIcon:
         if state not in self._icons:
@@ -242,8 +254,8 @@ class ElementsPanel(QWidget):
             self.tree.setCurrentItem(item)
             self.tree.scrollToItem(item)
 
-    def _show_hover(self, hovered: str | None) -> None:
-        shade = QBrush(muted(self.palette(), 0.82))
+    def _show_hover(self) -> None:
+        hovered, shade = self._document.hovered_class, QBrush(muted(self.palette(), 0.82))
         for name, brush in ((self._shaded, QBrush()), (hovered, shade)):
             if (item := self._items.get(name or "")) is not None:
                 for column in (NAME, KEY, POINTS, STATUS):

@@ -6,32 +6,46 @@ import re
 from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import QSize, Qt, QTimer
-from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
+from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWidget
 
 from procc_annotator.gui.theme import alarm_colours, fixed_width
 from procc_annotator.interact.hints import SEPARATOR
 
 MESSAGE_END = "  ·  "  # what just happened stands before the hint
 _MESSAGE_MS = 5000
+_PAD = 4  # above and below a line
 _KEPT_HINTS = 4  # click, Enter, Esc and Tab
 _LEAST_TITLE = 14  # letters
+_TAG = re.compile("<[^>]*>")
 _SHORT_TITLE = 26  # letters: such a title is never cut before the end of the text is
 
 
-class ElidedLabel(QLabel):
-    """A label that shortens its text with dots instead of pushing its neighbours out."""
+class ElidedLabel(QWidget):
+    """A text that is shortened with dots instead of pushing its neighbours out: whatever it says,
+    nothing is laid out anew."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._text = ""
         self._long_title: re.Pattern[str] | None = None
         self._begins_with_title = True
+
+    def text(self) -> str:
+        """All of it."""
+        return self._text
+
+    def set_text(self, text: str) -> None:
+        """Show something else."""
+        if text != self._text:
+            self._text = text
+            self.update()
 
     def show_line(self, message: str, hint: str) -> None:
         """What just happened, and before what the next click does; either may be empty."""
         self._begins_with_title = not (message and hint)
-        self.setText(MESSAGE_END.join(filter(None, (message, hint))))
+        self.set_text(MESSAGE_END.join(filter(None, (message, hint))))
         self.setToolTip(self.text())
 
     def set_titles(self, titles: Iterable[str]) -> None:
@@ -40,8 +54,11 @@ class ElidedLabel(QLabel):
         long = sorted((t for t in titles if len(t) > _SHORT_TITLE), key=len, reverse=True)
         self._long_title = re.compile(f"({'|'.join(map(re.escape, long))})") if long else None
 
+    def sizeHint(self) -> QSize:
+        return self.minimumSizeHint()
+
     def minimumSizeHint(self) -> QSize:
-        return QSize(40, super().minimumSizeHint().height())
+        return QSize(40, self.fontMetrics().height() + 2)
 
     def text_for(self, width: int) -> str:
         """What is shown in a width, px: before how to go on is cut, the title in front is."""
@@ -121,6 +138,43 @@ class Readout(QWidget):
         painter.drawText(self.rect(), edge, self._text)
 
 
+class SteadyLabel(QLabel):
+    """A label whose neighbours are laid out anew only when it needs other room."""
+
+    def __init__(self, least: str = "") -> None:
+        """Args:
+        least: a text that it always has room for.
+        """
+        super().__init__()
+        self._least = least
+
+    def setText(self, text: str) -> None:
+        if text == self.text():
+            return
+        super().setText(text)
+        metrics, margins = QFontMetrics(fixed_width(self.font(), bold=True)), self.contentsMargins()
+        if (words := _TAG.sub("", text)) == text:
+            metrics = self.fontMetrics()
+        wide = max(map(metrics.horizontalAdvance, (words, self._least)))
+        # Where it is the same Qt does nothing.
+        self.setFixedSize(wide + margins.left() + margins.right() + 2, metrics.height() + 2)
+
+
+class _Apart(QWidget):
+    """Gives a widget all its room: whatever that asks for, nothing around is laid out anew."""
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__()
+        self._widget = widget
+        widget.setParent(self)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, self.fontMetrics().height() + 2 * _PAD)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._widget.setGeometry(self.rect())
+
+
 class StatusLine(QStatusBar):
     """Hint, cursor in picture pixels and field metres, saved state."""
 
@@ -133,7 +187,7 @@ class StatusLine(QStatusBar):
         self.metres = Readout("cursorMetres", "-123.5 -123.5 m ")
         self.saved = QLabel()
         self.saved.setObjectName("savedState")
-        self.saved.setMargin(4)
+        self.saved.setMargin(_PAD)
         self.pixels.setToolTip("Cursor in picture pixels; the centre of the top left pixel is 0 0")
         self.metres.setToolTip("Cursor on the ground of the field, in metres from its centre")
         self.apart = Readout("cursorDisagreement", "Δ 12345.67 m 1234.5 px ")
@@ -148,11 +202,15 @@ class StatusLine(QStatusBar):
             "deviation in the worst direction, whatever the cursor itself is off by"
         )
         self.good_to.hide()
-        self.addWidget(self.hint, 1)
         self.work = QLabel()
         self.work.setObjectName("backgroundWork")
+        line = QWidget()
+        layout = QHBoxLayout(line)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.hint, 1)
         for part in (self.work, self.apart, self.good_to, self.pixels, self.metres, self.saved):
-            self.addPermanentWidget(part)
+            layout.addWidget(part)
+        self.addWidget(_Apart(line), 1)
         self._hint = self._message = ""
         self._message_timer = QTimer(self)
         self._message_timer.setSingleShot(True)
@@ -211,7 +269,6 @@ class StatusLine(QStatusBar):
 
     def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
         """Whether everything is on disk."""
-        self.saved.setText(text)
         self.saved.setToolTip(tip)
         background, colour = alarm_colours(self.palette())
         style = (
@@ -221,6 +278,7 @@ class StatusLine(QStatusBar):
         )
         if style != self.saved.styleSheet():  # setting one costs more than showing a frame's text
             self.saved.setStyleSheet(style)
+        self.saved.setText(text)
 
     def _show_message(self) -> None:
         self.hint.show_line(self._message, self._hint)

@@ -24,7 +24,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.gui.window.status import ElidedLabel
+from procc_annotator.gui.window.status import ElidedLabel, SteadyLabel
 from procc_annotator.session.facts.origins import Status
 
 _NO_CAMERA = "no camera"
@@ -123,17 +123,16 @@ class MainToolBar(QToolBar):
         self._show_score()
 
     def _make_labels(self) -> None:
-        self.position = QLabel()
+        self.position = SteadyLabel()
         self.position.setObjectName("framePosition")
         self.position.setFont(fixed_width(self.position.font()))
-        self.status = QLabel()
+        # A toolbar does not make room when a text grows.
+        words, advance = (s.value for s in Status), self.fontMetrics().horizontalAdvance
+        self.status = SteadyLabel(max(words, key=advance))
         self.status.setObjectName("frameStatus")
         self.status.setContentsMargins(4, 0, 4, 0)
-        # A toolbar does not make room when a text grows.
-        widths = (self.status.fontMetrics().horizontalAdvance(s.value) for s in Status)
-        self.status.setMinimumWidth(max(widths) + 12)
         self.status.setToolTip("Status of this frame (panel Review)")
-        self.jac = QLabel()
+        self.jac = SteadyLabel()
         self.jac.setObjectName("toolbarJac")
         self.jac.setFont(fixed_width(self.jac.font()))
         self.jac.setToolTip(_JAC_TIP)
@@ -219,5 +218,5 @@ class MainToolBar(QToolBar):
         camera = document.camera
         ground_only = camera is not None and projects_only_ground(camera)
         terms = document.setup.describe(ground_only=ground_only)
-        self.terms.setText(terms)
+        self.terms.set_text(terms)
         self.terms.setToolTip(f"What the score is computed with: {terms}")

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.ghosts import Ghost
+from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
 from procc_annotator.image.decode import PixelArray
+from procc_annotator.session.strokes.corners import reach_of
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
-from procc_annotator.session.strokes.ghost_ends import ends_by_paint, longer
+from procc_annotator.session.strokes.ghost_ends import ends_by_paint
 from procc_annotator.session.strokes.spacing import regular_parameters
 from procc_annotator.session.strokes.visible_line import VisibleLine, find_line
 
@@ -36,11 +37,13 @@ class GhostPoints:
             polyline is one line: stretches hidden in between are bridged by a chord without points.
             At a corner of a chain there is one point.
         support: the share of the ghost's length along which the picture shows its line, 0 to 1.
+        unsure_ends: how many of its ends no paint confirms; the points stop before them.
     """
 
     name: str
     points: tuple[Point, ...]
     support: float
+    unsure_ends: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,26 +81,31 @@ def find_points(
     paint = ExpectedPaint(field, size[0])
     sought = replace(paint.of(ghost.name), is_expected=True)
 
-    def find(course: FloatArray, sd: FloatArray) -> VisibleLine:
-        return find_line(picture, course, sd, sought, curved=curved, on_ground=on_ground)
-
     straight = len(ghost.pieces) == 1 and element is not None and element.is_straight
-    courses = [(p.points_px, p.sd_px) for p in ghost.pieces]
-    if straight and not on_ground:
-        courses = [longer(*courses[0])]
-    lines = [find(*course) for course in courses]
-    if straight:
-        line = ends_by_paint(
-            lines[0], ghost.joints, picture, paint, ghost.sd_px, on_ground=on_ground
+    beyond = (reach_of(ghost.ends[0]), reach_of(ghost.ends[1])) if straight else (0.0, 0.0)
+
+    def find(piece: GhostPiece) -> VisibleLine:
+        return find_line(
+            picture,
+            piece.points_px,
+            piece.sd_px,
+            sought,
+            curved=curved,
+            on_ground=on_ground,
+            beyond_px=beyond,
         )
+
+    lines, unsure = [find(piece) for piece in ghost.pieces], 0
+    if straight:
+        line, unsure = ends_by_paint(lines[0], ghost, picture, paint, on_ground=on_ground)
         lines = [line]
     places = _without_repetitions([place for line in lines for place in _regular(line, size)])
-    whole = sum(line.length for line in lines)
-    support = sum(line.seen for line in lines) / whole if whole else 0.0
+    whole = sum(line.expected[1] - line.expected[0] + 1 for line in lines)
+    support = min(1.0, sum(line.seen for line in lines) / whole) if whole else 0.0
     points = tuple(point_from_px(x, y, size) for x, y in places)
     if len(points) < _FEWEST_POINTS:
         return GhostPoints(ghost.name, (), support)
-    return GhostPoints(ghost.name, points, support)
+    return GhostPoints(ghost.name, points, support, unsure)
 
 
 def _without_repetitions(places: list[tuple[float, float]]) -> list[tuple[float, float]]:

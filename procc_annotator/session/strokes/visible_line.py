@@ -29,6 +29,7 @@ _REACH_SD = 3.0
 _STEADY_PX = 3  # over so many pixels to either side a line's direction is taken
 _SNAP_EVERY_PX = 14.0
 _SNAPS = (5, 40)
+_TANGENT_PX = 40
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,11 +40,13 @@ class VisibleLine:
         course_px: (n, 2) px, a place about every pixel.
         directions: (n, 2) unit vectors.
         runs: first and one past the last place of each stretch that can be seen.
+        expected: first and last place of the predicted course; what lies beyond is straight on.
     """
 
     course_px: FloatArray
     directions: FloatArray
     runs: tuple[tuple[int, int], ...]
+    expected: tuple[int, int]
 
     @property
     def length(self) -> int:
@@ -64,6 +67,7 @@ def find_line(
     *,
     curved: bool,
     on_ground: bool,
+    beyond_px: tuple[float, float] = (0.0, 0.0),
 ) -> VisibleLine:
     """The painted line near a predicted course.
 
@@ -75,6 +79,7 @@ def find_line(
         sought: what its paint looks like.
         curved: whether the line is a circle or an arc.
         on_ground: whether the same ground lies to both sides of it all along.
+        beyond_px: how far beyond its first and its last place the line may go on, straight.
 
     Returns:
         Without runs where there is no such line.
@@ -84,11 +89,27 @@ def find_line(
     reach = float(np.clip(_REACH_SD * sd.max(), _LEAST_REACH_PX, REACH_PX))
     offsets, hits = _offsets(picture, course, across, reach, sought, curved=curved)
     if offsets is None:
-        return VisibleLine(course, _along(across), ())
+        return VisibleLine(course, _along(across), (), (0, len(course) - 1))
     course = course + across * offsets[:, None]
-    across = normals_of(course, _STEADY_PX)
-    strip = straighten(picture, course, across, BESIDE_PX, on_ground=on_ground)
-    return VisibleLine(course, _along(across), runs_seen(strip, hits, on_ground=on_ground))
+    size = picture.shape[1], picture.shape[0]
+    whole = continued(course[::-1], beyond_px[0], size)[::-1]
+    before = len(whole) - len(course)
+    whole = continued(whole, beyond_px[1], size)
+    across = normals_of(whole, _STEADY_PX)
+    strip = straighten(picture, whole, across, BESIDE_PX, on_ground=on_ground)
+    runs = runs_seen(strip, hits + before, on_ground=on_ground)
+    return VisibleLine(whole, _along(across), runs, (before, before + len(course) - 1))
+
+
+def continued(course: FloatArray, by_px: float, size: tuple[int, int] | None = None) -> FloatArray:
+    """A course and, straight on from its last end, some more px; as far as a picture's edge."""
+    inner = course[max(0, len(course) - 1 - _TANGENT_PX)]
+    along = course[-1] - inner
+    along = along / max(float(np.hypot(*along)), 1e-9)
+    more = course[-1] + np.arange(1.0, by_px + 1.0)[:, None] * along
+    if size is not None:
+        more = more[((more >= 0) & (more <= np.array(size) - 1)).all(axis=1)]
+    return np.vstack([course, more])
 
 
 def _every_pixel(predicted: FloatArray, sd: FloatArray) -> tuple[FloatArray, FloatArray]:

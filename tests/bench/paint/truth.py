@@ -3,6 +3,9 @@
 One JSON a clip: of each frame its elements, with points on the middle of the paint (of an area: on
 its edge), the direction there, and their true ends (with what they end at); places beside an
 element where nothing of it can be seen ("hidden"), and bare ground ("bare").
+
+Where two lines meet at a shallow angle, an eye sees the end to 3 px only: there both middles were
+measured from 14 to 70 px beside it (half the height of profiles across), and continued straight.
 """
 
 from __future__ import annotations

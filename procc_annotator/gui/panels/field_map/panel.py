@@ -79,16 +79,18 @@ class FieldMapPanel(QWidget):
             document.store,
             judged,
             document.review.notVisibleChanged,
+            document.label_check.changed,
+            document.ghosts.changed,
+        )
+        # After the canvas was painted, too: nobody looks at the map first.
+        Refresher(self, self.update).follow(
+            document.store,
+            lambda s: (s.selection, s.hovered_class, s.projection_visible),
+            document.disagreement.changed,
+            document.uncertainty.changed,
         )
         document.store.watch(lambda s: s.field, self._take_field)
-        document.store.watch(
-            lambda s: (s.selection, s.hovered_class, s.projection_visible), self._repaint
-        )
         document.field_choice.preparing.append(FieldShape.of)
-        document.disagreement.changed.connect(self.update)
-        document.uncertainty.changed.connect(self.update)
-        document.label_check.changed.connect(self._show_findings)
-        document.ghosts.changed.connect(self._show_next)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 220)
@@ -111,9 +113,6 @@ class FieldMapPanel(QWidget):
         if class_name not in self._shape.names:
             return None
         return self._placement().anchors[self._shape.names.index(class_name)]
-
-    def _repaint(self, _: object) -> None:
-        self.update()
 
     def _take_field(self, field: Field) -> None:
         if [e.name for e in field.elements] != list(self._shape.names):
@@ -182,17 +181,6 @@ class FieldMapPanel(QWidget):
 
     # --- what next -----------------------------------------------------------------------------
 
-    def _show_next(self) -> None:
-        if self._document.ghosts.suggestion != self._next:
-            self._next = self._document.ghosts.suggestion
-            self.update()
-
-    def _show_findings(self) -> None:
-        findings = findings_by_element(self._document)
-        if findings != self._findings:
-            self._findings = findings
-            self.update()
-
     def place_of_next(self) -> QPointF | None:
         """Where in the widget the element to annotate next is in sight."""
         if self._next is None or self._next.name not in self._shape.names:
@@ -213,9 +201,10 @@ class FieldMapPanel(QWidget):
     # --- drawing -------------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        states = element_states(self._document)
-        if states != self._states:
-            self._states = states
+        document = self._document
+        shown = element_states(document), findings_by_element(document), document.ghosts.suggestion
+        if shown != (self._states, self._findings, self._next):
+            self._states, self._findings, self._next = shown
             self.update()
 
     def _room(self) -> QRectF:

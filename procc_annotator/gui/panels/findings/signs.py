@@ -43,11 +43,19 @@ class FindingSigns:
         """The rows are new ones: none has a sign."""
         self._shown = {}
 
-    def show(self, tree: QTreeWidget, items: Mapping[str, QTreeWidgetItem], column: int) -> bool:
-        """Give every element the sign of its surest finding; whether anything changed."""
+    @property
+    def any_shown(self) -> bool:
+        """Whether some element has a sign."""
+        return bool(self._shown)
+
+    def show(
+        self, tree: QTreeWidget, items: Mapping[str, QTreeWidgetItem], column: int
+    ) -> list[QTreeWidgetItem]:
+        """Give every element the sign of its surest finding; the rows that are others now."""
         found = findings_by_element(self._document)
+        others: list[QTreeWidgetItem] = []
         if found == self._shown:
-            return False
+            return others
         for name in self._shown.keys() | found.keys():
             item = items.get(name)
             here = found.get(name, ())
@@ -55,8 +63,9 @@ class FindingSigns:
                 icon = self._icon(tree, here[0].finding.severity) if here else QIcon()
                 item.setIcon(column, icon)
                 item.setToolTip(column, reasons_of(here))
+                others.append(item)
         self._shown = found
-        return True
+        return others
 
     def _icon(self, tree: QTreeWidget, severity: Severity) -> QIcon:
         if severity not in self._icons:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
+from pathlib import Path
 from time import perf_counter
 from typing import Any
 
@@ -12,7 +13,6 @@ from PySide6.QtCore import (
     QModelIndex,
     Qt,
     QTimer,
-    Signal,
 )
 from PySide6.QtGui import QImage
 
@@ -50,8 +50,6 @@ class RowInfo:
 class FramesModel(QAbstractListModel):
     """Rows of the frames that the filter lets through."""
 
-    detailsArrived = Signal()  # something that was missing in a row is known now
-
     def __init__(self, document: Document, cache: FrameCache) -> None:
         super().__init__()
         self._document = document
@@ -63,7 +61,8 @@ class FramesModel(QAbstractListModel):
         self._wanted: deque[int] = deque(maxlen=_MAX_WAITING)
         self._unsaved: frozenset[int] = frozenset()
         self._thumbnails = Thumbnails(cache, self)
-        self._thumbnails.arrived.connect(self.detailsArrived)
+        self._thumbnails.arrived.connect(self._show_thumbnails)
+        self._without_thumbnail: dict[Path, int] = {}  # frames
         self._count_soon = QTimer(self, singleShot=True, interval=0)
         self._count_soon.timeout.connect(self._count_some)
         self.scores = document.frame_scores
@@ -75,6 +74,7 @@ class FramesModel(QAbstractListModel):
         workspace = self._document.workspace
         self._thumbnails.clear()
         self._counts.clear()
+        self._without_thumbnail.clear()
         self._wanted.clear()
         frames = workspace.frames if workspace is not None else ()
         self._count = len(frames)
@@ -134,7 +134,7 @@ class FramesModel(QAbstractListModel):
     # --- details -------------------------------------------------------------------------------
 
     def info(self, row: int) -> RowInfo | None:
-        """What a row shows now; what is missing is fetched and announced by `detailsArrived`."""
+        """What a row shows now; what is missing is fetched, and the row told to be another one."""
         workspace = self._document.workspace
         if workspace is None:
             return None
@@ -147,6 +147,8 @@ class FramesModel(QAbstractListModel):
             if not self._count_soon.isActive():
                 self._count_soon.start()
         thumbnail = self._thumbnails.image(frame.image_path)
+        if thumbnail is None:
+            self._without_thumbnail[frame.image_path] = index
         unreadable = count if isinstance(count, str) else ""
         if not unreadable and thumbnail is not None and thumbnail.isNull():
             unreadable = "the picture cannot be read"
@@ -181,11 +183,23 @@ class FramesModel(QAbstractListModel):
 
     def take_save_state(self) -> None:
         """Look again which frames are not saved."""
-        self._unsaved = frozenset(self._document.state.unsaved)
+        before, self._unsaved = self._unsaved, frozenset(self._document.state.unsaved)
+        for index in before ^ self._unsaved:
+            self.repaint(index)
 
     def take_scores(self) -> None:
         """Look again at the per-frame scores."""
         self.scores = self._document.frame_scores
+
+    def repaint(self, frame_index: int) -> None:
+        """Have one row painted again: all of them would cost as much as the canvas."""
+        if (row := self.row_of(frame_index)) >= 0:
+            self.dataChanged.emit(self.index(row), self.index(row))
+
+    def _show_thumbnails(self, paths: list[Path]) -> None:
+        for path in paths:
+            if (index := self._without_thumbnail.pop(path, None)) is not None:
+                self.repaint(index)
 
     def _count_some(self) -> None:
         """Count elements of waiting rows for a few milliseconds, the newest wish first."""
@@ -196,7 +210,7 @@ class FramesModel(QAbstractListModel):
         while self._wanted and perf_counter() < end:
             index = self._wanted.pop()
             self._counts[index] = _count(workspace, index)
-        self.detailsArrived.emit()
+            self.repaint(index)
         if self._wanted:
             self._count_soon.start()
 

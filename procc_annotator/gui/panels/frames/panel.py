@@ -50,11 +50,11 @@ class FramesPanel(QWidget):
         document.datasetChanged.connect(self._take_dataset)
         # After the canvas was painted: nobody looks at the list first.
         self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self._show_current)
+        self._soon.timeout.connect(self._follow_frame)
         document.frameChanged.connect(self._soon.start)
-        document.annotationChanged.connect(self._recount)
+        document.annotationChanged.connect(self._soon.start)
         document.framesEdited.connect(self._take_edited)
-        document.saveStateChanged.connect(self._take_save_state)
+        document.saveStateChanged.connect(self.model.take_save_state)
         document.frameScoresChanged.connect(self._take_scores)
         document.review.statusChanged.connect(self._take_status)
         document.label_check.framesChanged.connect(self._take_status)
@@ -94,7 +94,6 @@ class FramesPanel(QWidget):
         self.list.selectionModel().currentChanged.connect(self._go)
         self.list.clicked.connect(lambda _: self.left.emit())  # arrows walk on in the list
         self.list.activated.connect(lambda _: self.left.emit())
-        self.model.detailsArrived.connect(self.list.viewport().update)
         self.empty = empty_state("", "frames_empty")
         self._stack = QStackedLayout()
         self._stack.addWidget(self.list)
@@ -135,11 +134,7 @@ class FramesPanel(QWidget):
 
     def _take_status(self, name: str) -> None:
         """A frame's status or comments changed; what matches may have, too."""
-        frame = self._document.frame
-        if frame is not None and frame.name == name:
-            self._repaint(self._document.frame_index)
-        else:
-            self.list.viewport().update()
+        self._repaint(name)
         self._search_soon.start()
 
     def _show_which(self) -> None:
@@ -196,9 +191,11 @@ class FramesPanel(QWidget):
         if current.isValid():
             self._document.go_to(self.model.frame_index(current.row()))
 
-    def _recount(self) -> None:
+    def _follow_frame(self) -> None:
+        """Another frame is on screen, or what is annotated in it is another thing."""
         self.model.recount(self._document.frame_index)
-        self._repaint(self._document.frame_index)
+        self.model.repaint(self._document.frame_index)
+        self._show_current()
 
     def _take_edited(self, indices: list[int]) -> None:
         """Annotations were changed all over the set."""
@@ -207,26 +204,23 @@ class FramesPanel(QWidget):
         self.list.viewport().update()
         self._search_soon.start()
 
-    def _take_save_state(self) -> None:
-        self.model.take_save_state()
-        self.list.viewport().update()
-
     def _take_scores(self, name: str) -> None:
         """One frame's score after an edit, or all of them (an empty name)."""
         self.model.take_scores()
         if not name:
             self._search_soon.start()
-        frame = self._document.frame
-        if frame is not None and frame.name == name:
-            self._repaint(self._document.frame_index)
-        else:
-            self.list.viewport().update()
+        self._repaint(name)
 
-    def _repaint(self, frame_index: int) -> None:
-        """Paint one row again: painting all of them would cost as much as the canvas."""
-        row = self.model.row_of(frame_index)
-        if row >= 0:
-            self.list.update(self.model.index(row))
+    def _repaint(self, name: str) -> None:
+        """Paint the row of a frame again, or those of all (an empty name)."""
+        workspace = self._document.workspace
+        index = workspace.index.get(name) if workspace is not None else None
+        if index is None:
+            self.list.viewport().update()
+        elif index == self._document.frame_index:
+            self._soon.start()
+        else:
+            self.model.repaint(index)
 
 
 def _help_table() -> str:

@@ -24,9 +24,9 @@ Decoded = list[tuple[Path, PixelArray | None]]
 
 
 class Thumbnails(QObject):
-    """Small pictures by path. Ask with `image`; `arrived` says when an answer has come."""
+    """Small pictures by path. Ask with `image`; `arrived` says of which paths an answer came."""
 
-    arrived = Signal()
+    arrived = Signal(list)
 
     def __init__(self, cache: FrameCache, parent: QObject) -> None:
         super().__init__(parent)
@@ -80,7 +80,7 @@ class Thumbnails(QObject):
             self._images[path] = None if pixels is None else _to_image(pixels)
         while len(self._images) > _KEPT:
             self._images.popitem(last=False)
-        self.arrived.emit()
+        self.arrived.emit([path for path, _ in decoded])
         self._start()
 
 

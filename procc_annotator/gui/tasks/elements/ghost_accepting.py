@@ -89,7 +89,7 @@ class GhostAccepting(QObject):
             return False
         points = counted(len(found.points), "point")
         seen = f"line seen along {found.support:.0%}"
-        self._say(f"accepted {title}{self._where}: {points}, {seen}")
+        self._say(f"accepted {title}{self._where}: {points}, {seen}{self._unsure((found,))}")
         self.accepted.emit((found.name,))
         return True
 
@@ -134,8 +134,18 @@ class GhostAccepting(QObject):
         what = self._title(good[0].name) if len(good) == 1 else counted(len(good), "ghost")
         if self._commit(made_for, done.annotation, what):
             share = f"{len(good)} of {len(found)} ghosts" if left else what
-            self._say(f"accepted {share}{self._where}{f'; left, {too_little}' if left else ''}")
+            why = f"; left, {too_little}" if left else ""
+            self._say(f"accepted {share}{self._where}{self._unsure(good)}{why}")
             self.accepted.emit(tuple(f.name for f in good))
+
+    def _unsure(self, found: AllPoints) -> str:
+        """What is said of ends that the picture does not show."""
+        ends = sum(f.unsure_ends for f in found)
+        if not ends:
+            return ""
+        of = ", ".join(self._title(f.name) for f in found if f.unsure_ends)
+        where = f" of {of}" if len(found) > 1 else ""
+        return f"; {counted(ends, 'end')}{where} cannot be seen: the points stop before"
 
     def why_outdated(self, made_for: Insight) -> str:
         """Why an insight is not the one on screen any more; empty while it is."""

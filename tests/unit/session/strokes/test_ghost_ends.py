@@ -9,9 +9,9 @@ import pytest
 from procc_annotator.annotation import Polyline, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
-from procc_annotator.fit.predict.joints import Joint
+from procc_annotator.fit.predict.joints import End, Joint
 from procc_annotator.image.pixels import PixelArray, bgra
-from procc_annotator.session.strokes.ghost_points import find_points
+from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
 
 FIELD = load_field()
 SIZE = (960, 540)
@@ -33,9 +33,13 @@ def dense(line: np.ndarray) -> np.ndarray:
     return line[0] + np.linspace(0.0, 1.0, 200)[:, None] * (line[1] - line[0])
 
 
-def accepted(picture: PixelArray, course: np.ndarray, *joints: Joint) -> np.ndarray:
-    ghost = Ghost("Big rect. right top", (GhostPiece(course, np.full(len(course), 1.5)),), joints)
-    found = find_points(ghost, picture, FIELD, SIZE)
+def found_on(picture: PixelArray, course: np.ndarray, end: End | None = None) -> GhostPoints:
+    piece = GhostPiece(course, np.full(len(course), 1.5))
+    return find_points(Ghost("Big rect. right top", (piece,), (None, end)), picture, FIELD, SIZE)
+
+
+def accepted(picture: PixelArray, course: np.ndarray, end: End | None = None) -> np.ndarray:
+    found = found_on(picture, course, end)
     return points_px(Polyline(found.name, found.points), SIZE)
 
 
@@ -44,16 +48,16 @@ def test_it_ends_at_the_other_paint_wherever_the_camera_expects_it(off_px: float
     along = (CORNER - START) / np.hypot(*(CORNER - START))
     expected = np.array([START, CORNER + off_px * along]) + np.array([0.0, 1.5])
     other = GOAL_LINE + off_px * along * [1.0, 0.0] / 4
-    joint = Joint(True, "Side line right", dense(other), expected[-1])
+    end = End(expected[-1], 5.0, (Joint("Side line right", dense(other)),))
     picture = pitch(np.array([START, CORNER]), GOAL_LINE)
-    points = accepted(picture, dense(expected), joint)
+    points = accepted(picture, dense(expected), end)
     assert np.hypot(*(points[-1] - CORNER)) < 1.0
 
 
 def test_it_stays_where_it_is_seen_to_end_without_the_other_paint() -> None:
-    joint = Joint(True, "Side line right", dense(GOAL_LINE), CORNER)
+    end = End(CORNER, 2.0, (Joint("Side line right", dense(GOAL_LINE)),))
     picture = pitch(np.array([START, CORNER]))
-    points = accepted(picture, dense(np.array([START, CORNER])), joint)
+    points = accepted(picture, dense(np.array([START, CORNER])), end)
     assert np.hypot(*(points[-1] - CORNER)) < 6.0
 
 
@@ -62,3 +66,58 @@ def test_one_that_leaves_the_picture_ends_at_its_edge() -> None:
     inside = np.array([line[0], [956.0, 310.9]])
     points = accepted(pitch(line), dense(inside) + np.array([0.0, 1.0]))
     assert points[-1] == pytest.approx([959.0, 312.0], abs=1.0)
+
+
+ALONG = (CORNER - START) / np.hypot(*(CORNER - START))
+
+
+@pytest.mark.parametrize("off_px", [-45.0, 45.0])
+def test_the_corner_is_looked_for_as_far_as_the_end_may_lie(off_px: float) -> None:
+    picture = pitch(np.array([START, CORNER]), GOAL_LINE)
+    other = GOAL_LINE + off_px * ALONG
+    end = End(CORNER + off_px * ALONG, 20.0, (Joint("Side line right", dense(other)),))
+    found = found_on(picture, dense(np.array([START, end.place_px])), end)
+    assert np.hypot(*(points_px(Polyline("", found.points), SIZE)[-1] - CORNER)) < 1.0
+    assert not found.unsure_ends
+
+
+@pytest.mark.parametrize("degrees", [12.0, 20.0, 35.0])
+def test_at_a_shallow_corner_both_lines_are_followed_to_it(degrees: float) -> None:
+    turn = np.radians(degrees) + np.arctan2(ALONG[1], ALONG[0])
+    way = np.array([np.cos(turn), np.sin(turn)])
+    other = np.array([CORNER - 200.0 * way, CORNER + 120.0 * way])
+    picture = pitch(np.array([START, CORNER]), other)
+    end = End(CORNER + 8.0 * ALONG, 8.0, (Joint("Side line right", dense(other) + 2.0),))
+    points = accepted(picture, dense(np.array([START, end.place_px])) + 1.5, end)
+    assert np.hypot(*(points[-1] - CORNER)) < 1.5
+
+
+@pytest.mark.parametrize("too_far_px", [12.0, 30.0])
+def test_an_end_that_nothing_shows_is_cut_back_and_told(too_far_px: float) -> None:
+    """The camera expects it beyond the place where the paint ends; no other line is there."""
+    picture = pitch(np.array([START, CORNER]))
+    place = CORNER + too_far_px * ALONG
+    end = End(place, 12.0, (Joint("Side line right", dense(GOAL_LINE + too_far_px * ALONG)),))
+    found = found_on(picture, dense(np.array([START, place])), end)
+    last = points_px(Polyline("", found.points), SIZE)[-1]
+    assert found.unsure_ends == 1
+    assert -10.0 < (last - CORNER) @ ALONG < 1.0
+
+
+def test_paint_that_goes_on_beyond_all_that_is_likely_says_nothing_of_the_end() -> None:
+    """Another line may go on where this one ends."""
+    picture = pitch(np.array([START, CORNER + 150.0 * ALONG]))
+    end = End(CORNER, 8.0, (Joint("Side line right", dense(GOAL_LINE)),))
+    found = found_on(picture, dense(np.array([START, CORNER])), end)
+    last = points_px(Polyline("", found.points), SIZE)[-1]
+    assert found.unsure_ends == 1
+    assert -40.0 < (last - CORNER) @ ALONG < 0.0
+
+
+def test_an_end_in_sight_by_both_paints_is_reached_across_a_player() -> None:
+    picture = pitch(np.array([START, CORNER]), GOAL_LINE).copy()
+    x, y = (CORNER - 110.0 * ALONG).round().astype(int)
+    picture[y - 30 : y + 25, x - 25 : x + 25, :3] = (60, 40, 170)
+    end = End(CORNER + 6.0 * ALONG, 6.0, (Joint("Side line right", dense(GOAL_LINE)),))
+    points = accepted(picture, dense(np.array([START, end.place_px])), end)
+    assert np.hypot(*(points[-1] - CORNER)) < 1.0

@@ -1,0 +1,268 @@
+"""Where a line meets the element that it ends at: there both middles cross.
+
+The camera knows the ends of what it expects less surely than their courses, and knows both elements
+wrongly by the same. So the other element is looked for along the line, as far as its end may lie;
+then both are followed to the corner from close by.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.fit.predict.ghosts import Ghost
+from procc_annotator.fit.predict.joints import End, Joint
+from procc_annotator.fit.predict.sight import normals_of
+from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.paint import REACH_PX, snap_all
+from procc_annotator.image.sought import Sought
+from procc_annotator.session.strokes.agreement import agreement
+from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.visible_line import VisibleLine, continued
+
+FloatArray = NDArray[np.float64]
+
+FARTHEST_PX = 80.0  # an end is looked for so far beyond where the camera expects it
+_LEAST_SD = 3.0
+_LEAST_PX = 14.0
+_EVERY_PX = 6.0
+_BESIDE_PX = 4.0
+_LEAST_AGREED = 4
+_LEAST_SHARE, _SURE_SHARE = 0.3, 0.7  # of the other's course, where its paint is found
+_FARTHER = 0.3  # so much less counts one at the farthest place
+_MISSED = 0.3  # ... or one to which the line is hardly seen to go
+_LEAST_MERIT = 0.3
+_TRIED_PX = 25.0
+_BEYOND_PX = 40.0  # the other line may be seen so far before the corner only
+_MISSED_PX = 1.5
+_LEAST_SINE = 0.1  # lines at less than six degrees cross nowhere that could be told
+_NEAR_PX = 10.0, 76.0  # of the corner: from where both are followed to it
+_LOCAL_EVERY_PX, _LOCAL_REACH_PX = 5.0, 2.5
+_LOCAL_AGREED, _LOCAL_SPAN_PX = 5, 15.0
+_LOCAL_OFF_PX = 0.2  # from the straight line: what belongs to it
+_REFINED_PX = 1.0  # across
+
+
+@dataclass(frozen=True, slots=True)
+class Corner:
+    """Where a line ends.
+
+    Attributes:
+        place_px: (2,) px.
+        is_seen: whether its paint was followed up to there.
+    """
+
+    place_px: FloatArray
+    is_seen: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _Candidate:
+    place: FloatArray
+    row: int  # of the line
+    merit: float
+    other: FloatArray
+    sine: float  # of the angle between both
+    name: str
+
+
+def reach_of(end: End | None) -> float:
+    """Px along a line within which its end lies: three standard deviations."""
+    if end is None:
+        return 0.0
+    return float(np.clip(np.nan_to_num(_LEAST_SD * end.sd_px, nan=np.inf), _LEAST_PX, FARTHEST_PX))
+
+
+def corner_of(
+    line: VisibleLine,
+    end: End,
+    picture: PixelArray,
+    paint: ExpectedPaint,
+    ghost: Ghost,
+    *,
+    may_miss_px: float,
+    shifted_px: float,
+) -> Corner | None:
+    """Where a line's last end meets the paint of an element that it ends at.
+
+    Args:
+        line: of a straight element, found beyond where its last end is expected.
+        end: the last one.
+        picture: (H, W, 4) BGRA.
+        paint: how the elements look.
+        ghost: whose line it is.
+        may_miss_px: so far before the corner the line need not be seen.
+        shifted_px: how much farther on than expected the line's first end was found.
+
+    Returns:
+        None where no other element's paint is found, or the line is not seen to go there.
+    """
+    best: _Candidate | None = None
+    for joint in end.joints:
+        for candidate in _candidates(line, end, joint, picture, paint, ghost, shifted_px):
+            missed = abs(candidate.row - line.runs[-1][1]) / may_miss_px
+            merit = candidate.merit - _MISSED * min(missed, 1.0)
+            if best is None or merit > best.merit:
+                best = replace(candidate, merit=merit)
+            if merit >= _SURE_SHARE:
+                break
+    if best is None or best.merit < _LEAST_MERIT:
+        return None
+    place, seen = _refined(line, best, picture, paint, ghost.name)
+    missed = abs(best.row - line.runs[-1][1])
+    return Corner(place, seen) if seen or missed <= may_miss_px else None
+
+
+def _candidates(
+    line: VisibleLine,
+    end: End,
+    joint: Joint,
+    picture: PixelArray,
+    paint: ExpectedPaint,
+    ghost: Ghost,
+    shifted_px: float,
+) -> Iterator[_Candidate]:
+    """Where the other element's paint crosses the line, the nearest to the expected end first."""
+    at = line.expected[1]
+    along, anchor = line.directions[at], line.course_px[at]
+    course = joint.course_px + (anchor - end.place_px)
+    other = course[-1] - course[0]
+    sine = abs(along[0] * other[1] - along[1] * other[0]) / max(float(np.hypot(*other)), 1e-9)
+    if sine < _LEAST_SINE:
+        return
+    reach = float(np.clip(3.0 * ghost.sd_px, 3.0, REACH_PX))
+    farthest, step = reach_of(end), 1.6 * reach / sine
+    own = continued(line.course_px, _TRIED_PX)
+
+    def off(shift: float) -> float:
+        return min(abs(shift), abs(shift - shifted_px)) / farthest
+
+    count = int((farthest + abs(shifted_px)) / step)
+    shifts = [*(np.arange(-count, count + 1) * step).tolist(), shifted_px]
+    for shift in sorted({s for s in shifts if off(s) <= 1.0}, key=off):
+        found = _painted(course + shift * along, line, picture, paint.of(joint.name), reach)
+        place = None if found is None else _crossing(own, found[0])
+        if found is None or place is None:
+            continue
+        painted, share = found
+        apart = off(float((place - anchor) @ along))
+        row = int(np.hypot(*(own - place).T).argmin())
+        yield _Candidate(place, row, share - _FARTHER * apart, painted, sine, joint.name)
+
+
+def _painted(
+    course: FloatArray, line: VisibleLine, picture: PixelArray, sought: Sought, reach: float
+) -> tuple[FloatArray, float] | None:
+    """(n, 2) px: the other element's line, as long as it was found, and where of its course it was,
+    as a share.
+
+    Right beside the line that ends there, it could not be told from it.
+    """
+    limits = np.array([picture.shape[1], picture.shape[0]]) - 1.0
+    rows = np.unique(np.linspace(0, len(course) - 1, round(len(course) / _EVERY_PX) + 1).round())
+    rows = rows.astype(np.intp)
+    rows = rows[((course[rows] >= 0) & (course[rows] <= limits)).all(axis=1)]
+    rows = rows[_apart(course[rows], line.course_px) > _BESIDE_PX]
+    if len(rows) < _LEAST_AGREED:
+        return None
+    across = normals_of(course, 3)
+    along = np.column_stack([across[rows, 1], -across[rows, 0]])
+    found = snap_all(picture, course[rows], along, sought, reach_px=reach)
+    offsets = ((found - course[rows]) * across[rows]).sum(axis=1)
+    known = ~np.isnan(offsets)
+    if known.sum() < _LEAST_AGREED:
+        return None
+    places = 2.0 * rows / (len(course) - 1) - 1.0
+    agreed, coefficients = agreement(places[known], offsets[known], reach, curved=False)
+    share = float(agreed.sum() / len(rows))
+    if agreed.sum() < _LEAST_AGREED or share < _LEAST_SHARE:
+        return None
+    shifts = np.polynomial.legendre.legval(np.linspace(-1.0, 1.0, len(course)), coefficients)
+    hit = rows[known][agreed]
+    kept = slice(int(hit[0]), int(hit[-1]) + 1)
+    return (course + across * shifts[:, None])[kept], share
+
+
+def _apart(places: FloatArray, course: FloatArray) -> FloatArray:
+    """(n,) px from places to the nearest of a course."""
+    away = np.hypot(*(places[:, None] - course[None]).transpose(2, 0, 1))
+    return np.asarray(away.min(axis=1)) if len(places) else np.zeros(0)
+
+
+def _crossing(own: FloatArray, other: FloatArray) -> FloatArray | None:
+    """(2,) px where two courses cross, the other one continued at both ends."""
+    whole = continued(continued(other, _BEYOND_PX)[::-1], _BEYOND_PX)
+    apart = np.hypot(*(own[:, None] - whole[None]).transpose(2, 0, 1))
+    i, j = np.unravel_index(int(apart.argmin()), apart.shape)
+    if apart[i, j] > _MISSED_PX:
+        return None
+    i, j = np.clip(i, 1, len(own) - 2), np.clip(j, 1, len(whole) - 2)
+    return _meeting(own[i], own[i + 1] - own[i - 1], whole[j], whole[j + 1] - whole[j - 1])
+
+
+def _meeting(a: FloatArray, u: FloatArray, b: FloatArray, v: FloatArray) -> FloatArray | None:
+    """(2,) px where two straight lines meet, each by a place and a direction."""
+    determinant = u[1] * v[0] - u[0] * v[1]
+    if abs(determinant) < _LEAST_SINE * np.hypot(*u) * np.hypot(*v):
+        return None
+    offset = b - a
+    share = (offset[1] * v[0] - offset[0] * v[1]) / determinant
+    return np.asarray(a + share * u)
+
+
+def _refined(
+    line: VisibleLine, found: _Candidate, picture: PixelArray, paint: ExpectedPaint, name: str
+) -> tuple[FloatArray, bool]:
+    """The same corner, by what both lines are like close to it, and whether the line is seen there.
+
+    A smooth course over a whole element is off by some tenths of a pixel here: at a shallow angle
+    by pixels along the line.
+    """
+    sought = paint.of(found.name)
+    own = _close_by(line.course_px, found.place, found.other, picture, paint.of(name))
+    if sought.bends or own is None:
+        return found.place, own is not None
+    other = _close_by(found.other, found.place, line.course_px, picture, sought)
+    place = None if other is None else _meeting(*own, *other)
+    most = _REFINED_PX * (1.0 + 3.0 * math.sqrt(1.0 - found.sine**2) / found.sine)
+    if place is None or np.hypot(*(place - found.place)) > most:
+        return found.place, True
+    return place, True
+
+
+def _close_by(
+    course: FloatArray, corner: FloatArray, beside: FloatArray, picture: PixelArray, sought: Sought
+) -> tuple[FloatArray, FloatArray] | None:
+    """A straight line through a course's paint close to a corner: a place and a direction."""
+    away = np.hypot(*(course - corner).T)
+    nearest, farthest = _NEAR_PX
+    rows = np.flatnonzero((away >= nearest) & (away <= farthest))[:: round(_LOCAL_EVERY_PX)]
+    rows = rows[_apart(course[rows], beside) > _BESIDE_PX]
+    if len(rows) < _LOCAL_AGREED:
+        return None
+    across = normals_of(course, 3)[rows]
+    along = np.column_stack([across[:, 1], -across[:, 0]])
+    found = snap_all(picture, course[rows], along, sought, reach_px=_LOCAL_REACH_PX)
+    found = found[~np.isnan(found[:, 0])]
+    if len(found) < _LOCAL_AGREED:
+        return None
+    direction = found[-1] - found[0]
+    span = float(np.hypot(*direction))
+    if span < _LOCAL_SPAN_PX:
+        return None
+    direction = direction / span
+    normal = np.array([-direction[1], direction[0]])
+    s, o = (found - corner) @ direction, (found - corner) @ normal
+    agreed, _ = agreement(2 * (s - s[0]) / (s[-1] - s[0]) - 1, o, 12.0, curved=False)
+    if agreed.sum() < _LOCAL_AGREED:
+        return None
+    slope, level = np.polyfit(s[agreed], o[agreed], 1)
+    # Closest to the corner a place may be drawn to the other line, and turn this one.
+    away_px = np.abs(o - level - slope * s)
+    own = away_px <= max(_LOCAL_OFF_PX, 2.0 * float(np.median(away_px[agreed])))
+    slope, level = np.polyfit(s[own], o[own], 1)
+    return corner + level * normal, direction + slope * normal
