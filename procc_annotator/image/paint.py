@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.appearance import ANY, BAR, LINE, NOTHING, WHITE
+from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, WHITE
 from procc_annotator.image.cuts import Patch
 from procc_annotator.image.following import REACH_PX as FOLLOWED_PX
 from procc_annotator.image.following import Course, follow
@@ -34,8 +34,9 @@ _SPREAD = np.radians([0.0, -5.0, 5.0])  # how a line may be turned against a giv
 _BENT_SPREAD = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
 _BAR_SPREAD = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])
 _SAME_PX = 1.0
-_LEAST_LENGTH_PX, _LEAST_LENGTH_ANY_PX, _LEAST_LENGTH_ONE_SIDED_PX = 16.0, 30.0, 36.0
-_ONE_SIDED_PX = 1.5  # from the position to the middle of the cuts that show it
+_LEAST_LENGTH_PX, _LEAST_LENGTH_ANY_PX = 16.0, 30.0
+# Px from the position to the middle of the cuts that show it, and how long it then must be.
+_ONE_SIDED = {LINE: (1.5, 36.0), BAR: (6.0, 46.0)}
 _HAND_PX, _LONGER = 4.5, 20.0  # so far off a hand clicks; px of length for each px more
 # Of the band against a given direction, which of a curve is that of a chord.
 _MOST_TURN, _MOST_TURN_BENT = math.radians(8.0), math.radians(20.0)
@@ -160,12 +161,12 @@ def _least_length(found: Found, course: Course, sought: Sought) -> float:
         farther = _LONGER * max(0.0, abs(found.offset) - _HAND_PX)
     if sought.looks.tone != ANY:
         return _LEAST_LENGTH_PX + farther
-    if sought.looks.kind != LINE:
+    if sought.looks.kind == EDGE:
         return _LEAST_LENGTH_ANY_PX + farther
     if course.begin_px:
         return math.inf
-    one_sided = abs(found.along) > _ONE_SIDED_PX
-    return (_LEAST_LENGTH_ONE_SIDED_PX if one_sided else _LEAST_LENGTH_ANY_PX) + farther
+    beside, longer = _ONE_SIDED[sought.looks.kind]
+    return (longer if abs(found.along) > beside else _LEAST_LENGTH_ANY_PX) + farther
 
 
 def snap_all(
