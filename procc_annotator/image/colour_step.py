@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,6 +18,7 @@ from procc_annotator.field.appearance import (
     RED,
     WHITE,
     YELLOW,
+    Appearance,
 )
 from procc_annotator.image.cuts import Values
 from procc_annotator.image.sought import Sought
@@ -27,6 +30,7 @@ _GROWS = {
     YELLOW: (-1.0, 0.5, 0.5),
     BLUE: (1.0, -0.3, -0.7),
 }
+_CHANNELS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 _LIGHT = {LIGHTER: 1.0, DARKER: -1.0, WHITE: 1.0, BLACK: -1.0}
 # Of the step's length. Video halves the resolution of colour: a thin line differs from its flanks
 # in brightness alone, and only what has another colour than the paint can be told.
@@ -38,20 +42,32 @@ def fits(steps: Values, sought: Sought) -> NDArray[np.bool_]:
     """Which steps of colour the sought paint could make.
 
     Args:
-        steps: (..., 3) BGR, paint minus ground, of any length.
+        steps: (n, 4) BGRA, paint minus ground, of any length; alpha is left out.
         sought: its tone and colour decide.
+
+    Returns:
+        (n,).
     """
-    tone, colour = sought.looks.tone, sought.looks.colour
-    if sought.looks.kind == BAR and tone == ANY and colour in _LIGHT:
-        colour = ANY  # before anything: white in the shade is darker than what is lit behind it
-    lengths = np.sqrt((steps * steps).sum(axis=-1)) + 1e-6
-    good = np.ones(steps.shape[:-1], dtype=bool)
-    for word in {tone, colour} - {ANY}:
-        if word in _LIGHT:
-            good &= _LIGHT[word] * steps.sum(axis=-1) > 0
-        if word in _GROWS:
-            weights = np.array(_GROWS[word], dtype=np.float32)
-            good &= steps @ weights > _LEAST_GROWTH * lengths
-    if colour == WHITE:
-        good &= steps.min(axis=-1) > -_MOST_LOSS * lengths
+    weights, least = _conditions(sought.looks)
+    bgr = steps[:, :3]
+    lengths = np.sqrt(np.einsum("nk,nk->n", bgr, bgr)) + 1e-6
+    good: NDArray[np.bool_] = (weights @ bgr.T > least * lengths).all(axis=0)
     return good
+
+
+@lru_cache(maxsize=64)
+def _conditions(looks: Appearance) -> tuple[Values, Values]:
+    """(m, 3) weights of blue, green and red in what must be more than (m, 1) shares of a step's
+    length."""
+    tone, colour = looks.tone, looks.colour
+    if looks.kind == BAR and tone == ANY and colour in _LIGHT:
+        colour = ANY  # before anything: white in the shade is darker than what is lit behind it
+    rows = [((_LIGHT[word],) * 3, 0.0) for word in {tone, colour} & _LIGHT.keys()]
+    rows += [(_GROWS[word], _LEAST_GROWTH) for word in {tone, colour} & _GROWS.keys()]
+    if colour == WHITE:
+        rows += [(channel, -_MOST_LOSS) for channel in _CHANNELS]
+    weights, least = [row[0] for row in rows], [row[1] for row in rows]
+    return (
+        np.array(weights, dtype=np.float32).reshape(-1, 3),
+        np.array(least, dtype=np.float32).reshape(-1, 1),
+    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -16,14 +17,15 @@ FloatArray = NDArray[np.float64]
 Values = NDArray[np.float32]
 
 STEP_PX = 0.5  # between the samples of a cut
+_FLAGS = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
 
 
 @dataclass(frozen=True, eq=False)
 class Patch:
-    """The surroundings of a position.
+    """A position and its surroundings.
 
     Attributes:
-        pixels: (h, w, 3) or (h, w) uint8, a part of the picture.
+        pixels: (h, w, 4) BGRA, a part of the picture.
         centre: of the position, px of the part.
     """
 
@@ -38,43 +40,56 @@ class Patch:
         x, y = point
         reach = math.ceil(reach_px) + 2
         left, top = max(0, round(x) - reach), max(0, round(y) - reach)
-        part = picture[top : round(y) + reach + 1, left : round(x) + reach + 1, :3]
+        part = picture[top : round(y) + reach + 1, left : round(x) + reach + 1]
         x, y = x - left, y - top
         if shrink == 1:
-            return cls(np.ascontiguousarray(part), (x, y))
+            return cls(part, (x, y))
         height, width = (max(1, side // shrink) for side in part.shape[:2])
-        whole = np.ascontiguousarray(part[: height * shrink, : width * shrink])
+        whole = part[: height * shrink, : width * shrink]
         small = cv2.resize(whole, (width, height), interpolation=cv2.INTER_AREA)
         inwards = (shrink - 1) / 2
-        return cls(np.asarray(small), ((x - inwards) / shrink, (y - inwards) / shrink))
+        centre = (x - inwards) / shrink, (y - inwards) / shrink
+        return cls(np.asarray(small, dtype=np.uint8), centre)
 
-    def palest(self) -> Patch:
-        """The smallest of the three channels, which shows white paint on saturated ground best."""
-        blue, green, red = cv2.split(self.pixels)
-        return Patch(np.asarray(cv2.min(cv2.min(blue, green), red), dtype=np.uint8), self.centre)
+    def across(self, angle: float, offset_px: float) -> Patch:
+        """The same pixels around a place across a direction from the position."""
+        x, y = self.centre
+        return Patch(
+            self.pixels, (x - offset_px * math.sin(angle), y + offset_px * math.cos(angle))
+        )
 
-    def cuts(self, angles: FloatArray, along: FloatArray, across: FloatArray) -> Values:
+    def cuts(
+        self, angles: Sequence[float], along_px: float, every_px: float, samples: int
+    ) -> PixelArray:
         """Sample lines across directions through the position.
 
         Args:
             angles: (A,) of the directions, radians.
-            along: (..., S) how far along the direction each cut is, px.
-            across: (T,) how far across it its samples are, px.
+            along_px: how far along each the last cut is; the first one is as far back.
+            every_px: between cuts.
+            samples: of each cut to either side, `STEP_PX` apart.
 
         Returns:
-            (A, ..., S, T, channels) colours; what lies beyond the part mirrors it.
+            (cuts, A, 2 samples + 1, 4) BGRA; what lies beyond the part mirrors it.
         """
-        shape = (len(angles), *along.shape, len(across))
-        cos, sin = np.cos(angles), np.sin(angles)
-        s, t = along.reshape(-1)[None, :, None], across[None, None, :]
-        x = self.centre[0] + s * cos[:, None, None] - t * sin[:, None, None]
-        y = self.centre[1] + s * sin[:, None, None] + t * cos[:, None, None]
-        flat = (-1, len(across))
-        found = cv2.remap(
-            self.pixels.astype(np.float32),
-            x.reshape(flat).astype(np.float32),
-            y.reshape(flat).astype(np.float32),
-            cv2.INTER_LINEAR,
-            borderMode=cv2.BORDER_REFLECT,
-        )
-        return np.asarray(found, dtype=np.float32).reshape(*shape, -1)
+        count, width = round(2 * along_px / every_px) + 1, 2 * samples + 1
+        found = np.empty((count, len(angles), width, 4), dtype=np.uint8)
+        (x, y), aside = self.centre, samples * STEP_PX
+        for i, angle in enumerate(angles):
+            cos, sin = math.cos(angle), math.sin(angle)
+            from_x, from_y = x - along_px * cos + aside * sin, y - along_px * sin - aside * cos
+            turned = np.array(
+                [
+                    [-STEP_PX * sin, every_px * cos, from_x],
+                    [STEP_PX * cos, every_px * sin, from_y],
+                ]
+            )
+            cv2.warpAffine(
+                self.pixels,
+                turned,
+                (width, count),
+                dst=found[:, i],
+                flags=_FLAGS,
+                borderMode=cv2.BORDER_REFLECT,
+            )
+        return found

@@ -10,11 +10,12 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 
 from procc_annotator.field.appearance import BAR, EDGE
 from procc_annotator.image.colour_step import fits
-from procc_annotator.image.cuts import STEP_PX, FloatArray, Patch, Values
+from procc_annotator.image.cuts import STEP_PX, Patch, Values
 from procc_annotator.image.sought import Sought
 
 REACH_PX = 24.0  # along, to either side
@@ -28,8 +29,6 @@ _SAME_COLOUR = 0.8  # cosine
 _STAYS = 0.1  # of the usual step: for less it does not move across
 _BEGINS = 0, 4, -4  # places along
 _NEAR = 5  # over so many places to either side its turn is measured
-
-_ALONG = np.arange(-REACH_PX, REACH_PX + 0.1, _EVERY_PX)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,9 +56,7 @@ def follow(
         How far it goes on from its middle, then from ahead and from back of it: at an end another
         line lies in its ground. Nothing where it does not stand out, or has another colour.
     """
-    x, y = patch.centre
-    place = x - offset_px * math.sin(angle), y + offset_px * math.cos(angle)
-    left, right = _steps(Patch(patch.pixels, place), angle, width_px)
+    left, right = _steps(patch.across(angle, offset_px), angle, width_px)
     if sought.looks.kind == EDGE:
         left = right = left - right  # from one side to the other
     middle = len(left) // 2
@@ -72,14 +69,15 @@ def follow(
 def _course(left: Values, right: Values, begin: int, sought: Sought) -> Course | None:
     """From a place along, with the steps of colour there for the usual ones."""
     here, around = left.shape[1] // 2, slice(begin - 1, begin + 2)
-    usual = (left[around, here] + right[around, here]).mean(axis=0) / 2
+    usual = (left[around, here] + right[around, here]).sum(axis=0) / 6
     size = math.sqrt(float(usual @ usual))
-    if size < _LEAST_STEP or not (sought.looks.kind == EDGE or fits(usual, sought)):
+    if size < _LEAST_STEP or not (sought.looks.kind == EDGE or fits(usual[None], sought)[0]):
         return None
     bar = sought.looks.kind == BAR
-    shares = _shares(left, right, usual / size, around, here, bar=bar)
-    if shares is None:
+    found = _shares(left, right, usual / size, around, here, bar=bar)
+    if found is None:
         return None
+    shares = found.tolist()
     ahead, back = _walk(shares[begin:], here), _walk(shares[begin::-1], here)
     first, last = back[: _NEAR + 1], ahead[: _NEAR + 1]
     across, along = (last[-1] - first[-1]) * STEP_PX, (len(first) + len(last) - 2) * _EVERY_PX
@@ -88,31 +86,36 @@ def _course(left: Values, right: Values, begin: int, sought: Sought) -> Course |
 
 
 def _steps(patch: Patch, angle: float, width_px: float) -> tuple[Values, Values]:
-    """(n, m, 3) steps of colour from the left and the right ground to the band, at places along
+    """(n, m, 4) steps of colour from the left and the right ground to the band, at places along
     and offsets across."""
-    near, far = (width_px / 2 + beside for beside in _BESIDE)
-    inner = max(0.5, 0.3 * width_px)
-    half = math.ceil((far + _ASIDE_PX) / STEP_PX) + 1
-    across = np.arange(-half, half + 1, dtype=np.float64) * STEP_PX
-    cuts = patch.cuts(np.array([angle]), _ALONG, across)[0]
-    sums = np.cumsum((cuts[:-2] + cuts[1:-1] + cuts[2:]) / 3, axis=1)
+    near, far = (round((width_px / 2 + beside) / STEP_PX) for beside in _BESIDE)
+    inner = round(max(0.5, 0.3 * width_px) / STEP_PX)
     aside = round(_ASIDE_PX / STEP_PX)
+    half = far + aside + 1
+    cuts = patch.cuts([angle], REACH_PX, _EVERY_PX, half)[:, 0]
+
+    def means(samples: int) -> Values:
+        """Of so many samples across and three cuts along."""
+        whole = cv2.boxFilter(cuts, cv2.CV_32F, (samples, 3))
+        return np.asarray(whole[1:-1], dtype=np.float32)
+
+    band, ground = means(2 * inner + 1), means(far - near + 1)
+    anchor = (far - near + 1) // 2
     first, past = half - aside, half + aside + 1
-
-    def mean(begin_px: float, end_px: float) -> Values:
-        before, last = round(begin_px / STEP_PX) - 1, round(end_px / STEP_PX)
-        whole = sums[:, first + last : past + last] - sums[:, first + before : past + before]
-        return np.asarray(whole / (last - before), dtype=np.float32)
-
-    band = mean(-inner, inner)
-    return band - mean(-far, -near), band - mean(near, far)
+    on_left, on_right = anchor - far, anchor + near
+    here = band[:, first:past]
+    return (
+        here - ground[:, first + on_left : past + on_left],
+        here - ground[:, first + on_right : past + on_right],
+    )
 
 
 def _shares(
     left: Values, right: Values, direction: Values, around: slice, here: int, *, bar: bool
-) -> FloatArray | None:
+) -> Values | None:
     """(n, m) how much of the usual step there is; 0 where the colour is another one."""
-    on_left, on_right = left @ direction, right @ direction
+    shape, flat = left.shape[:2], (-1, left.shape[2])
+    on_left, on_right = ((side.reshape(flat) @ direction).reshape(shape) for side in (left, right))
     usual = [sorted(side[around, here].tolist())[1] for side in (on_left, on_right)]
     if bar:
         # Either side may be as bright as the bar for a while, never both.
@@ -121,22 +124,22 @@ def _shares(
         if min(usual) < _LEAST_STEP / 2:
             return None
         shares = np.minimum(on_left / usual[0], on_right / usual[1])
-    both = (left + right) / 2
-    lengths = np.sqrt((both * both).sum(axis=-1)) + 1e-6
-    alike = (on_left + on_right) / 2 >= _SAME_COLOUR * lengths
-    return np.where(alike, shares, 0.0)
+    both = (left + right).reshape(flat)
+    lengths = np.sqrt(np.einsum("ij,ij->i", both, both)).reshape(shape) + 1e-6
+    shares[on_left + on_right < _SAME_COLOUR * lengths] = 0.0
+    return np.asarray(shares, dtype=np.float32)
 
 
-def _walk(shares: FloatArray, here: int) -> list[int]:
+def _walk(shares: list[list[float]], here: int) -> list[int]:
     """Where a band is at each place from the first one on, while it goes on, bending a little."""
-    last = shares.shape[1] - 1
     walked = [here]
     for row in shares[1:]:
-        low, high = max(0, here - _TURN), min(last, here + _TURN) + 1
-        best = low + int(row[low:high].argmax())
-        if row[best] < _SAME_STEP:
+        low = max(0, here - _TURN)
+        near = row[low : here + _TURN + 1]
+        most = max(near)
+        if most < _SAME_STEP:
             break
-        if row[here] < row[best] - _STAYS:
-            here = best
+        if row[here] < most - _STAYS:
+            here = low + near.index(most)
         walked.append(here)
     return walked

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from procc_annotator.field.appearance import ANY, BAR, EDGE, LIGHTER, WHITE
 from procc_annotator.image.colour_step import fits
 from procc_annotator.image.cuts import STEP_PX, Patch, Values
+from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.profile import (
     Band,
     band_at,
@@ -31,19 +32,21 @@ FloatArray = NDArray[np.float64]
 BEYOND_PX = 14.0  # a profile goes this far beyond the reach: the widest line and its side
 TRIED = 8  # maxima looked at, the most convincing first
 
-_LENGTH_PX = 6.5  # a profile is averaged this far along the line
+_LENGTH_PX = 8.0  # a profile is averaged at most this far along the line
+_CUTS_PX = 1.0  # between the cuts that it is averaged of
 # Both ways; and one way only, since an element's ends lie where its line ends or meets another.
-_STRETCHES = np.array(
-    [
-        np.linspace(-_LENGTH_PX, _LENGTH_PX, 9),
-        np.linspace(-0.5, _LENGTH_PX + 1.5, 9),
-        np.linspace(-_LENGTH_PX - 1.5, 0.5, 9),
-    ]
-)
+_STRETCHES = np.column_stack(
+    ([2, 3, 5, 6, 8, 10, 11, 13, 14], [*range(8, 17)], [*range(9)])
+)  # of 17 cuts
 _SIDES = np.array([1.0, 0.75, 0.75])  # a band that is seen on one side only counts less
-_BAR_STRETCHES = 2.0 * _STRETCHES  # bars are straight: what is behind them averages out
+_BAR_LONGER = 2.0  # bars are straight: what is behind them averages out
+_ALONG = tuple(tuple(float(i) * _CUTS_PX - _LENGTH_PX for i in of) for of in _STRETCHES.T)
+_BAR_ALONG = tuple(tuple(_BAR_LONGER * px for px in of) for of in _ALONG)
 _NEARNESS_PX = 8.0  # a band at this distance counts less than half of one at none
 _LEAST_CONTRAST = 16.0  # of 255
+# Of the grounds beside a band and of three samples in its middle: its step in one cut.
+_BAND_STEP = np.array([-1 / 2, 1 / 3, 1 / 3, 1 / 3, -1 / 2], dtype=np.float32)
+_EDGE_STEP = np.array([-1, 0, 0, 0, 1], dtype=np.float32)
 _SHOWN = 0.4  # of the contrast: what a cut must have to show the band
 _SUPPORT = 0.62  # share of the cuts that must show it
 _LEVEL = 0.7
@@ -57,13 +60,15 @@ _LOPSIDED, _STRONGER_BESIDE = 0.62, 1.0  # ... on the side to which most of a ba
 class Found:
     """A band through a patch: its direction, and where across the position it is, px.
 
-    ``merit``: how sharp and near it is; comparable within one patch.
+    ``merit``: how sharp and near it is; comparable within one patch. ``along``: where along the
+    direction the middle of the cuts lies that show it, px; at an end that is beside the position.
     """
 
     angle: float
     offset: float
     merit: float
     width: float
+    along: float
 
     @property
     def foot(self) -> tuple[float, float]:
@@ -80,17 +85,20 @@ class Maxima:
     """Where profiles in several directions curve most, and what is needed to look closer.
 
     Attributes:
-        angles: (A,) radians; each has three rows, one a stretch.
+        angles: (A,) radians; each has a row in each of three blocks, one a stretch.
         offsets: (T,) px across.
-        cuts: (3 A, 9, T, K) colours.
-        profiles, curved: (3 A, T, K) along the cuts, and how they curve.
-        strength: (3 A, T) how much they curve the way the sought paint does.
+        cuts: (9, 3 A, T, K) BGRA, or the smallest of the colours.
+        profiles: (3 A, T, K) along the cuts.
+        near: the first of the N columns that may be within reach.
+        curved: (3 A, N, K) how the profiles curve there.
+        strength: (3 A, N) how much they curve the way the sought paint does.
     """
 
     angles: FloatArray
     offsets: FloatArray
-    cuts: Values
+    cuts: PixelArray
     profiles: Values
+    near: int
     curved: Values
     strength: Values
     sought: Sought
@@ -103,39 +111,51 @@ class Maxima:
         pale = looks.tone == LIGHTER and looks.colour in (WHITE, ANY) and looks.kind != EDGE
         half = math.ceil((reach_px + BEYOND_PX) / STEP_PX)
         offsets = np.arange(-half, half + 1, dtype=np.float64) * STEP_PX
-        stretches = _BAR_STRETCHES if looks.kind == BAR else _STRETCHES
-        cuts = (patch.palest() if pale else patch).cuts(angles, stretches, offsets)
-        cuts = cuts.reshape(-1, *cuts.shape[2:])
-        profiles = middle_of_nine(cuts)
-        edge = looks.kind == EDGE
-        curved = _filtered(profiles, gradient_kernel() if edge else curvature_kernel())
+        longer = _BAR_LONGER if looks.kind == BAR else 1.0
+        along, every = longer * _LENGTH_PX, longer * _CUTS_PX
+        all_cuts = patch.cuts(angles.tolist(), along, every, half)
+        if pale:  # the smallest colour shows white paint on saturated ground best
+            blue, green, red = (all_cuts[..., k : k + 1] for k in range(3))
+            all_cuts = np.minimum(np.minimum(blue, green), red)
+        cuts = all_cuts.take(_STRETCHES, axis=0).reshape(len(_STRETCHES), -1, *all_cuts.shape[2:])
+        profiles = middle_of_nine(cuts).astype(np.float32)
+        near = half - math.ceil(reach_px / STEP_PX) - 2
+        kernel = gradient_kernel() if looks.kind == EDGE else curvature_kernel()
+        curved = _filtered(profiles, kernel, near)
         strength = curved[..., 0] if pale else _strength(curved, sought)
-        return cls(angles, offsets, cuts, profiles, curved, strength, sought, reach_px)
+        return cls(angles, offsets, cuts, profiles, near, curved, strength, sought, reach_px)
 
     def ordered(self) -> Iterator[tuple[int, int, float, float]]:
         """Row, column, offset and merit of each maximum, the strongest and nearest first."""
         inner = self.strength[:, 1:-1]
-        peaks = (inner > 0) & (inner >= self.strength[:, :-2]) & (inner > self.strength[:, 2:])
-        weights = _weights(len(self.angles), len(self.offsets), self.reach_px)[:, 1:-1]
-        rows, columns = np.nonzero(peaks & (weights > 0))
-        values = inner[rows, columns] * weights[rows, columns]
-        order = np.argsort(-values)
-        rows, columns, values = rows[order], columns[order] + 1, values[order]
+        merits = inner * _weights(len(self.angles), inner.shape[1], self.reach_px)
+        peaks = (inner >= self.strength[:, :-2]) & (inner > self.strength[:, 2:]) & (merits > 0)
+        rows, columns = peaks.nonzero()
+        values = merits[rows, columns]
+        order = (-values).argsort()
+        rows, columns = rows[order], columns[order] + self.near + 1
+        offsets = self.offsets[columns]
         return zip(
-            rows.tolist(),
-            columns.tolist(),
-            self.offsets[columns].tolist(),
-            values.tolist(),
-            strict=True,
+            rows.tolist(), columns.tolist(), offsets.tolist(), values[order].tolist(), strict=True
         )
 
     def angle_of(self, row: int) -> float:
         """The direction of a row, radians."""
-        return float(self.angles[row // len(_SIDES)])
+        return float(self.angles[row % len(self.angles)])
+
+    @property
+    def along(self) -> tuple[tuple[float, ...], ...]:
+        """Where the cuts of each stretch lie along the direction, px."""
+        return _BAR_ALONG if self.sought.looks.kind == BAR else _ALONG
 
     def stretch_of(self, row: int) -> int:
         """The stretch of a row: both ways, ahead, back."""
-        return row % len(_SIDES)
+        return row // len(self.angles)
+
+    def middle_of(self, row: int) -> float:
+        """Where along the direction the middle of a row's cuts lies, px."""
+        along = self.along[self.stretch_of(row)]
+        return along[len(along) // 2]
 
     def best(self) -> Found | None:
         """The strongest and nearest band."""
@@ -144,21 +164,27 @@ class Maxima:
 
     def band(self, row: int, column: int) -> Found | None:
         """The band at a maximum, if there is one that looks like what is sought."""
-        colour = self.curved[row, column]
+        at = column - self.near
+        colour = self.curved[row, at]
         colour = colour / math.sqrt(float(colour @ colour))
-        looks, profile = self.sought.looks, self.profiles[row] @ colour
+        looks, profile = self.sought.looks, (self.profiles[row] @ colour).tolist()
         band = (edge_at if looks.kind == EDGE else band_at)(profile, column)
-        if band is None or not _is_shown(band, self.cuts[row] @ colour, self.sought):
+        if band is None or not _is_like(band, self.sought):
+            return None
+        shown = _shown_in(band, self.cuts[:, row], colour, edge=looks.kind == EDGE)
+        if len(shown) < _SUPPORT * len(self.cuts):
             return None
         if looks.tone == ANY and looks.kind != EDGE and _is_fringe(band, profile):
             return None
         place = band.centre
         if place == column:
-            place += top_of_three(*self.strength[row, column - 1 : column + 2].tolist())
-        offset = float(self.offsets[0] + place * STEP_PX)
+            place += top_of_three(*self.strength[row, at - 1 : at + 2].tolist())
+        offset = float(self.offsets[0]) + place * STEP_PX
         if abs(offset) > self.reach_px:
             return None
-        return Found(self.angle_of(row), offset, 0.0, band.width_px)
+        along = self.along[self.stretch_of(row)]
+        middle = sum(along[cut] for cut in shown) / len(shown)
+        return Found(self.angle_of(row), offset, 0.0, band.width_px, middle)
 
 
 @lru_cache(maxsize=8)
@@ -167,58 +193,60 @@ def _weights(directions: int, samples: int, reach_px: float) -> Values:
     offsets = (np.arange(samples) - samples // 2) * STEP_PX
     near = np.exp(-((offsets / _NEARNESS_PX) ** 2))
     near[np.abs(offsets) > reach_px + STEP_PX] = 0.0
-    return np.asarray(np.tile(_SIDES, directions)[:, None] * near[None], dtype=np.float32)
+    return np.asarray(np.repeat(_SIDES, directions)[:, None] * near[None], dtype=np.float32)
 
 
-def _is_fringe(band: Band, profile: Values) -> bool:
+def _is_like(band: Band, sought: Sought) -> bool:
+    """Whether a band stands out, and is as wide as what is sought."""
+    least, most = sought.width_px
+    kind = sought.looks.kind
+    if band.contrast < _LEAST_CONTRAST or kind == EDGE:
+        return band.contrast >= _LEAST_CONTRAST
+    if not least <= band.width_px <= most or (kind == BAR and band.level < _LEVEL):
+        return False
+    return band.balance >= _BALANCED or not sought.is_wide  # else a part of it
+
+
+def _shown_in(band: Band, cuts: PixelArray, colour: Values, *, edge: bool) -> list[int]:
+    """The cuts across that show a band."""
+    middle = round(band.centre)
+    columns = np.array([band.left, middle - 1, middle, middle + 1, band.right])
+    weights = (_EDGE_STEP if edge else _BAND_STEP)[:, None] * colour
+    steps = cuts[:, columns].reshape(len(cuts), -1) @ weights.reshape(-1)
+    least = _SHOWN * band.contrast
+    return [cut for cut, step in enumerate(steps.tolist()) if step > least]
+
+
+def _is_fringe(band: Band, profile: Sequence[float]) -> bool:
     """Whether a band is what sharpening makes of the ground beside a stronger one."""
     half = round(band.width_px / 2 / STEP_PX)
     reach = round(_FRINGE_PX / STEP_PX)
     first, last = (round(band.centre) + side * half for side in (-1, 1))
-    left, right = profile[max(0, first - reach) : max(0, first)], profile[last + 1 : last + reach]
-    middle = float(profile[round(band.centre)])
-    steps = [middle - float(profile[ground]) for ground in (band.left, band.right)]
-    for begin, side, step in ((max(0, first - reach), left, steps[0]), (last + 1, right, steps[1])):
-        if not len(side):
+    begin = max(0, first - reach)
+    left, right = profile[begin : max(0, first)], profile[last + 1 : last + reach]
+    middle = profile[round(band.centre)]
+    steps = middle - profile[band.left], middle - profile[band.right]
+    turned = [-value for value in profile]
+    for start, side, step in ((begin, left, steps[0]), (last + 1, right, steps[1])):
+        if not side:
             continue
-        other = band_at(-profile, begin + int(side.argmin()))
+        other = band_at(turned, start + side.index(min(side)))
         stronger = _STRONGER if step < _LOPSIDED * sum(steps) else _STRONGER_BESIDE
         if other is not None and other.contrast > stronger * band.contrast:
             return True
     return False
 
 
-def _is_shown(band: Band, cuts: Values, sought: Sought) -> bool:
-    """Whether a band is as wide as what is sought, and nearly every cut across shows it."""
-    least, most = sought.width_px
-    if band.contrast < _LEAST_CONTRAST:
-        return False
-    if sought.looks.kind == EDGE:
-        steps = cuts[:, band.right] - cuts[:, band.left]
-    else:
-        if not least <= band.width_px <= most:
-            return False
-        if sought.looks.kind == BAR and band.level < _LEVEL:
-            return False
-        if sought.is_wide and band.balance < _BALANCED:
-            return False  # a part of it
-        middle = round(band.centre)
-        inner = cuts[:, max(0, middle - 1) : middle + 2].mean(axis=1)
-        steps = inner - (cuts[:, band.left] + cuts[:, band.right]) / 2
-    return bool((steps > _SHOWN * band.contrast).mean() >= _SUPPORT)
-
-
-def _filtered(profiles: Values, kernel: Values) -> Values:
-    """(R, T, K) each colour's profile, filtered."""
-    rows, samples, channels = profiles.shape
-    flat = np.moveaxis(profiles, 2, 1).reshape(-1, samples)
-    curved = cv2.filter2D(flat, -1, kernel, borderType=cv2.BORDER_REPLICATE)
-    apart = np.asarray(curved, dtype=np.float32).reshape(rows, channels, samples)
-    return np.moveaxis(apart, 1, 2)
+def _filtered(profiles: Values, kernel: Values, near: int) -> Values:
+    """(R, N, K) each colour's profile, filtered; without so many columns at both ends."""
+    rows, _, channels = profiles.shape
+    curved = cv2.filter2D(profiles, -1, kernel, borderType=cv2.BORDER_REPLICATE)
+    return np.asarray(curved, dtype=np.float32).reshape(rows, -1, channels)[:, near:-near]
 
 
 def _strength(curved: Values, sought: Sought) -> Values:
-    lengths = np.asarray(np.sqrt((curved * curved).sum(axis=-1)), dtype=np.float32)
-    if sought.looks.kind == EDGE:
-        return lengths
-    return np.where(fits(curved, sought), lengths, 0.0).astype(np.float32)
+    colours = curved.reshape(-1, curved.shape[-1])
+    lengths = np.sqrt(np.einsum("nk,nk->n", colours, colours))
+    if sought.looks.kind != EDGE:
+        lengths[~fits(colours, sought)] = 0.0
+    return np.asarray(lengths.reshape(curved.shape[:-1]), dtype=np.float32)

@@ -60,6 +60,7 @@ class OneWindow:
             store = self._window.settings._store
             kept = {key: store.value(key) for key in store.allKeys()}
             self._window.document.close()
+            self._window.document.saver.set_workspace(None)  # a test that failed would be asked
             self._window.close()
             self._window.deleteLater()
             self._window = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -15,12 +16,15 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu, QToolTip
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.annotation import points_px
+from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.image.adjust import Look
+from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.session.facts.origins import OriginKind
+from tests.bench.paint.measures import clicks_on
+from tests.bench.paint.truth import truth_frames
 from tests.gui.conftest import all_done
 
 if TYPE_CHECKING:
@@ -311,6 +315,38 @@ class TestRegularise:
             clicks.key(Qt.Key.Key_R)
         assert np.array_equal(px(on_pitch, MIDDLE), once)
 
+    def test_on_a_real_frame_it_is_done_once_and_lies_on_the_paint(
+        self,
+        make_window: MakeWindow,
+        hand_on: Callable[[MainWindow], Hand],
+        qtbot: QtBot,
+        shared_data: Path,
+        tmp_path: Path,
+    ) -> None:
+        frame = next(frame for frame in truth_frames() if frame.clip == "bra_mex")
+        shutil.copy(shared_data / "frames" / "bra_mex.jpg", tmp_path)
+        rng = np.random.default_rng(4)
+        hands = [frame.polyline(e.name, clicks_on(e, rng)) for e in frame.elements]
+        annotation = FrameAnnotation(tuple(hands))
+        (tmp_path / "bra_mex.json").write_bytes(write_annotation(annotation))
+        window = make_window(tmp_path)
+        hand, said = hand_on(window), window.document.message
+        with qtbot.waitSignal(
+            said, check_params_cb=lambda text, _: "regularised" in text, timeout=60_000
+        ):
+            hand.key(Qt.Key.Key_R, SHIFT)
+        once = window.document.annotation
+        assert once != annotation
+        with qtbot.waitSignal(said, check_params_cb=lambda text, _: "regular already" in text):
+            hand.key(Qt.Key.Key_R, SHIFT)
+            all_done(qtbot)
+        assert window.document.annotation == once
+        bars = [e for e in frame.elements if e.kind in ("post", "crossbar")]
+        assert len(bars) == 3
+        for bar in bars:
+            away = bar.away(points_px(once.get(bar.name), frame.size))
+            assert np.nanmax(away) < 0.7
+
     def test_a_click_without_paint_stays_and_is_told(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
@@ -354,6 +390,21 @@ class TestCopying:
         assert set(on_pitch.document.annotation.annotated) == {MIDDLE, TOP}
         qtbot.waitUntil((pitch / "1.json").exists)
         assert set(kinds(on_pitch)) == {OriginKind.COPIED}
+
+    @pytest.mark.parametrize("goes_on", [True, False])
+    def test_a_click_after_confirming_all_goes_into_none_of_them(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, goes_on: bool
+    ) -> None:
+        on_pitch.document.set_option("auto_advance", goes_on)
+        self.copy(on_pitch, clicks, qtbot)
+        clicks.key(Qt.Key.Key_V, SHIFT)
+        before = {name: px(on_pitch, name) for name in (MIDDLE, TOP)}
+        chosen = on_pitch.document.selected_class
+        assert (chosen is not None) == goes_on
+        assert chosen not in before
+        clicks.click(300, 300)
+        clicks.key(Qt.Key.Key_Return)
+        assert all(np.array_equal(px(on_pitch, name), before[name]) for name in before)
 
     def test_dragging_a_copy_confirms_it_alone(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot

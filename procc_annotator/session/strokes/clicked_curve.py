@@ -89,19 +89,20 @@ class Curve:
         return np.column_stack([np.ones_like(turn), *waves])
 
 
-def curve_through(clicked: FloatArray, curved: bool) -> Curve | None:
+def curve_through(clicked: FloatArray, curved: bool, bar: bool = False) -> Curve | None:
     """The curve through the clicks: chords, an ellipse, or what passes smoothly through them all.
 
     Args:
         clicked: (n, 2) px, n >= 2.
         curved: whether the element is a circle or an arc; of a circle's points the order does not
             matter.
+        bar: whether it is a bar, which bends no more than the lens bends it.
 
     Returns:
         None for clicks in one place.
     """
     if not curved:
-        return _curve(_chords(clicked), 4, closed=False)
+        return _curve(_chords(clicked), 3 if bar else 4, closed=False)
     if len(clicked) >= _ELLIPSE_CLICKS:
         arc = _elliptic_arc(clicked)
         if arc is not None:

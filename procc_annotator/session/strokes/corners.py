@@ -43,6 +43,7 @@ _LEAST_SINE = 0.1  # lines at less than six degrees cross nowhere that could be 
 _NEAR_PX = 10.0, 76.0  # of the corner: from where both are followed to it
 _LOCAL_EVERY_PX, _LOCAL_REACH_PX = 5.0, 2.5
 _LOCAL_AGREED, _LOCAL_SPAN_PX = 5, 15.0
+_LOCAL_OFF_PX = 0.2  # from the straight line: what belongs to it
 _REFINED_PX = 1.0  # across
 
 
@@ -260,4 +261,8 @@ def _close_by(
     if agreed.sum() < _LOCAL_AGREED:
         return None
     slope, level = np.polyfit(s[agreed], o[agreed], 1)
+    # Closest to the corner a place may be drawn to the other line, and turn this one.
+    away_px = np.abs(o - level - slope * s)
+    own = away_px <= max(_LOCAL_OFF_PX, 2.0 * float(np.median(away_px[agreed])))
+    slope, level = np.polyfit(s[own], o[own], 1)
     return corner + level * normal, direction + slope * normal

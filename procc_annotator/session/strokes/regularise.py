@@ -10,7 +10,7 @@ any other stays as it is, and is told.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,6 +55,7 @@ def regularise(
     curved: bool,
     size: tuple[int, int],
     snap: Snap | None,
+    bar: bool = False,
 ) -> Regularised:
     """Resample an element along its painted line, denser where it bends.
 
@@ -65,6 +66,8 @@ def regularise(
         curved: whether it is a circle or an arc; the order of a circle's points does not matter.
         size: (width, height) of the picture, px.
         snap: puts points on lines; None only resamples.
+        bar: whether it is a bar: straight, and before anything. Its points lie on its own line,
+            since what is behind it draws single ones aside.
 
     Returns:
         Points in the direction of the clicks: the samples that a painted line supports, and the
@@ -75,7 +78,7 @@ def regularise(
     if len(polyline.points) < 2:
         return Regularised(polyline)
     clicked = points_px(polyline, size)
-    curve = curve_through(clicked, curved)
+    curve = curve_through(clicked, curved, bar)
     if curve is None:
         return Regularised(polyline)
     if snap is None:
@@ -90,20 +93,46 @@ def regularise(
     fitted = curve.fitted(parameters, found)
     if fitted is None:
         return Regularised(polyline, polyline.points)
-    return _along_paint(polyline, clicked, fitted, snap, size)
+    found_along = _along_paint(polyline, clicked, fitted, snap, size, on_curve=bar)
+    if _is_same(polyline, found_along.polyline, size):
+        return replace(found_along, polyline=polyline)
+    return found_along
+
+
+def _is_same(before: Polyline, after: Polyline, size: tuple[int, int]) -> bool:
+    """Whether points are as regular as others, on the same line."""
+    if before == after:
+        return True
+    old, new = points_px(before, size), points_px(after, size)
+    if len(old) > _DENSER * len(new) or len(new) < 2:
+        return False
+    steps = np.hypot(*np.diff(new, axis=0).T)
+    own = np.maximum(np.append(steps, 0.0), np.append(0.0, steps))  # to the farther neighbour
+    nearest = np.hypot(*(new[:, None] - old[None]).transpose(2, 0, 1)).min(axis=1)
+    return bool(
+        (nearest <= _REGULAR * own).all()
+        and (_apart(new, old) <= _UNCHANGED_PX).all()
+        and (_apart(old, new) <= _UNCHANGED_PX).all()
+    )
 
 
 def _along_paint(
-    polyline: Polyline, clicked: FloatArray, curve: Curve, snap: Snap, size: tuple[int, int]
+    polyline: Polyline,
+    clicked: FloatArray,
+    curve: Curve,
+    snap: Snap,
+    size: tuple[int, int],
+    *,
+    on_curve: bool,
 ) -> Regularised:
     parameters = _positions(curve, size)
-    placed, supported = _on_paint(curve, parameters, snap)
+    placed, supported = _on_paint(curve, parameters, snap, on_curve=on_curve)
     inner = supported[1:-1]
     at, near = _feet(clicked, curve)
     enough = inner.sum() >= max(2.0, _LEAST_SUPPORT * len(inner))
     if not enough or near.mean() < _LEAST_AGREED:
         return Regularised(polyline, polyline.points)
-    feet, found = _on_paint(curve, at, snap)
+    feet, found = _on_paint(curve, at, snap, on_curve=on_curve)
     # In samples, from each click to each one with support.
     row = np.interp(at, parameters, np.arange(len(parameters)))
     between = np.flatnonzero(supported)[None] - row[:, None]
@@ -118,10 +147,6 @@ def _along_paint(
     moves = np.hypot(*(feet - clicked).T)
     confirmed &= moves <= MOST_MOVED_PX
     kept = tuple(polyline.points[i] for i in np.flatnonzero(~confirmed))
-    few = len(clicked) <= _DENSER * len(parameters)
-    regular = few and (moves[confirmed] <= _UNCHANGED_PX).all()
-    if regular and (np.abs(between).min(axis=0) <= _REGULAR).all():
-        return Regularised(polyline, kept)
     supported[[0, -1]] = curve.closed  # else the clicks are the ends
     lonely = confirmed & (ends | (np.abs(between).min(axis=1) > _VOUCHES))
     rows = [*zip(parameters[supported], placed[supported].tolist(), strict=True)]
@@ -144,17 +169,19 @@ def _feet(clicked: FloatArray, curve: Curve) -> tuple[FloatArray, BoolArray]:
     return fine[apart.argmin(axis=1)], apart.min(axis=1) <= MOST_MOVED_PX
 
 
-def _on_paint(curve: Curve, parameters: FloatArray, snap: Snap) -> tuple[FloatArray, BoolArray]:
-    """(n, 2) px and whether paint was found there; on the curve where none was."""
+def _on_paint(
+    curve: Curve, parameters: FloatArray, snap: Snap, *, on_curve: bool
+) -> tuple[FloatArray, BoolArray]:
+    """(n, 2) px and whether paint was found there; on the curve where none was, or always."""
     places, directions = curve.at(parameters)
     found = snap(places, directions)
     supported = np.hypot(*(found - places).T) <= _INLIER_PX  # False where NaN
-    return np.where(supported[:, None], found, places), supported
+    return np.where(supported[:, None] & (not on_curve), found, places), supported
 
 
-def _apart(clicked: FloatArray, places: list[list[float]]) -> FloatArray:
+def _apart(clicked: FloatArray, places: FloatArray | list[list[float]]) -> FloatArray:
     """(n,) px from clicks to the chords between places."""
-    chain = np.array(places)
+    chain = np.asarray(places)
     begin, step = chain[:-1], np.diff(chain, axis=0)
     offset = clicked[:, None] - begin[None]
     share = (offset * step).sum(axis=2) / np.maximum((step**2).sum(axis=1), 1e-12)

@@ -11,6 +11,7 @@ from functools import partial
 import numpy as np
 
 from procc_annotator.annotation import FloatArray, FrameAnnotation, Polyline, points_px
+from procc_annotator.field.appearance import BAR
 from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.predict.ghosts import find_ghosts
@@ -179,9 +180,10 @@ def regularised(
     polyline: Polyline, frame: TruthFrame, picture: PixelArray, paint: ExpectedPaint
 ) -> Polyline:
     known = frame.field.element(polyline.class_name)
-    snapped = partial(snap_all, picture, sought=paint.of(polyline.class_name))
-    curved = known is not None and known.is_curved
-    return regularise(polyline, curved=curved, size=frame.size, snap=snapped).polyline
+    sought = paint.of(polyline.class_name)
+    snapped = partial(snap_all, picture, sought=sought)
+    curved, bar = known is not None and known.is_curved, sought.looks.kind == BAR
+    return regularise(polyline, curved=curved, size=frame.size, snap=snapped, bar=bar).polyline
 
 
 def accepted(frame: TruthFrame, picture: PixelArray, rng: np.random.Generator) -> Accepted:

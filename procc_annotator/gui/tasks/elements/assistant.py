@@ -8,6 +8,7 @@ from functools import partial
 from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import Polyline
+from procc_annotator.field.appearance import BAR
 from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
@@ -15,12 +16,13 @@ from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.paint import snap_all
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset import edits
-from procc_annotator.session.facts.origins import OriginKind, PointKey
+from procc_annotator.session.facts.origins import OriginKind, PointKey, is_regularised
 from procc_annotator.session.strokes.copying import Copied, annotated_before, copy_moved
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.regularise import Regularised, regularise
 
-_NOTHING_REGULARISED = "nothing changed: regular already, or no painted line was found there"
+_REGULAR_ALREADY = "nothing changed: regular already"
+_NOTHING_REGULARISED = f"{_REGULAR_ALREADY}, or no painted line was found there"
 
 
 def _unconfirmed(count: int) -> str:
@@ -83,15 +85,28 @@ class Assistant(QObject):
             document.say("no element of the field is annotated here")
         if not polylines or picture is None or size is None or not document.begin_edit():
             return
+        frame, review = document.frame, document.review
+        origins = review.origins(frame.name) if frame is not None else {}
+        # Looked for again from its own points, paint is found a little beside: they would creep.
+        fresh = [p for p in polylines if not is_regularised(p, origins)]
+        if not fresh:
+            document.say(_REGULAR_ALREADY)
+            return
         curved = {e.name for e in field.elements if e.is_curved}
         paint = ExpectedPaint(field, size[0])
 
         def work(control: JobControl) -> _Outcome:
             def regular(p: Polyline) -> Regularised:
-                snap = partial(snap_all, picture, sought=paint.of(p.class_name))
-                return regularise(p, curved=p.class_name in curved, size=size, snap=snap)
+                sought = paint.of(p.class_name)
+                return regularise(
+                    p,
+                    curved=p.class_name in curved,
+                    size=size,
+                    snap=partial(snap_all, picture, sought=sought),
+                    bar=sought.looks.kind == BAR,
+                )
 
-            pairs = ((p, regular(p)) for p in polylines if not control.cancelled)
+            pairs = ((p, regular(p)) for p in fresh if not control.cancelled)
             return _Outcome(tuple(pairs))
 
         self._doing = "regularised"

@@ -8,6 +8,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
+from procc_annotator.interact.next_element import next_element
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.gaps import close_gaps
@@ -140,11 +141,25 @@ class ElementEdits:
             document.edit(label, lambda seen: edits.confirm(seen, name), OriginKind.COPIED)
 
     def confirm_all(self) -> None:
-        """Make all unconfirmed elements annotated ones."""
+        """Make all unconfirmed elements annotated ones; the next one is chosen, as after each that
+        is finished: a click must not go on with one that was chosen because it waited."""
         if waiting := self._unconfirmed():
-            what = counted(waiting, "element")
-            if self._document.edit(f"confirm {what}", edits.confirm_all, OriginKind.COPIED):
-                self._document.say(f"confirmed {what}")
+            document, what = self._document, counted(waiting, "element")
+            name = document.selected_class or ""
+            waited = document.annotation.get_unconfirmed(name) is not None
+            if not document.edit(f"confirm {what}", edits.confirm_all, OriginKind.COPIED):
+                return
+            if waited and document.mode == "draw":
+                document.select_class(self._following(name))
+            document.say(f"confirmed {what}")
+
+    def _following(self, name: str) -> str | None:
+        document = self._document
+        if not document.state.options.auto_advance:
+            return None
+        field, gains = document.field, document.ghosts.gains
+        unseen = document.ghosts.out_of_sight
+        return next_element(field, document.annotation, name, gains=gains, out_of_sight=unseen)
 
     def drop_unconfirmed(self) -> None:
         """Throw all unconfirmed elements away."""
