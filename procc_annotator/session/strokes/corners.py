@@ -177,7 +177,9 @@ def _painted(
     if known.sum() < _LEAST_AGREED:
         return None
     places = 2.0 * rows / (len(course) - 1) - 1.0
-    agreed, coefficients = agreement(places[known], offsets[known], reach, curved=False)
+    agreed, coefficients = agreement(
+        places[known], offsets[known], reach, terms=3 if sought.bends else 2
+    )
     share = float(agreed.sum() / len(rows))
     if agreed.sum() < _LEAST_AGREED or share < _LEAST_SHARE:
         return None
@@ -257,7 +259,7 @@ def _close_by(
     direction = direction / span
     normal = np.array([-direction[1], direction[0]])
     s, o = (found - corner) @ direction, (found - corner) @ normal
-    agreed, _ = agreement(2 * (s - s[0]) / (s[-1] - s[0]) - 1, o, 12.0, curved=False)
+    agreed, _ = agreement(2 * (s - s[0]) / (s[-1] - s[0]) - 1, o, 12.0, terms=2)
     if agreed.sum() < _LOCAL_AGREED:
         return None
     slope, level = np.polyfit(s[agreed], o[agreed], 1)
