@@ -74,6 +74,16 @@ def write_atomic(
     _sync_folder(target.parent)
 
 
+def remove(path: Path) -> None:
+    """Remove a file, if there is one, and have the disk keep that it is gone.
+
+    Raises:
+        OSError: it could not be removed.
+    """
+    path.unlink(missing_ok=True)
+    _sync_folder(path.parent)
+
+
 def _mode_of(target: Path) -> int | None:
     try:
         mode = target.stat().st_mode

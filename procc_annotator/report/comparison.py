@@ -8,11 +8,9 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import msgspec
-from rich.table import Table
-from rich.text import Text
 
 from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
@@ -32,6 +30,9 @@ from procc_annotator.session.runs.comparison_run import (
     worst_frames,
 )
 from procc_annotator.words import count_of
+
+if TYPE_CHECKING:
+    from rich.table import Table
 
 WORST = 10
 FAR = 1000.0  # metres or px: whatever lies beyond says no more than this
@@ -253,6 +254,9 @@ def _share(value: float | None) -> str:
 
 
 def _table(title: str, described: str) -> Table:
+    from rich.table import Table
+    from rich.text import Text
+
     heading = Text.assemble((title, "bold"), "  ", (f"({described})", "dim"))
     return Table(title=heading, title_justify="left", title_style="", header_style="bold")
 

@@ -8,10 +8,9 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
-from rich.table import Table
 
 from procc_annotator.errors import UsageError
 from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severity
@@ -21,6 +20,9 @@ from procc_annotator.io.csv_text import no_formula
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.session.runs.check_run import Checked, CheckRun
 from procc_annotator.words import count_of
+
+if TYPE_CHECKING:
+    from rich.table import Table
 
 CSV_COLUMNS = (
     "frame", "severity", "rule", "elements", "reason", "suggestion", "point", "error_px", "model",
@@ -246,6 +248,8 @@ def _suggestion(finding: Finding) -> str:
 
 def counts_table(report: CheckReport) -> Table:
     """One row a rule that found something: how often, and how surely."""
+    from rich.table import Table
+
     table = Table(
         title=f"Checked {count_of(report.frames, 'frame')}",
         caption=report.described,
@@ -283,6 +287,8 @@ def by_eye_words(report: CheckReport) -> list[str]:
 
 def findings_table(report: CheckReport, *, in_file: bool) -> Table:
     """The worst findings: surest first, then the largest errors."""
+    from rich.table import Table
+
     table = Table(title="Worst findings", title_justify="left")
     table.add_column("frame", no_wrap=True)
     table.add_column("severity")

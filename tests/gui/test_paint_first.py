@@ -70,3 +70,21 @@ def test_closing_right_after_an_edit_or_an_undo_loses_nothing(
     window.document.undo()
     window.close()
     assert on_disk(annotated, frame, polyline.class_name) == moved
+
+
+def test_an_undo_is_one_step_and_draws_the_overlay_once(
+    audited: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document, canvas = audited.document, audited.canvas
+    document.commit_edit("nudge", nudged(document.annotation))
+    settle(audited, qtbot)
+    steps, drawn = [], []
+    document.store.changed.connect(lambda *_: steps.append(document.annotation))
+    draw = canvas.overlay_item.set_overlay
+    monkeypatch.setattr(
+        canvas.overlay_item, "set_overlay", lambda *a, **k: (drawn.append(a), draw(*a, **k))
+    )
+    document.undo()
+    assert (len(steps), len(drawn)) == (1, 1)
+    assert audited.status.hint.text().startswith("undone: nudge")
+    settle(audited, qtbot)

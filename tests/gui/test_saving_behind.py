@@ -13,7 +13,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Point
-from procc_annotator.errors import SaveError
+from procc_annotator.errors import AnnotationError, SaveError
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.session.dataset import edits, pending_save
 from procc_annotator.session.dataset.locks import locks_folder
@@ -31,13 +31,16 @@ class SlowDisk:
     Attributes:
         written: what the files were to hold, in the order it came.
         before: called in the thread that writes, before anything is written.
+        after: the same, afterwards.
+        problem, problem_after: why it fails before or after the file was written.
     """
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.asked, self._go = threading.Event(), threading.Event()
         self.written: list[tuple[str, ...]] = []
-        self.problem = ""
+        self.problem = self.problem_after = ""
         self.before: Callable[[], object] = lambda: None
+        self.after: Callable[[], object] = lambda: None
         self._write = pending_save.write_atomic
         monkeypatch.setattr(pending_save, "write_atomic", self.write)
 
@@ -49,6 +52,9 @@ class SlowDisk:
         if self.problem:
             raise SaveError(f"{path}: cannot be written: {self.problem}")
         self._write(path, data, **more)
+        self.after()
+        if self.problem_after:
+            raise SaveError(f"{path}: cannot be written: {self.problem_after}")
 
     def let_go(self) -> None:
         self._go.set()
@@ -175,6 +181,60 @@ def test_what_failed_and_was_undone_meanwhile_leaves_nothing_unsaved(
     assert not window.document.saver.problems
     assert not window.isWindowModified()
     assert not (dataset / "frame_0.json").exists()
+
+
+def test_a_write_that_happened_though_it_failed_is_saved(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    """A drive behind a network may tell of an error after the file has its new name."""
+    disk.problem_after = "Input/output error"
+    disk.let_go()
+    click(window)
+    qtbot.waitUntil(lambda: reads_saved(window))
+    assert points_on_disk(dataset) == {MIDDLE: 1}
+    assert not window.isWindowModified()
+
+
+@pytest.mark.parametrize("clicks_before", [0, 1])
+def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
+    window: MainWindow,
+    disk: SlowDisk,
+    dataset: Path,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+    clicks_before: int,
+) -> None:
+    """The write failed behind a drive that cannot be read: nobody knows what the file holds."""
+    disk.let_go()
+    for _ in range(clicks_before):
+        click(window)
+        qtbot.waitUntil(lambda: reads_saved(window))
+    look = pending_save.bytes_of
+
+    def unreadable(path: Path) -> bytes:
+        raise AnnotationError(str(path), "Input/output error")
+
+    def goes_away() -> None:
+        monkeypatch.setattr(pending_save, "bytes_of", unreadable)
+
+    disk.hold()
+    disk.problem_after = "Input/output error"
+    disk.after = goes_away
+    click(window)
+    qtbot.waitUntil(disk.asked.is_set)
+    window.document.undo()
+    disk.let_go()
+    qtbot.waitUntil(lambda: "NOT SAVED" in window.status.saved.text())
+    assert window.isWindowModified()
+    assert points_on_disk(dataset) == {MIDDLE: clicks_before + 1}
+    disk.problem_after = ""
+    disk.after = lambda: None
+    monkeypatch.setattr(pending_save, "bytes_of", look)
+    window.document.saver.retry_timer.setInterval(1)
+    qtbot.waitUntil(lambda: reads_saved(window))
+    assert not window.isWindowModified()
+    assert points_on_disk(dataset) == ({MIDDLE: 1} if clicks_before else {})
+    assert (dataset / "frame_0.json").exists() == bool(clicks_before)
 
 
 def test_a_folder_that_goes_while_it_is_written_into(

@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
+from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.metric.setup import EvaluationSetup
@@ -113,3 +114,52 @@ def test_blind_mode_reveals_committed_frames_only(store: Store) -> None:
     assert store.state.reveals("a")
     assert not store.state.reveals("b")
     assert not store.state.projection_visible, "no frame is on screen"
+
+
+def test_what_changes_together_is_one_step_and_there_at_once(store: Store) -> None:
+    steps: list[tuple[State, State]] = []
+    store.changed.connect(lambda before, after: steps.append((before, after)))
+    before = store.state
+    with store.together():
+        store.set(tau=6.0)
+        assert (store.state.tau, steps) == (6.0, [])
+        with store.together():  # of the one around it
+            store.set(blind=True)
+        assert not steps
+    assert steps == [(before, store.state)]
+    assert (store.state.tau, store.state.blind) == (6.0, True)
+
+
+def test_each_line_that_is_said_together_is_told(store: Store) -> None:
+    said: list[str] = []
+    store.changed.connect(lambda _, after: said.append(after.told.text))
+    with store.together():
+        say(store, "first")
+        store.set(tau=6.0)
+        say(store, "second")
+    assert said == ["first", "second"]
+
+
+def test_what_changed_before_an_error_is_told(store: Store) -> None:
+    listener = Listener()
+    store.watch(lambda state: state.tau, listener.hear)
+
+    def fail() -> None:
+        with store.together():
+            store.set(tau=6.0)
+            raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        fail()
+    assert listener.heard == [6.0]
+    assert not store.busy
+
+
+def test_a_watch_hears_once_of_steps_that_follow_from_one_another(store: Store) -> None:
+    listener = Listener()
+    rested: list[float] = []
+    store.watch(lambda state: state.tau, listener.hear)
+    store.changed.connect(lambda _, after: store.set(tau=7.0) if after.tau == 6.0 else None)
+    store.rested.connect(lambda: rested.append(store.state.tau))
+    store.set(tau=6.0)
+    assert listener.heard == rested == [7.0]

@@ -58,6 +58,7 @@ class Canvas(PictureView):
         self._hidden_by_action = False
         self._hidden_by_key = False
         self._refreshes = 0
+        self._due = False  # a refresh, once all that changed was told
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self.refresh)
         # While the hand carries something, who only reads where it is can wait for the next frame.
@@ -88,6 +89,7 @@ class Canvas(PictureView):
             document.modeChanged,
         ):
             signal.connect(self.refresh)
+        document.store.rested.connect(self._refresh_if_due)
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
         # Comes beside signals that draw at once: one drawing is enough for both.
@@ -145,8 +147,14 @@ class Canvas(PictureView):
         self.shown.set_look(look)
 
     def refresh(self) -> None:
-        """Draw the overlay anew where it changed, and say what the next click does."""
-        self._refresh(everywhere=False)
+        """Draw the overlay anew where it changed, and say what the next click does; once for all
+        that changes together."""
+        self._due = True
+        self._refresh_if_due()
+
+    def _refresh_if_due(self) -> None:
+        if self._due and not self._document.store.busy:
+            self._refresh(everywhere=False)
 
     def _refresh_others(self) -> None:
         """Other sources are drawn, or otherwise; whatever changes the one in front says so too."""
@@ -162,6 +170,7 @@ class Canvas(PictureView):
 
     def _refresh(self, *, everywhere: bool) -> None:
         self._refreshes += 1
+        self._due = False
         self._soon.stop()
         scale, comparison = self.view_scale, self.comparison
         comparison.refresh(hidden=self.overlays_hidden)

@@ -390,9 +390,13 @@ class Editor(QObject):
             self._document.hover_class(hit.class_name if hit is not None else None)
 
     def _do(self, reaction: Reaction) -> None:
-        """What a tool answered, in an order in which indices of points are valid."""
-        if not reaction.handled:
-            return
+        """What a tool answered, as one step."""
+        if reaction.handled:
+            with self._document.store.together():
+                self._take(reaction)
+
+    def _take(self, reaction: Reaction) -> None:
+        """In an order in which indices of points are valid."""
         document = self._document
         if reaction.message:
             document.say(reaction.message, "info")

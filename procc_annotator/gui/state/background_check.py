@@ -17,7 +17,6 @@ from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.frame_check import FrameCheck
 from procc_annotator.session.runs.check_run import Checked, CheckFrames, FrameToCheck
 from procc_annotator.session.runs.execution.executor import Executor, InProcess
-from procc_annotator.session.runs.execution.process_pool import ProcessPool
 from procc_annotator.session.runs.set_run import frames_in_words
 
 FrameToRead = tuple[int, bool]  # a frame's place in the dataset, and whether to fit a camera
@@ -181,6 +180,8 @@ def _executor(few: bool) -> Iterator[Executor]:
     if few:
         yield InProcess()
         return
+    from procc_annotator.session.runs.execution.process_pool import ProcessPool
+
     with ProcessPool(1) as pool:
         yield pool
 

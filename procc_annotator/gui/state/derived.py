@@ -104,6 +104,8 @@ class Derived(QObject, Generic[T]):
         self._wanted = wanted
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self.changed)
+        self._later = QTimer(self, singleShot=True, interval=0)
+        self._later.timeout.connect(self.look)
         for signal in after:
             signal.connect(self.look)
 
@@ -174,6 +176,10 @@ class Derived(QObject, Generic[T]):
             self._begin(patience(now) if patience is not None and isinstance(now, tuple) else 0)
         self.changed.emit()
 
+    def look_later(self) -> None:
+        """As `look`, after the next paint: the value that is asked for is never an older one."""
+        self._later.start()
+
     def try_again(self) -> None:
         """As `look`; what failed is tried anew, and only told if it fails otherwise."""
         self.forget(failures_only=True)
@@ -193,6 +199,7 @@ class Derived(QObject, Generic[T]):
         """Work nothing out any more, and hold on to nothing."""
         self._inputs = _nothing
         self._soon.stop()
+        self._later.stop()
         self.forget()
 
     # --- inside -----------------------------------------------------------------------------

@@ -100,9 +100,10 @@ class Editing(QObject):
         workspace.edit(state.frame_index, label, annotation)
         self.review.note_edit(frame.name, before, annotation, kind, snapped, unseen)
         said = self.review.touched(frame.name, before, annotation)
-        self._show_edited(workspace)
-        if said:
-            say(self._store, said)
+        with self._store.together():
+            self._show_edited(workspace)
+            if said:
+                say(self._store, said)
         return True
 
     def note_unseen(self, unseen: frozenset[PointKey]) -> None:
@@ -264,8 +265,9 @@ class Editing(QObject):
             return
         now = workspace.state(state.frame_index).history.current
         said = self.review.touched(frame.name, before, now)
-        self._show_edited(workspace, stepped=True)
-        say(self._store, "; ".join(filter(None, (f"{done}: {label}", said))))
+        with self._store.together():
+            self._show_edited(workspace, stepped=True)
+            say(self._store, "; ".join(filter(None, (f"{done}: {label}", said))))
 
     def _would_take_away(self, workspace: Workspace) -> bool:
         """Whether undo would take away what somebody else saved, and was not told so before: it

@@ -63,6 +63,7 @@ class Ghosts(QObject):
         signals.pictureChanged.connect(self._points.look)
         live_fit.changed.connect(self._look)
         signals.frameChanged.connect(self._look)
+        signals.annotationChanged.connect(self._look)
         signals.selectionChanged.connect(self._look)
         review.notVisibleChanged.connect(self._look)
 

@@ -85,12 +85,12 @@ class LiveFit(Derived[Fitted]):
         self._frame: str | None = None
         self.failed.connect(self._say)
         signals.datasetChanged.connect(self._begin_anew)
+        for signal in (signals.frameChanged, signals.annotationChanged, signals.scoreChanged):
+            signal.connect(self.look_later)
         for signal in (
-            signals.frameChanged,
             signals.fieldChanged,
-            signals.annotationChanged,
             signals.modeChanged,
-            signals.scoreChanged,  # a frame committed in blind mode
+            signals.frameScoresChanged,  # a frame committed in blind mode
             review.statusChanged,
             review.notVisibleChanged,
         ):

@@ -37,13 +37,9 @@ class PaintWatch(Derived[Evidence]):
             kept_within=lambda: store.state.frame_name,  # each holds the frame's picture
             stoppable=True,
             patience=self._wait,
-            after=(
-                signals.frameChanged,
-                signals.pictureChanged,
-                signals.annotationChanged,
-                signals.fieldChanged,
-            ),
+            after=(signals.frameChanged, signals.pictureChanged, signals.fieldChanged),
         )
+        signals.annotationChanged.connect(self.look_later)
         self._store, self.shown = store, False
         self._frame: str | None = None
         self._before: tuple[tuple[object, ...], Evidence] | None = None  # picture and field

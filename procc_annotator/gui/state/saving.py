@@ -186,7 +186,8 @@ class Saver(QObject):
 
         def give_up(text: str) -> None:
             # Which of them were written nobody knows. All stay dirty: the next try finds out.
-            take([Written(one, SaveError(f"{one.path}: not saved: {text}")) for one in batch])
+            error = "not saved: " + text
+            take([Written(p, SaveError(f"{p.path}: {error}"), unsure=True) for p in batch])
 
         job = run_in_background(
             lambda _: workspace.write(batch),

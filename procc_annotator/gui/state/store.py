@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from inspect import ismethod
 from typing import Any, Protocol, TypeVar
@@ -50,22 +51,44 @@ class Store(QObject):
     """Holds the state. It is replaced as a whole, by commands, and told step by step.
 
     A change that is made while another one is told is there at once, but told after that one: every
-    listener sees every step, and all see them in the same order.
+    listener sees every step, and all see them in the same order. Who watches is told once of all
+    steps that follow from one another.
     """
 
     changed = Signal(object, object)  # the state before, the state after
+    rested = Signal()  # all that changed was told
 
     def __init__(self, state: State, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._state = state
         self._steps: deque[tuple[State, State]] = deque()
         self._telling = False
+        self._begun: State | None = None  # what changes together with what is there now
         self._watches: list[_Watch] = []
 
     @property
     def state(self) -> State:
         """As it is now."""
         return self._state
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is still to be told."""
+        return self._telling or self._begun is not None
+
+    @contextmanager
+    def together(self) -> Iterator[None]:
+        """What is changed within is there at once, and told as one step at its end, but for lines
+        that are said: of each somebody hears."""
+        if self.busy:
+            yield
+            return
+        self._begun = self._state
+        try:
+            yield
+        finally:
+            self._end_step()
+            self._tell()
 
     def set(self, **changes: Any) -> None:
         """Replace fields of the state; nothing is told where nothing differs.
@@ -77,10 +100,16 @@ class Store(QObject):
         other = {k: v for k, v in changes.items() if not same(v, getattr(before, k))}
         if not other:
             return
+        if self._begun is None:
+            self._steps.append((before, replace(before, **other)))
+            self._state = self._steps[-1][1]
+            if not self._telling:
+                self._tell()
+            return
+        if "told" in other and before.told is not self._begun.told:
+            self._end_step()
+            self._begun = before
         self._state = replace(before, **other)
-        self._steps.append((before, self._state))
-        if not self._telling:
-            self._tell()
 
     def watch(self, select: Callable[[State], T], then: Callable[[T], object]) -> None:
         """Have somebody called whenever what is selected differs, until their owner is gone.
@@ -92,17 +121,25 @@ class Store(QObject):
         """
         self._watches.append(_Watch(select, then, self._state))
 
+    def _end_step(self) -> None:
+        """What changed together is a step to be told."""
+        if self._begun is not None and self._begun is not self._state:
+            self._steps.append((self._begun, self._state))
+        self._begun = None
+
     def _tell(self) -> None:
         self._telling = True
         try:
             while self._steps:
-                before, after = self._steps.popleft()
-                self.changed.emit(before, after)
-                gone = [watch for watch in tuple(self._watches) if not watch.tell(after)]
-                if gone:
-                    self._watches = [w for w in self._watches if w not in gone]
+                self.changed.emit(*self._steps.popleft())
+                if not self._steps:
+                    watches = tuple(self._watches)
+                    gone = [watch for watch in watches if not watch.tell(self._state)]
+                    if gone:
+                        self._watches = [w for w in self._watches if w not in gone]
         finally:
             self._telling = False
+        self.rested.emit()
 
 
 def _is_alive(then: Callable[[Any], object]) -> bool:

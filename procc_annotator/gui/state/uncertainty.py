@@ -89,7 +89,12 @@ class UncertaintyWatch(Derived[KnownGround]):
             Where.BESIDE,
             store,
             wanted=False,
-            after=(live_fit.changed, signals.frameChanged, signals.modeChanged),
+            after=(
+                live_fit.changed,
+                signals.annotationChanged,  # never shown of the fit before an edit
+                signals.frameChanged,
+                signals.modeChanged,
+            ),
         )
         self._store, self._live_fit = store, live_fit
         self._blind_lock, self._disagreement = blind_lock, disagreement

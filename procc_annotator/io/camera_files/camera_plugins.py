@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
@@ -29,6 +28,8 @@ def discover(kind: type[F]) -> tuple[list[tuple[str, F]], list[str]]:
     """
     found: list[tuple[str, F]] = []
     problems: list[str] = []
+    import importlib.metadata
+
     for point in importlib.metadata.entry_points(group=GROUP):
         try:
             found += [(point.name, given) for given in _given(point.load(), kind)]

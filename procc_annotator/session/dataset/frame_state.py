@@ -21,6 +21,8 @@ class FrameState:
         kept_unconfirmed: the unconfirmed elements that are remembered beside the file.
         digest: of the file as it was read or written last; None where there was none.
         made_here: whether whatever file there is was made in this session.
+        attempted: digests of what writes that failed may have left in the file; none if it is known
+            to be as it was.
         being_written: whether a thread is at its file: what that holds is known once it told.
     """
 
@@ -32,6 +34,7 @@ class FrameState:
         self._on_disk = annotation
         self.digest = digest
         self.made_here = digest is None
+        self.attempted: frozenset[bytes | None] = frozenset()
         self.being_written = False
 
     @property
@@ -45,13 +48,14 @@ class FrameState:
     @property
     def taken_back(self) -> bool:
         """Whether a file that was made here would hold nothing any more."""
-        made = self.made_here and self.digest is not None
+        made = self.made_here and (self.digest is not None or bool(self.attempted))
         return made and self.history.current.same_content(EMPTY)
 
     @property
     def dirty(self) -> bool:
         """Whether what is shown differs from the file, or may do so."""
-        return self.being_written or not self.history.current.same_content(self._on_disk)
+        unsure = self.being_written or bool(self.attempted)
+        return unsure or not self.history.current.same_content(self._on_disk)
 
     def rename(self, name_of: Callable[[str], str]) -> None:
         """Spell the classes of every step as another field does."""
@@ -62,3 +66,4 @@ class FrameState:
     def stored(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
         """Take down what the file holds now."""
         self._on_disk, self.digest, self.save_error = annotation, digest, None
+        self.attempted = frozenset()

@@ -12,7 +12,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import AnnotationError, ChangedOnDiskError, InputError, SaveError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.atomic import remove, write_atomic
 from procc_annotator.io.source import read_file
 from procc_annotator.session.dataset.file_stamps import Stamp, stamp_of
 
@@ -32,6 +32,7 @@ class PendingSave:
         annotation: the new content.
         reason: what the version is called.
         removes: the file was made by edits that are all taken back: it goes away again.
+        attempted: digests of what writes that failed may have left in the file.
     """
 
     index: int
@@ -42,30 +43,42 @@ class PendingSave:
     annotation: FrameAnnotation
     reason: str
     removes: bool = False
+    attempted: frozenset[bytes | None] = frozenset()
 
     @cached_property
     def data(self) -> bytes:
         """The bytes of the new content."""
         return write_annotation(self.annotation)
 
+    def look(self) -> bytes | None:
+        """What the file holds; None when there is none.
+
+        Raises:
+            SaveError: it cannot be read.
+        """
+        try:
+            return bytes_of(self.path)
+        except InputError as error:
+            raise SaveError(f"{self.path}: could not be saved: {error.problem}") from error
+
     def check(self) -> bytes | None:
-        """What the file holds, to be kept as a version; None when there is none.
+        """As `look`: what is to be kept as a version.
 
         Raises:
             ChangedOnDiskError: it is neither the one that was read or written last nor this one.
             SaveError: it cannot be read.
         """
-        try:
-            found = bytes_of(self.path)
-        except InputError as error:
-            raise SaveError(f"{self.path}: could not be saved: {error.problem}") from error
+        found = self.look()
         # A file that vanished holds nothing that writing could destroy, nor does one that is this
         # already (a batch broke off before it could tell).
-        if found is not None and found != self.data and digest(found) != self.expected:
+        if found is not None and found != self.data and not self._is_known(found):
             raise ChangedOnDiskError(
                 f"{self.path}: changed on disk meanwhile, not saved (reload it, or overwrite it)"
             )
         return found
+
+    def _is_known(self, found: bytes) -> bool:
+        return digest(found) in (self.expected, *self.attempted)
 
     def write(self, *, over_anything: bool = False) -> None:
         """Replace the file in one step, or remove it.
@@ -94,10 +107,10 @@ class PendingSave:
 
     def _remove(self) -> None:
         found = self.check()
-        if found is not None and digest(found) != self.expected:  # the same words of somebody else
+        if found is not None and not self._is_known(found):  # the same words of somebody else
             raise ChangedOnDiskError(f"{self.path}: changed on disk meanwhile, not removed")
         try:
-            self.path.unlink(missing_ok=True)
+            remove(self.path)
         except OSError as error:
             raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
 
@@ -110,11 +123,13 @@ class Written:
         save: what was to be written.
         error: why it was not; None once it is.
         stamp: of the file right after it was written.
+        unsure: it failed, and nobody knows whether the file is as it was or as it should be.
     """
 
     save: PendingSave
     error: SaveError | None = None
     stamp: Stamp = None
+    unsure: bool = False
 
 
 def write_together(saves: Sequence[PendingSave]) -> list[Written]:
@@ -123,18 +138,33 @@ def write_together(saves: Sequence[PendingSave]) -> list[Written]:
     What the files hold must be kept as versions already: this takes a while after that look.
     """
     if len(saves) == 1:
-        return [_write(saves[0])]
+        return [write_one(saves[0])]
     with ThreadPoolExecutor(_TOGETHER, thread_name_prefix="saving") as pool:
-        return list(pool.map(_write, saves))
+        return list(pool.map(write_one, saves))
 
 
-def _write(save: PendingSave) -> Written:
+def write_one(save: PendingSave, *, over_anything: bool = False) -> Written:
+    """Check and write one file; ``over_anything``: whatever it holds by now."""
+    before = None
     try:
-        save.check()
-        save.write()
-    except SaveError as error:
+        before = save.look() if over_anything else save.check()
+        save.write(over_anything=over_anything)
+    except ChangedOnDiskError as error:
         return Written(save, error)
+    except SaveError as error:
+        return _after_failure(save, before, error)
     return Written(save, stamp=stamp_of(save.path))
+
+
+def _after_failure(save: PendingSave, before: bytes | None, error: SaveError) -> Written:
+    """Look at the file: a drive behind a network may fail to tell what it has done."""
+    try:
+        found = save.look()
+    except SaveError:
+        return Written(save, error, unsure=True)
+    if found != before and found == (None if save.removes else save.data):
+        return Written(save, stamp=stamp_of(save.path))
+    return Written(save, error)
 
 
 def _look_at_nothing() -> None:

@@ -25,6 +25,7 @@ from procc_annotator.session.dataset.pending_save import (
     Written,
     bytes_of,
     digest,
+    write_one,
     write_together,
 )
 
@@ -263,6 +264,8 @@ class Workspace:
         state.being_written = False
         if written.error is not None:
             state.save_error = written.error
+            if written.unsure:
+                state.attempted |= {digest(pending.data)}
             return
         # The field may have become another one meanwhile, with other spellings.
         annotation = pending.annotation.renamed(self.field.canonical_name)
@@ -291,14 +294,12 @@ class Workspace:
         if found is not None:
             self._remember(index, found, "overwritten")
         state.made_here = False
-        pending = self._pending(index, state)
-        try:
-            pending.write(over_anything=True)
-        except SaveError as error:
-            self.note_saved(Written(pending, error))
-            raise
-        self._remember(index, pending.data, pending.reason)
-        self.note_saved(Written(pending, stamp=stamp_of(pending.path)))
+        written = write_one(self._pending(index, state), over_anything=True)
+        if written.error is None:
+            self._remember(index, written.save.data, written.save.reason)
+        self.note_saved(written)
+        if written.error is not None:
+            raise written.error
 
     def knows_file(self, index: int) -> bool:
         """Whether a frame's file is the one that was read or written last; one look at it."""
@@ -426,6 +427,7 @@ class Workspace:
             annotation,
             state.history.undo_label or ("taken back" if removes else "saved"),
             removes,
+            state.attempted,
         )
 
 
