@@ -25,6 +25,7 @@ _TURN = 2  # steps across that it may move from one place to the next
 _BESIDE = 0.75, 2.75  # px from the band's edge: where the ground is looked at
 _LEAST_STEP = 10.0  # of 255
 _SAME_STEP = 0.4  # of the step at the middle
+_STRONGER_STEP = 1.8  # ... and what would be another band's
 _SAME_COLOUR = 0.8  # cosine
 _STAYS = 0.1  # of the usual step: for less it does not move across
 _BEGINS = 0, 4, -4  # places along
@@ -133,7 +134,8 @@ def _shares(
         shares = np.minimum(on_left / usual[0], on_right / usual[1])
     both = (left + right).reshape(flat)
     lengths = np.sqrt(np.einsum("ij,ij->i", both, both)).reshape(shape) + 1e-6
-    shares[on_left + on_right < _SAME_COLOUR * lengths] = 0.0
+    other = (on_left + on_right < _SAME_COLOUR * lengths) | (shares > _STRONGER_STEP)
+    shares[other] = 0.0
     return np.asarray(shares, dtype=np.float32)
 
 

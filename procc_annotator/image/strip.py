@@ -8,7 +8,6 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.image.bright_ground import has_bright_ground
 from procc_annotator.image.decode import PixelArray
 
 FloatArray = NDArray[np.float64]
@@ -22,21 +21,10 @@ class Strip:
     Attributes:
         colours: (n, m, 3) BGR, one row a place along the curve, one column an offset across it.
         offsets_px: (m,) evenly spaced, symmetric about 0.
-        bright_ground: whether lines are darker than the ground here, as on ice.
     """
 
     colours: Values
     offsets_px: FloatArray
-    bright_ground: bool = False
-
-    @property
-    def grey(self) -> Values:
-        """(n, m) the smallest channel, which shows white paint on saturated ground best.
-
-        Turned over on bright ground, where it shows coloured lines as dark ones.
-        """
-        smallest = self.colours.min(axis=2)
-        return np.asarray(255 - smallest if self.bright_ground else smallest)
 
     def columns(self, first_px: float, last_px: float) -> slice:
         """The columns between two offsets, both included; at least one."""
@@ -53,8 +41,6 @@ def straighten(
     across: FloatArray,
     reach_px: float,
     step_px: float = 0.5,
-    *,
-    on_ground: bool = False,
 ) -> Strip:
     """Cut a curve's surroundings out of a picture.
 
@@ -64,8 +50,6 @@ def straighten(
         across: (n, 2) unit vectors across it.
         reach_px: how far to go to both sides.
         step_px: between offsets.
-        on_ground: whether it is painted on the ground, which may be bright; what stands upright may
-            have anything behind it.
 
     Returns:
         Bilinearly interpolated and rounded; beyond the picture its last row or column is repeated.
@@ -88,6 +72,4 @@ def straighten(
         cv2.INTER_LINEAR,
         borderMode=cv2.BORDER_REPLICATE,
     )
-    colours = np.asarray(values, dtype=np.float32)
-    bright = on_ground and has_bright_ground(colours.min(axis=2).astype(np.uint8))
-    return Strip(colours, offsets, bright)
+    return Strip(np.asarray(values, dtype=np.float32), offsets)

@@ -1,8 +1,8 @@
 """Where along its course a line is seen: a steady stroke of its own contrast and colour.
 
 A player's sock, the crowd or a board can be bright just where a line is expected. They are told
-from it by what the line looks like where it was found: how much brighter than the ground it is (or
-darker, on ice), in which colour, and the ground to both sides.
+from it by what the line looks like where it was found: by how much and in which colour it differs
+from the ground, and by the ground to both sides.
 """
 
 from __future__ import annotations
@@ -36,24 +36,21 @@ _END_SHARE = 1.7  # as the larger of the contrast shares, where only one side sh
 
 @dataclass(frozen=True, eq=False)
 class _Look:
-    """What a strip shows, place by place: (n, 3) BGR of the line and of the ground beside it.
-
-    ``bright_ground``: the line is the darker one.
-    """
+    """What a strip shows, place by place: (n, 3) BGR of the line and of the ground beside it."""
 
     centre: FloatArray
     left: FloatArray
     right: FloatArray
-    bright_ground: bool
 
-    def contrast(self) -> FloatArray:
-        """(n, 2) how much the line stands out from each side, in the smallest channel."""
-        top = self.centre.min(axis=1)
-        steps = np.column_stack([top - self.left.min(axis=1), top - self.right.min(axis=1)])
-        return -steps if self.bright_ground else steps
+    def steps(self, *, edge: bool) -> tuple[FloatArray, FloatArray]:
+        """(n, 3) what the colour changes by from either ground to the line; of an edge, from one
+        ground to the other."""
+        if edge:
+            return self.right - self.left, self.right - self.left
+        return self.centre - self.left, self.centre - self.right
 
 
-def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool) -> Runs:
+def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool, edge: bool = False) -> Runs:
     """The stretches along which a line is seen.
 
     Args:
@@ -61,13 +58,18 @@ def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool) -> Runs:
         hits: places where it was found.
         on_ground: whether the same ground lies to both sides of it all along; a post or a crossbar
             may have anything behind it.
+        edge: whether it is the edge of an area.
 
     Returns:
         First and one past the last place of each stretch, ascending.
     """
     at_hits = _near(hits, len(strip.colours), 3)
     look = _look(strip, at_hits)
-    contrast = look.contrast()
+    steps = look.steps(edge=edge)
+    stroke = (steps[0] + steps[1]) / 2
+    usual_stroke = np.median(stroke[at_hits], axis=0)
+    colour = usual_stroke / max(float(np.linalg.norm(usual_stroke)), 1e-6)
+    contrast = np.column_stack([step @ colour for step in steps])
     usual = np.column_stack([_usual(of_side, hits) for of_side in contrast.T])
     if float(np.median(usual.min(axis=1))) < _LEAST_CONTRAST:
         return ()
@@ -77,18 +79,19 @@ def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool) -> Runs:
     )
     if on_ground:
         beside &= np.column_stack([_as_ground(side, at_hits) for side in (look.left, look.right)])
-    runs = _steady_runs(_in_colour(look, at_hits) & beside.all(axis=1))
+    lengths = np.linalg.norm(stroke, axis=1)
+    in_colour = stroke @ colour >= _COLOUR_COSINE * np.maximum(lengths, 1e-6)
+    runs = _steady_runs(in_colour & beside.all(axis=1))
     modest = contrast <= _END_SHARE * usual
     return _to_ends(runs, np.asarray((beside & modest).any(axis=1)))
 
 
 def _look(strip: Strip, at_hits: BoolArray) -> _Look:
-    width = _half_width(np.median(strip.grey[at_hits], axis=0), strip)
+    width = _half_width(np.median(strip.colours[at_hits], axis=0), strip)
     inner = max(0.5, 0.5 * width)
     zones = (-inner, inner), (-width - 5.0, -width - 1.5), (width + 1.5, width + 5.0)
     parts = [strip.colours[:, strip.columns(*zone)].mean(axis=1) for zone in zones]
-    centre, left, right = (_smooth(part.astype(np.float64)) for part in parts)
-    return _Look(centre, left, right, strip.bright_ground)
+    return _Look(*(_smooth(part.astype(np.float64)) for part in parts))
 
 
 def _near(hits: IntArray, n: int, reach: int) -> BoolArray:
@@ -98,9 +101,13 @@ def _near(hits: IntArray, n: int, reach: int) -> BoolArray:
     return marked
 
 
-def _half_width(profile: Values, strip: Strip) -> float:
-    """Half the stroke's width at half its height, px."""
+def _half_width(colours: Values, strip: Strip) -> float:
+    """Half the stroke's width at half its height, px, by (m, 3) colours across it."""
+    outer = np.concatenate([colours[:8], colours[-8:]])
+    steps = colours - np.median(outer, axis=0)
     near = strip.columns(-2.0, 2.0)
+    middle = steps[strip.columns(-0.5, 0.5)].mean(axis=0)
+    profile = steps @ (middle / max(float(np.linalg.norm(middle)), 1e-6))
     peak = near.start + int(profile[near].argmax())
     ground = float(np.median(np.concatenate([profile[:8], profile[-8:]])))
     above = profile > (float(profile[peak]) + ground) / 2
@@ -121,14 +128,6 @@ def _usual(contrast: FloatArray, hits: IntArray) -> FloatArray:
     own = np.pad(contrast[hits], 2, mode="reflect" if len(hits) > 2 else "edge")
     around = np.median([own[k : k + len(hits)] for k in range(5)], axis=0)
     return np.asarray(np.interp(np.arange(len(contrast)), hits, around))
-
-
-def _in_colour(look: _Look, at_hits: BoolArray) -> BoolArray:
-    """(n,) whether the step from the ground to the line has the direction it has at the hits."""
-    stroke = look.centre - (look.left + look.right) / 2
-    usual = np.median(stroke[at_hits], axis=0)
-    lengths = np.linalg.norm(stroke, axis=1) * np.linalg.norm(usual)
-    return np.asarray((stroke @ usual) / np.maximum(lengths, 1e-6) >= _COLOUR_COSINE)
 
 
 def _as_ground(side: FloatArray, at_hits: BoolArray) -> BoolArray:

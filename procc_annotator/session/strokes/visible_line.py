@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.field.appearance import EDGE
 from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.paint import REACH_PX, snap_all
@@ -96,8 +97,9 @@ def find_line(
     before = len(whole) - len(course)
     whole = continued(whole, beyond_px[1], size)
     across = normals_of(whole, _STEADY_PX)
-    strip = straighten(picture, whole, across, BESIDE_PX, on_ground=on_ground)
-    runs = runs_seen(strip, hits + before, on_ground=on_ground)
+    strip = straighten(picture, whole, across, BESIDE_PX)
+    edge = sought.looks.kind == EDGE
+    runs = runs_seen(strip, hits + before, on_ground=on_ground, edge=edge)
     return VisibleLine(whole, _along(across), runs, (before, before + len(course) - 1))
 
 

@@ -10,10 +10,12 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import points_px
+from procc_annotator.field.appearance import ANY, BAR, LIGHTER, LINE, WHITE, Appearance
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sample import sample_every
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.image.paint import snap, snap_all
+from procc_annotator.image.sought import Sought
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
@@ -227,3 +229,50 @@ def test_plain_grass_never_moves_a_click(sample_data: Path) -> None:
                 tried += 1
                 assert snap(picture, (float(x), float(y)), paint) is None
     assert tried > 300
+
+
+DARK_ON_LIGHT = Sought(Appearance(LINE, ANY, ANY, 0.05), (0.7, 6.0))
+
+
+def lettered(stroke_px: int, gap_px: int) -> PixelArray:
+    """A row of strokes side by side, as of letters, on a plain ground."""
+    picture = np.full((80, 160, 3), (150, 90, 40), dtype=np.uint8)
+    for begin in range(10, 150, stroke_px + gap_px):
+        picture[38:42, begin : begin + stroke_px] = (240, 240, 240)
+    return cv2.cvtColor(cv2.GaussianBlur(picture, (0, 0), 0.8), cv2.COLOR_BGR2BGRA)
+
+
+def test_a_letters_stroke_is_no_line_of_any_tone() -> None:
+    letters, line = lettered(18, 8), lettered(140, 1)
+    for away in (-3.0, 2.0):
+        for x in (70.0, 83.0, 96.0):
+            assert snap(letters, (x, 39.5 + away), DARK_ON_LIGHT, direction=(1.0, 0.0)) is None
+            found = snap(line, (x, 39.5 + away), DARK_ON_LIGHT, direction=(1.0, 0.0))
+            assert found == pytest.approx((x, 39.5), abs=0.35)
+
+
+def test_what_is_farther_off_than_a_hand_errs_must_go_on_for_longer() -> None:
+    white = Sought(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0))
+    short = lettered(22, 100)  # from 10 to 32
+    assert snap(short, (20.0, 41.5), white, direction=(1.0, 0.0)) is not None
+    assert snap(short, (20.0, 45.0), white, direction=(1.0, 0.0)) is None
+    long = lettered(140, 1)
+    assert snap(long, (70.0, 45.0), white, direction=(1.0, 0.0)) is not None
+
+
+@pytest.mark.parametrize("turned_deg", [-15.0, 15.0])
+def test_at_a_lines_end_a_wrong_direction_does_not_take_the_click_off_it(turned_deg: float) -> None:
+    picture = lettered(70, 100)  # from 10 to 80
+    white = Sought(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0), bends=True)
+    turn = math.radians(turned_deg)
+    found = snap(picture, (77.0, 40.5), white, direction=(math.cos(turn), math.sin(turn)))
+    assert found is not None
+    assert found[1] == pytest.approx(39.5, abs=0.6)
+
+
+def test_a_bar_is_as_wide_as_a_camera_shows_it() -> None:
+    looks = Appearance(BAR, ANY, WHITE, 0.1)
+    for px_per_metre, is_it in ((40.0, True), (90.0, False)):
+        sought = Sought.of(looks, 960, px_per_metre)
+        found = snap(lettered(140, 1), (70.0, 41.0), sought, direction=(1.0, 0.0))
+        assert (found is not None) == is_it
