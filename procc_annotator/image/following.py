@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from procc_annotator.field.appearance import BAR, EDGE
+from procc_annotator.field.appearance import ANY, BAR, EDGE
 from procc_annotator.image.colour_step import fits
 from procc_annotator.image.cuts import STEP_PX, Patch, Values
 from procc_annotator.image.sought import Sought
@@ -25,7 +25,7 @@ _TURN = 2  # steps across that it may move from one place to the next
 _BESIDE = 0.75, 2.75  # px from the band's edge: where the ground is looked at
 _LEAST_STEP = 10.0  # of 255
 _SAME_STEP = 0.4  # of the step at the middle
-_STRONGER_STEP = 1.8  # ... and what would be another band's
+_STRONGER_STEP = 1.8  # ... where paint may be lighter or darker: another band's
 _SAME_COLOUR = 0.8  # cosine
 _STAYS = 0.1  # of the usual step: for less it does not move across
 _BEGINS = 0, 4, -4  # places along
@@ -84,6 +84,8 @@ def _course(left: Values, right: Values, begin: int, sought: Sought) -> Course |
     found = _shares(left, right, usual / size, around, here, bar=bar)
     if found is None:
         return None
+    if sought.looks.tone == ANY:
+        found[found > _STRONGER_STEP] = 0.0
     shares = found.tolist()
     ahead, back = _walk(shares[begin:], here), _walk(shares[begin::-1], here)
     first, last = back[: _NEAR + 1], ahead[: _NEAR + 1]
@@ -134,8 +136,7 @@ def _shares(
         shares = np.minimum(on_left / usual[0], on_right / usual[1])
     both = (left + right).reshape(flat)
     lengths = np.sqrt(np.einsum("ij,ij->i", both, both)).reshape(shape) + 1e-6
-    other = (on_left + on_right < _SAME_COLOUR * lengths) | (shares > _STRONGER_STEP)
-    shares[other] = 0.0
+    shares[on_left + on_right < _SAME_COLOUR * lengths] = 0.0
     return np.asarray(shares, dtype=np.float32)
 
 
