@@ -41,7 +41,6 @@ ROOT = Path(__file__).resolve().parent.parent
 LONG = (
     "tests/unit/io/test_kill.py",  # forks, which takes ten times as long in a process grown large
     "tests/gui/test_random_use.py",
-    "tests/bench/interaction/test_actions.py",
     "tests/unit/fit/together/test_stadium.py",
     "tests/data/",
 )

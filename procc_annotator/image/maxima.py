@@ -152,6 +152,11 @@ class Maxima:
         """The stretch of a row: both ways, ahead, back."""
         return row // len(self.angles)
 
+    def middle_of(self, row: int) -> float:
+        """Where along the direction the middle of a row's cuts lies, px."""
+        along = self.along[self.stretch_of(row)]
+        return along[len(along) // 2]
+
     def best(self) -> Found | None:
         """The strongest and nearest band."""
         found = (self.band(row, column) for row, column, *_ in islice(self.ordered(), TRIED))

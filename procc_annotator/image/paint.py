@@ -40,7 +40,9 @@ _MOST_TURN, _MOST_TURN_BENT = math.radians(8.0), math.radians(20.0)
 # Of the best one's merit: another band that convinces nearly as much; where paint may be lighter or
 # darker than its ground, anything that convinces.
 _RIVAL, _RIVAL_ANY = 0.7, 0.12
+_RIVALS_TRIED = 4
 _APART_PX = 2.5
+_ASKEW_PX, _ASKEW_COSINE = 1.5, 0.5  # of one band seen in another direction
 _RECENTRED_PX = 2.0
 _PARTS_PX = 4.0  # beyond the reach: where the other part of a wide line may be
 _SHRINK_PX = 20.0  # what may be wider is looked at in a smaller picture
@@ -221,13 +223,12 @@ def _convincing(
     """The best band that is confirmed, unless another one does nearly as well."""
     best: Found | None = None
     rival = _RIVAL_ANY if unsure else _RIVAL
-    failed: list[tuple[int, float]] = []
+    tried, failed = TRIED, list[tuple[int, float]]()
     for row, column, offset, merit in maxima.ordered():
         if best is not None:
             if merit < rival * best.merit:
                 break
-            angle = maxima.angle_of(row)
-            if math.dist(foot_of(angle, offset), best.foot) < _APART_PX:
+            if _is_seen_askew(best, maxima.angle_of(row), offset, maxima.middle_of(row)):
                 continue
         stretch = maxima.stretch_of(row)
         if any(s == stretch and abs(o - offset) < _SAME_PX for s, o in failed):
@@ -235,12 +236,30 @@ def _convincing(
         found = maxima.band(row, column)
         if found is None or (found := confirmed(found)) is None:
             failed.append((stretch, offset))
-            if len(failed) == TRIED:
+            if len(failed) == tried:
                 break
             continue
         if best is not None:
             if math.dist(found.foot, best.foot) < _APART_PX:
                 continue
             return None
-        best = replace(found, merit=merit)
+        best, tried = replace(found, merit=merit), len(failed) + _RIVALS_TRIED
     return best
+
+
+def _is_seen_askew(band: Found, angle: float, offset: float, along_px: float) -> bool:
+    """Whether a maximum is what cuts across another direction show of a band.
+
+    Args:
+        band: that is known.
+        angle: of the direction in which the maximum was found, radians.
+        offset: how far across it, px.
+        along_px: the middle of the cuts, along that direction.
+    """
+    x, y = foot_of(angle, offset)
+    if math.dist((x, y), band.foot) < _APART_PX:
+        return True
+    away = (x - band.foot[0] + along_px * math.cos(angle)) * math.sin(band.angle) - (
+        y - band.foot[1] + along_px * math.sin(angle)
+    ) * math.cos(band.angle)
+    return abs(away) < _ASKEW_PX and abs(math.cos(angle - band.angle)) > _ASKEW_COSINE

@@ -159,7 +159,7 @@ def check_field(judge: Any, path: Path, data: bytes) -> None:
 
 
 @pytest.mark.laps
-@settings(settings.get_profile("fuzz"), max_examples=50)
+@settings(settings.get_profile("fuzz"), max_examples=25)
 @given(data=changed_fields())
 def test_fields_changed_in_structure(judge: Any, folder: Path, data: bytes) -> None:
     check_field(judge, folder / "field.toml", data)

@@ -72,8 +72,7 @@ class OneWindow:
 
 def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     """Take back what a test chose; whether that is all."""
-    # Closed, which ends its services; or with pages of plots, which keep what was chosen in them.
-    if not window.isVisible() or window.plots._made:
+    if not window.isVisible():  # closed, which ends its services
         return False
     for other in QApplication.topLevelWidgets():
         if other is not window and other.isVisible():
@@ -106,6 +105,11 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     for button in window.findChildren(QAbstractButton):
         if button.isChecked() is not new.get(f"button {button.objectName()}", button.isChecked()):
             button.click()
+    for page in window.plots._made.values():  # they keep what was chosen in them
+        page.setParent(None)
+        page.deleteLater()
+    window.plots._made.clear()
+    window.plots._turn_page()
     window.canvas.comparison.split.move_to(window.canvas.viewport().width() / 2)
     if _layout_of(window) != new["layout"]:
         window.reset_layout()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -39,8 +40,9 @@ MIDDLE, TOP = "Middle line", "Side line top"
 UPRIGHT, LEVEL = 480.0, 120.0
 
 
-def draw_pitch(shift: int) -> np.ndarray:
-    """A pitch with an upright and a level line, seen ``shift`` px further to the right."""
+@cache
+def draw_pitch(shift: int) -> bytes:
+    """A JPEG of a pitch with an upright and a level line, ``shift`` px further to the right."""
     rng = np.random.default_rng(5)
     wide = np.zeros((SIZE[1], SIZE[0] + 400, 3), dtype=np.uint8)
     wide[:] = (50, 120, 50)
@@ -52,7 +54,8 @@ def draw_pitch(shift: int) -> np.ndarray:
         cv2.circle(wide, (x, 400), 30, (235, 240, 235), 4)
     picture = wide[:, 200 + shift : 200 + shift + SIZE[0]]
     blurred = cv2.GaussianBlur(picture, (0, 0), 0.8).astype(np.int16)
-    return np.clip(blurred + rng.normal(0, 3, blurred.shape), 0, 255).astype(np.uint8)
+    noisy = np.clip(blurred + rng.normal(0, 3, blurred.shape), 0, 255).astype(np.uint8)
+    return cv2.imencode(".jpg", noisy, [cv2.IMWRITE_JPEG_QUALITY, 90])[1].tobytes()
 
 
 @pytest.fixture
@@ -61,7 +64,7 @@ def pitch(tmp_path: Path) -> Path:
     folder = tmp_path / "pitch"
     folder.mkdir()
     for i, shift in enumerate((0, SIZE[0] // 10)):
-        cv2.imwrite(str(folder / f"{i}.jpg"), draw_pitch(shift), [cv2.IMWRITE_JPEG_QUALITY, 90])
+        (folder / f"{i}.jpg").write_bytes(draw_pitch(shift))
     return folder
 
 

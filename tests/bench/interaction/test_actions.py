@@ -93,6 +93,7 @@ def test_ghosts_on_the_real_set_by_geometry(shared_data: Path, every: int) -> No
     assert sum(d.actions for d in done) < 0.5 * theirs
 
 
+@pytest.mark.soak  # its figures; what must hold of them is asserted in tests/unit, too
 def test_ghosts_on_the_drawn_frames(sample_data: Path) -> None:
     rows = []
     for frame in drawn_frames(sample_data):

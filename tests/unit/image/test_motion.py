@@ -135,14 +135,13 @@ def first_pictures(drawing: SimpleNamespace) -> dict[int, Pixels]:
     return {view.number: _bgra(view.draw(view.camera, 1)) for view in views}
 
 
-@pytest.mark.parametrize("number", [2, 13])
 @pytest.mark.parametrize(
-    "move",
+    ("move", "number"),
     [
-        pytest.param(MOVES[0], id="pan"),
-        pytest.param(MOVES[1], id="zoom", marks=pytest.mark.soak),
-        pytest.param(MOVES[2], id="tilt", marks=pytest.mark.soak),
-        pytest.param(MOVES[3], id="all"),
+        pytest.param(move, number, id=f"{name}-{number}", marks=[pytest.mark.soak] * is_soak)
+        for move, name in zip(MOVES, ("pan", "zoom", "tilt", "all"), strict=True)
+        for number in (2, 13)
+        for is_soak in [(name, number) not in (("pan", 2), ("all", 13))]
     ],
 )
 def test_lines_are_found_again_after_the_camera_moved(
@@ -159,7 +158,7 @@ def test_lines_are_found_again_after_the_camera_moved(
     assert np.percentile(error, 95) < 3
 
 
-@pytest.mark.parametrize("shift", [0.1, 0.012])
+@pytest.mark.parametrize("shift", [0.012, pytest.param(0.1, marks=pytest.mark.soak)])
 def test_noise_compression_and_graphics_do_not_decide(
     drawing: SimpleNamespace, shift: float
 ) -> None:

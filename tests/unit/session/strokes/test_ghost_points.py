@@ -338,7 +338,7 @@ def drawn_twice() -> DrawnTwice:
     return both
 
 
-@pytest.mark.parametrize("number", [12, 14])
+@pytest.mark.parametrize("number", [12, pytest.param(14, marks=pytest.mark.soak)])
 def test_every_point_lies_where_paint_can_be_seen(drawn_twice: DrawnTwice, number: int) -> None:
     """Posts and crossbars, players, goals and boards in front of lines: the drawing knows."""
     camera, picture, paint = drawn_twice(number)
