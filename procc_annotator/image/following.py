@@ -33,11 +33,17 @@ _NEAR = 5  # over so many places to either side its turn is measured
 
 @dataclass(frozen=True, slots=True)
 class Course:
-    """How far a band goes on without a gap, both ways together, px, and its turn against the
-    direction in which it was followed, radians."""
+    """How far a band goes on without a gap.
+
+    Attributes:
+        length_px: both ways together.
+        turn: of it against the direction in which it was followed, radians.
+        begin_px: where along that direction it was begun.
+    """
 
     length_px: float
     turn: float
+    begin_px: float
 
 
 def follow(
@@ -82,7 +88,8 @@ def _course(left: Values, right: Values, begin: int, sought: Sought) -> Course |
     first, last = back[: _NEAR + 1], ahead[: _NEAR + 1]
     across, along = (last[-1] - first[-1]) * STEP_PX, (len(first) + len(last) - 2) * _EVERY_PX
     turn = math.atan2(across, along) if along else 0.0
-    return Course(_EVERY_PX * (len(ahead) + len(back) - 1), turn)
+    length = _EVERY_PX * (len(ahead) + len(back) - 1)
+    return Course(length, turn, _EVERY_PX * (begin - len(left) // 2))
 
 
 def _steps(patch: Patch, angle: float, width_px: float) -> tuple[Values, Values]:

@@ -16,10 +16,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.appearance import ANY, BAR, NOTHING, WHITE
+from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, WHITE
 from procc_annotator.image.cuts import Patch
 from procc_annotator.image.following import REACH_PX as FOLLOWED_PX
-from procc_annotator.image.following import follow
+from procc_annotator.image.following import Course, follow
 from procc_annotator.image.maxima import BEYOND_PX, TRIED, Found, Maxima, foot_of
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.sought import ANYTHING, Sought
@@ -35,6 +35,9 @@ _BENT_SPREAD = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
 _BAR_SPREAD = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])
 _SAME_PX = 1.0
 _LEAST_LENGTH_PX, _LEAST_LENGTH_ANY_PX = 16.0, 30.0
+# Px from the position to the middle of the cuts that show it, and how long it then must be.
+_ONE_SIDED = {LINE: (1.5, 36.0), BAR: (6.0, 46.0)}
+_HAND_PX, _LONGER = 4.5, 20.0  # so far off a hand clicks; px of length for each px more
 # Of the band against a given direction, which of a curve is that of a chord.
 _MOST_TURN, _MOST_TURN_BENT = math.radians(8.0), math.radians(20.0)
 # Of the best one's merit: another band that convinces nearly as much; where paint may be lighter or
@@ -128,13 +131,12 @@ def _snap_along(
     elif sought.bends:
         spread = _BENT_SPREAD
 
-    least = _LEAST_LENGTH_ANY_PX if sought.looks.tone == ANY else _LEAST_LENGTH_PX
     most_turn = _MOST_TURN_BENT if sought.bends else _MOST_TURN
 
     def goes_on(found: Found) -> Found | None:
         for course in follow(patch, found.angle, found.offset, found.width, sought):
             turn = abs(found.angle + course.turn - angle)
-            if course.length_px >= least and turn <= most_turn:
+            if course.length_px >= _least_length(found, course, sought) and turn <= most_turn:
                 # It is wanted beside the position, not where it can be seen.
                 across = found.along * math.tan(course.turn)
                 return replace(found, offset=found.offset - across)
@@ -146,6 +148,25 @@ def _snap_along(
         return None
     across = found.offset / math.cos(found.angle - angle)
     return point[0] - across * math.sin(angle), point[1] + across * math.cos(angle)
+
+
+def _least_length(found: Found, course: Course, sought: Sought) -> float:
+    """How far a band must go on to be the sought paint, px.
+
+    One that may be lighter or darker than its ground, and is seen on one side only, could be a
+    letter's stroke; and so could anything that is farther away than a hand errs.
+    """
+    farther = 0.0
+    if not sought.is_wide:
+        farther = _LONGER * max(0.0, abs(found.offset) - _HAND_PX)
+    if sought.looks.tone != ANY:
+        return _LEAST_LENGTH_PX + farther
+    if sought.looks.kind == EDGE:
+        return _LEAST_LENGTH_ANY_PX + farther
+    if course.begin_px:
+        return math.inf
+    beside, longer = _ONE_SIDED[sought.looks.kind]
+    return (longer if abs(found.along) > beside else _LEAST_LENGTH_ANY_PX) + farther
 
 
 def snap_all(

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from procc_annotator.field.appearance import ANY_LINE, Appearance
+from procc_annotator.field.appearance import ANY_LINE, BAR, Appearance
 
 NARROWEST_PX, WIDEST_PX = 0.7, 14.0
-_LEAST_SHARE, _LARGEST_SHARE, _BLUR_PX = (
-    0.35,
-    1.3,
-    1.0,
-)  # of the width a camera shows: blur, snow, worn paint
+# Of the width a camera shows: blur, snow, worn paint. A bar is neither worn nor snowed on.
+_LEAST_SHARE, _LEAST_SHARE_BAR, _LARGEST_SHARE, _BLUR_PX = 0.35, 0.65, 1.3, 1.0
 
 _SEEN_M = 100.0, 8.0  # how much of a field is in a picture, from side to side
 _WIDE_PX = 3.0
@@ -55,7 +52,8 @@ class Sought:
         width = looks.width_m * px_per_metre
         # Nothing is seen narrower than what a lens and compression make of it.
         most = max(_LARGEST_SHARE * width + _BLUR_PX, _BLURRED_PX)
-        return cls(looks, (_LEAST_SHARE * width, most), is_expected=True)
+        least = (_LEAST_SHARE_BAR if looks.kind == BAR else _LEAST_SHARE) * width
+        return cls(looks, (least, most), is_expected=True)
 
 
 ANYTHING = Sought()

@@ -44,7 +44,9 @@ def settings_of_tests(tmp_path_factory: pytest.TempPathFactory) -> None:
 @pytest.fixture(autouse=True)
 def no_settings(settings_of_tests: None) -> None:
     """Every test begins without any."""
-    Settings()._store.clear()
+    store = Settings()._store
+    if store.allKeys():  # or the file would be written anew before every test
+        store.clear()
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -69,17 +71,26 @@ def nobody_asks(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("procc_annotator.gui.main_window.ask_to_leave_unsaved", lambda *_: True)
 
 
-@pytest.fixture
-def dataset(tmp_path: Path) -> Path:
-    """Three pictures of a striped pitch; nothing is annotated."""
-    folder = tmp_path / "dataset"
-    folder.mkdir()
+@pytest.fixture(scope="session")
+def striped() -> list[bytes]:
+    """PNG of a striped pitch, with 0, 1 and 2 written on it."""
     stripes = np.zeros((SIZE[1], SIZE[0], 3), dtype=np.uint8)
     stripes[:, :, 1] = 90 + 20 * ((np.arange(SIZE[0]) // 40) % 2)
+    found = []
     for i in range(3):
         picture = stripes.copy()
         cv2.putText(picture, str(i), (300, 200), cv2.FONT_HERSHEY_SIMPLEX, 3, (255, 255, 255), 4)
-        cv2.imwrite(str(folder / f"frame_{i}.png"), picture)
+        found.append(cv2.imencode(".png", picture)[1].tobytes())
+    return found
+
+
+@pytest.fixture
+def dataset(tmp_path: Path, striped: list[bytes]) -> Path:
+    """Three pictures of a striped pitch; nothing is annotated."""
+    folder = tmp_path / "dataset"
+    folder.mkdir()
+    for i, picture in enumerate(striped):
+        (folder / f"frame_{i}.png").write_bytes(picture)
     return folder
 
 
@@ -248,15 +259,21 @@ def saved(dataset: Path) -> ReadPoints:
     return read
 
 
+@pytest.fixture(scope="session")
+def first_frames(sample_data: Path) -> list[Path]:
+    """The files of the sample's first frames and of their cameras, within its folder."""
+    found = [*sample_data.glob("*0000[1-6].*"), *sample_data.glob("cameras/**/*0000[1-6].*")]
+    return [path.relative_to(sample_data) for path in found]
+
+
 @pytest.fixture
-def annotated(sample_data: Path, tmp_path: Path) -> Path:
+def annotated(sample_data: Path, first_frames: list[Path], tmp_path: Path) -> Path:
     """The sample's first frames and their cameras, to be changed at will."""
     folder = tmp_path / "sample"
-    for path in sample_data.glob("**/*0000[1-6].*"):
-        if path.relative_to(sample_data).parts[0] in ("cameras", path.name):
-            to = folder / path.relative_to(sample_data)
-            to.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(path, to)
+    for parent in {path.parent for path in first_frames}:
+        (folder / parent).mkdir(parents=True, exist_ok=True)
+    for path in first_frames:
+        shutil.copyfile(sample_data / path, folder / path)
     return folder
 
 

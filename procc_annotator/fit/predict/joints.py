@@ -16,6 +16,7 @@ from procc_annotator.fit.solving.observations import FloatArray
 
 _MEET_M = 0.2  # paint has a width, and some lines end at another one's edge
 _AROUND_PX = 80.0
+_BAR_PX = 240.0  # of one: letters and boards behind it are shorter than it
 _LEAST_PX = 15.0
 
 
@@ -80,13 +81,13 @@ def ends_of(stretches: Sequence[Stretch], field: Field, fit: FitResult) -> dict[
             if off.min() > 1e-6:
                 ends.append(None)
                 continue
-            names = [field.elements[i].name for i in np.flatnonzero(apart[row, k] <= _MEET_M)]
+            others = [field.elements[i] for i in np.flatnonzero(apart[row, k] <= _MEET_M)]
             place = stretch.points_px[end]
             joints = (
-                Joint(name, around)
-                for name in names
-                for course in (shown.get(name, ()) if name != stretch.name else ())
-                if (around := _around(course, place)) is not None
+                Joint(other.name, around)
+                for other in others
+                for course in (shown.get(other.name, ()) if other.name != stretch.name else ())
+                if (around := _around(course, place, on_ground=other.on_ground)) is not None
             )
             ends.append(End(place, float(sd[row, k]), tuple(joints)))
         found[stretch.name] = ends[0], ends[1]
@@ -99,12 +100,13 @@ def _outwards(course: FloatArray) -> FloatArray:
     return np.asarray(steps / np.maximum(np.hypot(*steps.T), 1e-12)[:, None])
 
 
-def _around(course: FloatArray, place: FloatArray) -> FloatArray | None:
+def _around(course: FloatArray, place: FloatArray, *, on_ground: bool) -> FloatArray | None:
     """What of a course lies around a place, every pixel; None: too little."""
     lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(course, axis=0).T))])
     nearest = lengths[np.hypot(*(course - place).T).argmin()]
-    begin = max(0.0, nearest - _AROUND_PX)
-    end = min(float(lengths[-1]), nearest + _AROUND_PX)
+    reach = _AROUND_PX if on_ground else _BAR_PX
+    begin = max(0.0, nearest - reach)
+    end = min(float(lengths[-1]), nearest + reach)
     if end - begin < _LEAST_PX:
         return None
     at = np.linspace(begin, end, round(end - begin) + 1)

@@ -12,7 +12,7 @@ AGREE_PX = 0.8  # offsets this near to the smooth ones lie on the line
 
 
 def agreement(
-    places: FloatArray, values: FloatArray, reach: float, *, curved: bool
+    places: FloatArray, values: FloatArray, reach: float, *, terms: int
 ) -> tuple[BoolArray, FloatArray]:
     """Which offsets lie on one smooth course, and its coefficients.
 
@@ -22,7 +22,7 @@ def agreement(
         places: (n,) along the course, -1 to 1, ascending.
         values: (n,) px across it, n >= 2.
         reach: px; how far the line may lie.
-        curved: whether it may bend more than a lens bends it.
+        terms: of the series at most; 2 where it is straight.
 
     Returns:
         (n,) which agree, and the coefficients of a Legendre series of the offsets.
@@ -41,9 +41,9 @@ def agreement(
     kept = apart[best] <= 2 * AGREE_PX
     coefficients = np.array([level[best], slopes[best]])
     for _ in range(4):
-        terms = min((5 if curved else 3), max(1, int(kept.sum()) // 3))
-        basis = np.polynomial.legendre.legvander(places, terms - 1)
-        penalty = 0.02 * np.diag(np.arange(terms) ** 2.0)
+        used = min(terms, max(1, int(kept.sum()) // 3))
+        basis = np.polynomial.legendre.legvander(places, used - 1)
+        penalty = 0.02 * np.diag(np.arange(used) ** 2.0)
         own = basis[kept]
         coefficients = np.linalg.solve(own.T @ own + penalty, own.T @ values[kept])
         kept = np.abs(basis @ coefficients - values) <= AGREE_PX

@@ -29,7 +29,7 @@ FloatArray = NDArray[np.float64]
 FARTHEST_PX = 80.0  # an end is looked for so far beyond where the camera expects it
 _LEAST_SD = 3.0
 _LEAST_PX = 14.0
-_EVERY_PX = 6.0
+_EVERY_PX, _MOST_PLACES = 6.0, 26
 _BESIDE_PX = 4.0
 _LEAST_AGREED = 4
 _LEAST_SHARE, _SURE_SHARE = 0.3, 0.7  # of the other's course, where its paint is found
@@ -40,6 +40,7 @@ _TRIED_PX = 25.0
 _BEYOND_PX = 40.0  # the other line may be seen so far before the corner only
 _MISSED_PX = 1.5
 _LEAST_SINE = 0.1  # lines at less than six degrees cross nowhere that could be told
+_STEEP_SINE = 0.8  # what a course is off is little along the other one
 _NEAR_PX = 10.0, 76.0  # of the corner: from where both are followed to it
 _LOCAL_EVERY_PX, _LOCAL_REACH_PX = 5.0, 2.5
 _LOCAL_AGREED, _LOCAL_SPAN_PX = 5, 15.0
@@ -102,19 +103,24 @@ def corner_of(
         None where no other element's paint is found, or the line is not seen to go there.
     """
     best: _Candidate | None = None
-    for joint in end.joints:
-        for candidate in _candidates(line, end, joint, picture, paint, ghost, shifted_px):
-            missed = abs(candidate.row - line.runs[-1][1]) / may_miss_px
-            merit = candidate.merit - _MISSED * min(missed, 1.0)
-            if best is None or merit > best.merit:
-                best = replace(candidate, merit=merit)
-            if merit >= _SURE_SHARE:
-                break
+    for candidate in (
+        candidate
+        for joint in end.joints
+        for candidate in _candidates(line, end, joint, picture, paint, ghost, shifted_px)
+    ):
+        missed = abs(candidate.row - line.runs[-1][1]) / may_miss_px
+        merit = candidate.merit - _MISSED * min(missed, 1.0)
+        if best is None or merit > best.merit:
+            best = replace(candidate, merit=merit)
+        if merit >= _SURE_SHARE:
+            break
     if best is None or best.merit < _LEAST_MERIT:
         return None
+    is_near = abs(best.row - line.runs[-1][1]) <= may_miss_px
+    if is_near and best.sine >= _STEEP_SINE:
+        return Corner(best.place, False)
     place, seen = _refined(line, best, picture, paint, ghost.name)
-    missed = abs(best.row - line.runs[-1][1])
-    return Corner(place, seen) if seen or missed <= may_miss_px else None
+    return Corner(place, seen) if seen or is_near else None
 
 
 def _candidates(
@@ -163,7 +169,8 @@ def _painted(
     Right beside the line that ends there, it could not be told from it.
     """
     limits = np.array([picture.shape[1], picture.shape[0]]) - 1.0
-    rows = np.unique(np.linspace(0, len(course) - 1, round(len(course) / _EVERY_PX) + 1).round())
+    count = min(round(len(course) / _EVERY_PX), _MOST_PLACES) + 1
+    rows = np.unique(np.linspace(0, len(course) - 1, count).round())
     rows = rows.astype(np.intp)
     rows = rows[((course[rows] >= 0) & (course[rows] <= limits)).all(axis=1)]
     rows = rows[_apart(course[rows], line.course_px) > _BESIDE_PX]
@@ -177,7 +184,9 @@ def _painted(
     if known.sum() < _LEAST_AGREED:
         return None
     places = 2.0 * rows / (len(course) - 1) - 1.0
-    agreed, coefficients = agreement(places[known], offsets[known], reach, curved=False)
+    agreed, coefficients = agreement(
+        places[known], offsets[known], reach, terms=3 if sought.bends else 2
+    )
     share = float(agreed.sum() / len(rows))
     if agreed.sum() < _LEAST_AGREED or share < _LEAST_SHARE:
         return None
@@ -257,7 +266,7 @@ def _close_by(
     direction = direction / span
     normal = np.array([-direction[1], direction[0]])
     s, o = (found - corner) @ direction, (found - corner) @ normal
-    agreed, _ = agreement(2 * (s - s[0]) / (s[-1] - s[0]) - 1, o, 12.0, curved=False)
+    agreed, _ = agreement(2 * (s - s[0]) / (s[-1] - s[0]) - 1, o, 12.0, terms=2)
     if agreed.sum() < _LOCAL_AGREED:
         return None
     slope, level = np.polyfit(s[agreed], o[agreed], 1)

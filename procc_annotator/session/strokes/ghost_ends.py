@@ -13,6 +13,8 @@ from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.fit.predict.joints import End
 from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.paint import snap_all
+from procc_annotator.image.sought import Sought
 from procc_annotator.session.strokes.corners import Corner, corner_of, reach_of
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.visible_line import VisibleLine, continued
@@ -24,6 +26,8 @@ _EDGE_GAP = 8  # px before the picture's edge where a line need not be seen
 _BACK_PX = 5  # so far before where its paint seems to end it is sure to be its own
 _TANGENT_PX = 40
 _AT_EDGE_PX = 6.0
+_AGAIN_PX, _AGAIN_REACH_PX = 4, 1.5
+_AGAIN_FOUND = 3  # places, and one of the first ones from the edge
 
 
 def ends_by_paint(
@@ -48,12 +52,15 @@ def ends_by_paint(
     """
     may_miss = _HIDDEN_PX if on_ground else _JOINED_PX
     corners = _corners(line, ghost, picture, paint, may_miss)
-    size, unsure = (picture.shape[1], picture.shape[0]), 0
+    sought, unsure = paint.of(ghost.name), 0
     for last in (True, False):
         way, end = (line if last else _turned(line)), ghost.ends[last]
         if not way.runs:
             break
-        ending = _ending_at(way, corners[last]) if last in corners else _to_edge(way, size)
+        if last in corners:
+            ending: VisibleLine | None = _ending_at(way, corners[last])
+        else:
+            ending = _to_edge(way, picture, sought)
         if ending is None and end is not None:
             ending, unsure = _cut_back(way, end), unsure + 1
         line = ending or way
@@ -110,20 +117,38 @@ def _cut_back(line: VisibleLine, end: End) -> VisibleLine:
     return replace(line, runs=runs)
 
 
-def _to_edge(line: VisibleLine, size: tuple[int, int]) -> VisibleLine | None:
+def _to_edge(line: VisibleLine, picture: PixelArray, sought: Sought) -> VisibleLine | None:
     """A line that is seen to end a little inside the picture's edge, or outside it, ends there."""
+    size = picture.shape[1], picture.shape[0]
     limits = np.array(size, dtype=np.float64) - 1
     end = np.clip(line.course_px[-1], 0.0, limits)
     inner = line.course_px[max(0, line.length - 1 - _TANGENT_PX)]
     along = end - inner
     length = float(np.hypot(*along))
     edge = edge_point(end, along / length, size) if length > 1e-6 else None
-    seen = line.runs[-1][1] >= line.length - _EDGE_GAP
-    if edge is None or np.hypot(*(edge - end)) > _AT_EDGE_PX or not seen:
+    if edge is None or np.hypot(*(edge - end)) > _AT_EDGE_PX:
         return None
+    begin, past = line.runs[-1]
+    runs = (*line.runs[:-1], (begin, line.length))
+    if past < line.length - _EDGE_GAP:
+        again = _seen_again(line, picture, sought)
+        if again is None:
+            return None
+        runs = (*line.runs, (again, line.length))
     course = np.vstack([line.course_px[:-1], edge])
-    runs = (*line.runs[:-1], (line.runs[-1][0], line.length))
     return replace(line, course_px=course, runs=runs, expected=(line.expected[0], line.length - 1))
+
+
+def _seen_again(line: VisibleLine, picture: PixelArray, sought: Sought) -> int | None:
+    """The place from which a line that was hidden is seen until its last end, which is too near
+    for it to show a steady stroke; None: it is not."""
+    rows = np.arange(line.length - 1, max(line.runs[-1][1], line.length - _TANGENT_PX), -_AGAIN_PX)
+    course, along = line.course_px[rows], line.directions[rows]
+    found = snap_all(picture, course, along, sought, reach_px=_AGAIN_REACH_PX)
+    seen = ~np.isnan(found[:, 0])
+    if seen.sum() < _AGAIN_FOUND or not seen[:_AGAIN_FOUND].any():
+        return None
+    return int(rows[np.flatnonzero(seen)[-1]])
 
 
 def _turned(line: VisibleLine) -> VisibleLine:

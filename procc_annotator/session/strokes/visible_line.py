@@ -142,7 +142,7 @@ def _offsets(
     if known.sum() < 3:
         return None, rows[:0]
     places = 2.0 * rows / (n - 1) - 1.0
-    agreed, coefficients = agreement(places[known], values[known], reach, curved=curved)
+    agreed, coefficients = agreement(places[known], values[known], reach, terms=5 if curved else 3)
     if agreed.sum() < 3:
         return None, rows[:0]
     whole = np.polynomial.legendre.legval(np.linspace(-1.0, 1.0, n), coefficients)

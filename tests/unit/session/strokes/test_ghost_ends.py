@@ -121,3 +121,38 @@ def test_an_end_in_sight_by_both_paints_is_reached_across_a_player() -> None:
     end = End(CORNER + 6.0 * ALONG, 6.0, (Joint("Side line right", dense(GOAL_LINE)),))
     points = accepted(picture, dense(np.array([START, end.place_px])), end)
     assert np.hypot(*(points[-1] - CORNER)) < 1.0
+
+
+def test_a_line_hidden_before_the_picture_s_edge_goes_on_to_it() -> None:
+    """A head hides it; between the head and the edge it is seen again, if only shortly."""
+    line = np.array([[400.0, 100.0], [980.0, 320.0]])
+    picture = pitch(line).copy()
+    picture[270:320, 905:938, :3] = (40, 40, 60)
+    points = accepted(picture, dense(np.array([line[0], [959.0, 312.0]])))
+    assert points[-1] == pytest.approx([959.0, 312.0], abs=1.0)
+
+
+def test_a_line_that_is_hidden_until_the_picture_s_edge_ends_before() -> None:
+    line = np.array([[400.0, 100.0], [980.0, 320.0]])
+    picture = pitch(line).copy()
+    picture[270:340, 905:, :3] = (40, 40, 60)
+    points = accepted(picture, dense(np.array([line[0], [959.0, 312.0]])))
+    assert points[-1, 0] <= 906.0
+
+
+def test_a_crossbar_ends_at_its_post_before_letters() -> None:
+    """Letters on a board behind the post, as white as it is; the camera is off by 20 px."""
+    picture = np.full((SIZE[1], SIZE[0], 3), (40, 40, 90), dtype=np.uint8)
+    corner = np.array([300.0, 200.0])
+    for x in (262, 300, 318):
+        cv2.ellipse(picture, (x, 235), (10, 18), 0, 0, 360, (230, 230, 240), 4, cv2.LINE_AA)
+    cv2.line(picture, (300, 200), (560, 230), (245, 245, 245), 6, cv2.LINE_AA)
+    cv2.line(picture, (300, 200), (296, 330), (245, 245, 245), 6, cv2.LINE_AA)
+    shown = bgra(cv2.GaussianBlur(picture, (0, 0), 0.7))
+    bar, off = np.array([corner, [560.0, 230.0]]), np.array([-20.0, -2.3])
+    post = np.array([corner, [296.0, 330.0]]) + off
+    end = End(corner + off, 10.0, (Joint("Goal left post left ", dense(post)),))
+    course = dense(bar + np.array([off, [0.0, 0.0]]))
+    ghost = Ghost("Goal left crossbar", (GhostPiece(course, np.full(200, 1.5)),), (end, None))
+    found = find_points(ghost, shown, FIELD, SIZE)
+    assert np.hypot(*(points_px(Polyline("", found.points), SIZE)[0] - corner)) < 1.5
