@@ -130,6 +130,7 @@ class MainWindow(QMainWindow):
         self.field_dimensions = FieldDimensionsTask(document, self)
         self.blind_locking = BlindLocking(document, self)
         self.label_check = LabelCheckCommands(document, self)
+        self.label_check.followWanted.connect(self.assistant.regularise_named)
         self.source_memory = SourceMemory(document, self.settings, self)
         self.exporter = Exporter(document, self)
         self.export_as = ExportAs(document, self)

@@ -458,7 +458,7 @@ def test_the_worst_frames_are_told_as_they_are_scored_on_a_tie(cli, dataset, tmp
 STRAY = {"match": "BRA-GER", "frames": 5, "teams": ["BRA", "GER"], "score": {"BRA": 1, "GER": 7}}
 
 
-@pytest.mark.parametrize("packed", [False, True])
+@pytest.mark.parametrize("packed", [False, pytest.param(True, marks=pytest.mark.soak)])
 def test_other_json_among_annotations_is_named_and_not_counted(
     cli, dataset, tmp_path, packed
 ) -> None:

@@ -18,8 +18,6 @@ from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window
 from tests.gui.conftest import let_work_end
 
-_WINDOWS = 20
-
 
 def open_and_close(qtbot: QtBot, path: Path) -> list[weakref.ref[QObject]]:
     """What there is to be gone: a window and its document."""
@@ -54,10 +52,11 @@ def open_files() -> int:
 
 
 @pytest.mark.new_window
-def test_twenty_windows_leave_nothing_behind(qtbot: QtBot, dataset: Path) -> None:
+@pytest.mark.parametrize("windows", [6, pytest.param(20, marks=pytest.mark.soak)])
+def test_windows_leave_nothing_behind(qtbot: QtBot, dataset: Path, windows: int) -> None:
     open_and_close(qtbot, dataset)  # what is made once and kept (threads, icons) is there then
     before, files, running = alive(), open_files(), threads()
-    left = [ref for _ in range(_WINDOWS) for ref in open_and_close(qtbot, dataset)]
+    left = [ref for _ in range(windows) for ref in open_and_close(qtbot, dataset)]
     after = alive()
     assert not [ref() for ref in left if ref() is not None]
     assert {name: n for name, n in after.items() if n > before[name]} == {}

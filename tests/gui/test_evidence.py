@@ -18,6 +18,7 @@ from procc_annotator.fit.labels.seen_paint import Paint
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.notices import BENT
 from procc_annotator.interact import palette as tones
+from procc_annotator.session.facts.frame_check import FoundInFrame
 from procc_annotator.session.strokes import paint_evidence as evidence_module
 from tests.gui.conftest import Hand
 
@@ -118,6 +119,29 @@ def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(
     qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
     assert Rule.BESIDE_PAINT not in found()
     qtbot.waitUntil(lambda: BENT not in {notice.key for notice in document.state.notices})
+
+
+def test_the_remedy_puts_its_points_along_the_paint(
+    bent: MainWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
+) -> None:
+    """One key, or the button of the list, whatever else is chosen; and one step of undo."""
+    document, hand = bent.document, hand_on(bent)
+    qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
+    hand.draw("Side line top", (102, 300), (858, 300))
+    two = document.annotation
+
+    def found() -> list[FoundInFrame]:
+        every = document.label_check.shown
+        return [f for f in every if f.finding.rule is Rule.BESIDE_PAINT]
+
+    qtbot.waitUntil(lambda: bool(found()), timeout=20_000)
+    document.select_class("Side line bottom")
+    remedy = found()[0].finding.remedies[0]
+    bent.label_check.apply(found()[0], remedy)
+    qtbot.waitUntil(lambda: len(document.annotation.get("Side line top").points) > 2)
+    qtbot.waitUntil(lambda: document.label_check.checked is not None and not found())
+    hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert document.annotation == two
 
 
 def test_a_line_clicked_where_there_is_none_is_no_bent_one(

@@ -483,7 +483,9 @@ class TestPanel:
         last = len(whole.get(FAR).points) - 1
         document.commit_edit("wrong", nudged(whole, 0.2, last))
         arrive(fitted, qtbot)
-        qtbot.waitUntil(lambda: any(row.point == last for row in panel.rows.rows))
+        qtbot.waitUntil(
+            lambda: [(row.class_name, row.point) for row in panel.rows.rows[:1]] == [(FAR, last)]
+        )
         at = next(i for i, row in enumerate(panel.rows.rows) if row.class_name == FAR)
         go, flown = slow_fits(), []
         document.flyTo.connect(lambda x, y: flown.append((x, y)))

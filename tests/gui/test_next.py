@@ -37,6 +37,7 @@ def told(window: MainWindow) -> dict[str, str | None]:
     document, field = window.document, window.document.field
     window.show_panel("elements")
     window.elements._refresh()
+    window.field_map._refresh()
     listed = [
         field.title_of(name)
         for name in window.elements._items

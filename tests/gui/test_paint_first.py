@@ -6,6 +6,9 @@ import json
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtGui import QPaintEvent
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
@@ -88,3 +91,62 @@ def test_an_undo_is_one_step_and_draws_the_overlay_once(
     assert (len(steps), len(drawn)) == (1, 1)
     assert audited.status.hint.text().startswith("undone: nudge")
     settle(audited, qtbot)
+
+
+class Layouts(QObject):
+    """Counts how often a widget is asked to lay itself out anew."""
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self.count = 0
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        self.count += event.type() == QEvent.Type.LayoutRequest
+        return False
+
+
+def test_a_text_in_a_bar_does_not_lay_out_the_window(audited: MainWindow, qtbot: QtBot) -> None:
+    settle(audited, qtbot)
+    status, layouts = audited.status, Layouts(audited)
+    status.set_saved("saving...", alarm=False)
+    status.set_work("scoring 1 / 2,000")
+    status.tell("a line that is longer than the one before it")
+    audited.toolbar.jac.setText("<b>JaC 0.123</b>")
+    QApplication.processEvents()
+    layouts.count = 0  # the score may need other room than the one before it
+    audited.toolbar.jac.setText("<b>JaC 0.456</b>")
+    status.set_saved("NOT SAVED: 2 frames", alarm=True)
+    status.set_work("")
+    status.tell("short")
+    QApplication.processEvents()
+    assert layouts.count == 0
+    assert status.saved.width() >= status.saved.sizeHint().width(), "nothing of it is cut"
+    status.set_saved("saved 12:34:56", alarm=False)
+
+
+class Painted(QObject):
+    """Collects what is painted of a widget."""
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self.heights: list[int] = []
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if isinstance(event, QPaintEvent):
+            self.heights.append(event.rect().height())
+        return False
+
+
+def test_one_row_of_the_frames_is_painted_for_one_frame(audited: MainWindow, qtbot: QtBot) -> None:
+    settle(audited, qtbot)
+    check, rows = audited.document.label_check, audited.frames.list
+    painted = Painted(rows.viewport())
+    check.framesChanged.emit(audited.document.workspace.frames[3].name)
+    QApplication.processEvents()
+    assert painted.heights == [rows.rowHeight(3)]
+    painted.heights.clear()
+    check.framesChanged.emit("")
+    QApplication.processEvents()
+    assert painted.heights == [rows.viewport().height()]

@@ -61,6 +61,7 @@ class RemedyKind(StrEnum):
     RELABEL = "relabel"  # also of many classes at once: a reflected frame
     SWAP = "swap"
     REMOVE_POINT = "remove point"
+    FOLLOW = "follow paint"  # in the picture, which takes a moment
     LOOK = "look"  # nothing to be done by itself: show the place
 
 

@@ -27,7 +27,7 @@ _FEWEST_ON_CURVE = 5
 _BENT_PX = 2.5
 _SEEN_SHARE = 0.6  # what is beside something must be seen
 _BESIDE_SHARE, _AT_ENDS = 0.25, 0.7
-_FOLLOW = Remedy(RemedyKind.LOOK, "choose it: R puts points along the paint")
+_FOLLOW = Remedy(RemedyKind.FOLLOW, "put its points along the paint")
 
 
 def paint_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterator[Finding]:

@@ -78,7 +78,7 @@ class Refresher(QObject):
     def request(self) -> None:
         """What is shown is another thing: show it at the next opportunity."""
         self._stale = True
-        if not self._resting.isActive() and self._in_sight():
+        if not self._resting.isActive():
             _turn().add(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

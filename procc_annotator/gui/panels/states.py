@@ -98,7 +98,12 @@ def state_colour(state: ElementState, palette: QPalette) -> QColor:
 
 def state_pen(state: ElementState, palette: QPalette, width: float) -> QPen:
     """The line of a state: tone and dash pattern of the overlay."""
-    pen = QPen(state_colour(state, palette), width)
+    return QPen(_pen(state, state_colour(state, palette).rgba(), width))
+
+
+@lru_cache(maxsize=256)
+def _pen(state: ElementState, rgba: int, width: float) -> QPen:
+    pen = QPen(QColor.fromRgba(rgba), width)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     unconfirmed = state is ElementState.UNCONFIRMED
     dash = tones.UNCONFIRMED_DASH if unconfirmed else tones.STATUS_DASHES.get(state.value, ())

@@ -59,6 +59,7 @@ class Canvas(PictureView):
         self._hidden_by_key = False
         self._refreshes = 0
         self._due = False  # a refresh, once all that changed was told
+        self._everywhere = False  # not only where the overlay differs
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self.refresh)
         # While the hand carries something, who only reads where it is can wait for the next frame.
@@ -115,7 +116,8 @@ class Canvas(PictureView):
         self.set_picture(self.shown.pixels, state.picture_size, keep_view=self.keep_zoom)
         self.overlay_item.set_area(self.sceneRect())
         self.comparison.set_area(self.sceneRect())
-        self._refresh(everywhere=True)
+        self._everywhere = True
+        self.refresh()
 
     def set_covered(self, height: int) -> None:
         """Bars lie over the top: what is pinned there makes room, the picture stays."""
@@ -154,7 +156,7 @@ class Canvas(PictureView):
 
     def _refresh_if_due(self) -> None:
         if self._due and not self._document.store.busy:
-            self._refresh(everywhere=False)
+            self._refresh()
 
     def _refresh_others(self) -> None:
         """Other sources are drawn, or otherwise; whatever changes the one in front says so too."""
@@ -168,9 +170,9 @@ class Canvas(PictureView):
         if self.colour_by in BY_ORIGIN:
             self.refresh()
 
-    def _refresh(self, *, everywhere: bool) -> None:
+    def _refresh(self) -> None:
         self._refreshes += 1
-        self._due = False
+        everywhere, self._everywhere, self._due = self._everywhere, False, False
         self._soon.stop()
         scale, comparison = self.view_scale, self.comparison
         comparison.refresh(hidden=self.overlays_hidden)
@@ -199,8 +201,9 @@ class Canvas(PictureView):
         self._place_loupe()
 
     def _refresh_ghosts(self) -> None:
-        self._draw_ghosts()
-        self._say_hint()
+        if not self._due:
+            self._draw_ghosts()
+            self._say_hint()
 
     def _draw_ghosts(self) -> None:
         ghosts = self._ghost_layer.overlay(hidden=self.overlays_hidden)

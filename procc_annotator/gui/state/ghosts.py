@@ -50,6 +50,7 @@ class Ghosts(QObject):
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._told: tuple[object, ...] = ()
+        self._stepped = False  # since the last look
         self._points = Derived(
             self._to_find,
             _find_points,
@@ -62,9 +63,9 @@ class Ghosts(QObject):
         self._points.failed.connect(self._say_failed)
         signals.pictureChanged.connect(self._points.look)
         live_fit.changed.connect(self._look)
-        signals.frameChanged.connect(self._look)
-        signals.annotationChanged.connect(self._look)
-        signals.selectionChanged.connect(self._look)
+        for signal in (signals.frameChanged, signals.annotationChanged, signals.selectionChanged):
+            signal.connect(self._note_step)
+        store.rested.connect(self._look_once)
         review.notVisibleChanged.connect(self._look)
 
     # --- which ghosts there are -----------------------------------------------------------
@@ -280,8 +281,17 @@ class Ghosts(QObject):
 
     # --- keeping up -----------------------------------------------------------------------
 
+    def _note_step(self) -> None:
+        self._stepped = True
+
+    def _look_once(self) -> None:
+        """All that changed together was told."""
+        if self._stepped:
+            self._look()
+
     def _look(self) -> None:
         """The frame, the fit or what is wanted may be other than before."""
+        self._stepped = False
         state, insight = self._store.state, self.insight
         here = state.frame_name, state.field.name
         if here != self._frame:

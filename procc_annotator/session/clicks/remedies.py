@@ -24,12 +24,12 @@ def apply_remedy(
         field: for the titles in messages; without it they name the classes of the file.
 
     Returns:
-        The same annotation for `LOOK`, which is for eyes.
+        The same annotation for `LOOK`, which is for eyes, and `FOLLOW`, which wants the picture.
 
     Raises:
         UsageError: the annotation is another one by now, or two elements would get one class.
     """
-    if remedy.kind is RemedyKind.LOOK:
+    if remedy.kind in (RemedyKind.LOOK, RemedyKind.FOLLOW):
         return annotation
     if remedy.kind is RemedyKind.REMOVE_POINT:
         return _without_point(annotation, finding, field)

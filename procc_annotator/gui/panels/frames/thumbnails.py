@@ -78,6 +78,7 @@ class Thumbnails(QObject):
         self._job = None
         for path, pixels in decoded:
             self._images[path] = None if pixels is None else _to_image(pixels)
+            self._wanted.pop(path, None)  # its row was painted again meanwhile
         while len(self._images) > _KEPT:
             self._images.popitem(last=False)
         self.arrived.emit([path for path, _ in decoded])

@@ -65,6 +65,12 @@ class Assistant(QObject):
                 return
         document.say("choose an annotated element first")
 
+    def regularise_named(self, name: str) -> None:
+        """Resample the element of a class along its painted line."""
+        self._document.aboutToLeave.emit()
+        polyline = self._document.annotation.get(name)
+        self._regularise((polyline,) if polyline is not None else ())
+
     def regularise_frame(self) -> None:
         """Resample all elements of the frame along their painted lines."""
         self._document.aboutToLeave.emit()

@@ -27,6 +27,7 @@ class LabelCheckCommands(QObject):
     """Slots of the actions, the list and the menu that go to findings and do their remedies."""
 
     walked = Signal()  # a finding was gone to: its reason should be in sight
+    followWanted = Signal(str)  # this element is to be put along its paint
 
     def __init__(self, document: Document, parent: QWidget) -> None:
         super().__init__(parent)
@@ -161,6 +162,9 @@ class LabelCheckCommands(QObject):
         document.aboutToLeave.emit()
         if found.key not in {known.key for known in self._check.shown}:
             document.say("the elements have changed since: checked again")
+            return
+        if remedy.kind is RemedyKind.FOLLOW:
+            self.followWanted.emit(finding.elements[0])
             return
         done = self._done(finding, remedy)
 

@@ -152,7 +152,7 @@ def test_a_crossbar_ends_at_its_post_before_letters() -> None:
     bar, off = np.array([corner, [560.0, 230.0]]), np.array([-20.0, -2.3])
     post = np.array([corner, [296.0, 330.0]]) + off
     end = End(corner + off, 10.0, (Joint("Goal left post left ", dense(post)),))
-    course = dense([*bar, off, [0.0, 0.0]])
+    course = dense(bar + np.array([off, [0.0, 0.0]]))
     ghost = Ghost("Goal left crossbar", (GhostPiece(course, np.full(200, 1.5)),), (end, None))
     found = find_points(ghost, shown, FIELD, SIZE)
     assert np.hypot(*(points_px(Polyline("", found.points), SIZE)[0] - corner)) < 1.5
