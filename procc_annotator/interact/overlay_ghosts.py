@@ -11,7 +11,6 @@ from dataclasses import replace
 import numpy as np
 
 from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
-from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.hit import feet_on_segments
 from procc_annotator.interact.overlay_shapes import (
@@ -23,6 +22,7 @@ from procc_annotator.interact.overlay_shapes import (
     Strokes,
 )
 from procc_annotator.interact.verdicts import NO_POINTS, joined
+from procc_annotator.metric.course import lengths_along, normals_of
 
 # A chord this long stays within 0.1 px of any curve of a field that bends around 20 px or more.
 _SPACING_PX = 4.0
@@ -102,7 +102,7 @@ def _thinned(ghost: Ghost) -> list[GhostPiece]:
     """The pieces with points at least `_SPACING_PX` apart: painting costs by the point."""
     thinned = []
     for piece in ghost.pieces:
-        along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(piece.points_px, axis=0).T))])
+        along = lengths_along(piece.points_px)
         wanted = np.arange(0.0, along[-1], _SPACING_PX)
         rows = np.unique([*np.searchsorted(along, wanted), len(along) - 1])
         if len(rows) >= 2:

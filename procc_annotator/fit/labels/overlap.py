@@ -14,6 +14,7 @@ from procc_annotator.field.sample import sample_every
 from procc_annotator.fit.labels.clicked import Clicked, ClickedFrame, in_picture
 from procc_annotator.fit.labels.finding import LOOK, Finding, Rule, Severity, surely_wrong
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.metric.course import lengths_along, places_at
 
 # Clicks along one line lie so near to those of somebody else along it.
 _NEAR_PX = 3.0
@@ -81,9 +82,9 @@ def _overlap(one: FloatArray, other: FloatArray) -> bool:
 
 
 def _resampled(points: FloatArray) -> FloatArray:
-    along = np.r_[0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T))]
+    along = lengths_along(points)
     places = np.linspace(0.0, along[-1], _SAMPLES)
-    return np.column_stack([np.interp(places, along, points[:, k]) for k in (0, 1)])
+    return places_at(points, places, along)
 
 
 def _distances(points: FloatArray, polyline: FloatArray) -> FloatArray:

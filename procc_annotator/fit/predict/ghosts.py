@@ -21,11 +21,11 @@ from procc_annotator.fit.predict.mistaken import carrying_another_label
 from procc_annotator.fit.predict.sight import (
     Stretch,
     between_corners,
-    normals_of,
     stretches_in_sight,
 )
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray
+from procc_annotator.metric.course import normals_of
 
 # A ghost is offered where it is known to this, across the element, px at 960 px width.
 MOST_SD_PX = 3.0

@@ -13,6 +13,7 @@ from procc_annotator.field.neighbours import distances_to
 from procc_annotator.fit.predict.sight import Stretch, stretches_in_sight
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray
+from procc_annotator.metric.course import lengths_along, places_at
 
 _MEET_M = 0.2  # paint has a width, and some lines end at another one's edge
 _AROUND_PX = 80.0
@@ -102,7 +103,7 @@ def _outwards(course: FloatArray) -> FloatArray:
 
 def _around(course: FloatArray, place: FloatArray, *, on_ground: bool) -> FloatArray | None:
     """What of a course lies around a place, every pixel; None: too little."""
-    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(course, axis=0).T))])
+    lengths = lengths_along(course)
     nearest = lengths[np.hypot(*(course - place).T).argmin()]
     reach = _AROUND_PX if on_ground else _BAR_PX
     begin = max(0.0, nearest - reach)
@@ -110,4 +111,4 @@ def _around(course: FloatArray, place: FloatArray, *, on_ground: bool) -> FloatA
     if end - begin < _LEAST_PX:
         return None
     at = np.linspace(begin, end, round(end - begin) + 1)
-    return np.column_stack([np.interp(at, lengths, course[:, k]) for k in (0, 1)])
+    return places_at(course, at, lengths)

@@ -167,18 +167,3 @@ def _runs(of: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """First and one past the last index of each run of True."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], of.astype(np.int8), [0]])))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
-
-
-def normals_of(course: FloatArray, reach: int = 1) -> FloatArray:
-    """(n, 2) unit vectors across a course of (n, 2) px, n >= 2.
-
-    Args:
-        course: px.
-        reach: the direction is that from so many points before to so many behind; more than one
-            where the corners of a polyline are not to show.
-    """
-    rows = np.arange(len(course))
-    along = course[np.minimum(rows + reach, len(rows) - 1)] - course[np.maximum(rows - reach, 0)]
-    length = np.hypot(along[:, 0], along[:, 1])[:, None]
-    along = np.where(length > 0, along / np.maximum(length, 1e-12), (1.0, 0.0))
-    return np.column_stack([-along[:, 1], along[:, 0]])

@@ -18,13 +18,13 @@ from procc_annotator.fit.predict.ghosts import SHORTEST_PX
 from procc_annotator.fit.predict.mistaken import carrying_another_label
 from procc_annotator.fit.predict.sight import (
     Stretch,
-    normals_of,
     spots_in_sight,
     stretches_in_sight,
 )
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.covariance import projected_derivatives
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.metric.course import lengths_along, normals_of
 
 _CLICKS_STRAIGHT, _CLICKS_CURVE = 2, 5
 _EITHER_WAY = np.eye(2)
@@ -182,8 +182,7 @@ def _judged(seen: list[Stretch], frame: PictureFrame) -> FloatArray:
 
 def _rows_every(stretch: Stretch, count: int) -> np.ndarray:
     """Rows of so many points, evenly along a stretch."""
-    steps = np.hypot(*np.diff(stretch.points_px, axis=0).T)
-    lengths = np.concatenate([[0.0], np.cumsum(steps)])
+    lengths = lengths_along(stretch.points_px)
     rows = np.searchsorted(lengths, np.linspace(0.0, lengths[-1], count))
     return np.unique(np.minimum(rows, len(lengths) - 1))
 

@@ -9,6 +9,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.metric.course import lengths_along, places_at
+
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 
@@ -112,11 +114,11 @@ def curve_through(clicked: FloatArray, curved: bool, bar: bool = False) -> Curve
 
 
 def _curve(course: FloatArray, terms: int, *, closed: bool) -> Curve | None:
-    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(course, axis=0).T))])
+    lengths = lengths_along(course)
     if lengths[-1] < 4.0:
         return None
     even = np.linspace(0.0, lengths[-1], 400)
-    resampled = np.column_stack([np.interp(even, lengths, course[:, k]) for k in (0, 1)])
+    resampled = places_at(course, even, lengths)
     return Curve(resampled, np.zeros(terms), closed)
 
 
@@ -138,7 +140,7 @@ def _chords(clicked: FloatArray) -> FloatArray:
 
 def _through(clicked: FloatArray) -> FloatArray:
     """A smooth curve through every click of an arc that is no ellipse (Catmull and Rom's)."""
-    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(clicked, axis=0).T))])
+    lengths = lengths_along(clicked)
     clicked, lengths = clicked[np.r_[True, np.diff(lengths) > 1e-6]], np.unique(lengths)
     if len(clicked) < 3:
         return clicked

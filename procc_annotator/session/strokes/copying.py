@@ -13,6 +13,7 @@ from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.motion import Motion, carried_points, estimate_motion
 from procc_annotator.image.paint import snap_all
 from procc_annotator.image.sought import Sought
+from procc_annotator.metric.course import lengths_along
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import PointKey
@@ -187,7 +188,7 @@ def _on_line(
 
 def _common_shifts(points: FloatArray, across: FloatArray, offsets: FloatArray) -> FloatArray:
     """(n, 2) px: the shift, changing steadily along the element, that most offsets agree with."""
-    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    lengths = lengths_along(points)
     place = 2.0 * lengths / lengths[-1] - 1.0
     known = np.flatnonzero(~np.isnan(offsets))
     terms = np.hstack([across, across * place[:, None]])

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.fit.predict.joints import End, Joint
-from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.paint import REACH_PX, snap_all
 from procc_annotator.image.sought import Sought
+from procc_annotator.metric.course import normals_of
 from procc_annotator.session.strokes.agreement import agreement
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.visible_line import VisibleLine, continued

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from procc_annotator.fit.line_ends import edge_point
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.fit.predict.joints import End
-from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.paint import snap_all
 from procc_annotator.image.sought import Sought
+from procc_annotator.metric.course import normals_of
 from procc_annotator.session.strokes.corners import Corner, corner_of, reach_of
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.visible_line import VisibleLine, continued

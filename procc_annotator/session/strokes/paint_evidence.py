@@ -17,6 +17,7 @@ from procc_annotator.fit.solving.observations import FloatArray, IntArray, Pictu
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.paint import REACH_PX, snap_all
 from procc_annotator.image.sought import Sought
+from procc_annotator.metric.course import lengths_along, places_at
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
 # Px at 960 px width.
@@ -119,11 +120,11 @@ def _places(
     found = []
     for segment in range(len(clicks) - 1):
         course = _course(clicks, segment) if smooth else clicks[segment : segment + 2]
-        steps = np.hypot(*np.diff(course, axis=0).T)
-        at = np.concatenate([[0.0], np.cumsum(steps)])
+        at = lengths_along(course)
+        steps = np.diff(at)
         count = int(np.clip(round(at[-1] / (_EVERY_PX * per_px)), *_PLACES))
         middles = (np.arange(count) + 0.5) * at[-1] / count
-        places = np.column_stack([np.interp(middles, at, course[:, k]) for k in (0, 1)])
+        places = places_at(course, middles, at)
         row = np.clip(np.searchsorted(at, middles) - 1, 0, len(steps) - 1)
         along = np.diff(course, axis=0)[row] / np.maximum(steps[row], 1e-9)[:, None]
         found.append((places, along, np.full(count, segment), np.full(count, at[-1] / count)))

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.paint import REACH_PX, snap_all
 from procc_annotator.image.sought import Sought
 from procc_annotator.image.strip import straighten
+from procc_annotator.metric.course import lengths_along, normals_of, places_at
 from procc_annotator.session.strokes.agreement import agreement
 from procc_annotator.session.strokes.line_runs import BESIDE_PX, runs_seen
 
@@ -113,9 +113,9 @@ def continued(course: FloatArray, by_px: float, size: tuple[int, int] | None = N
 
 
 def _every_pixel(predicted: FloatArray, sd: FloatArray) -> tuple[FloatArray, FloatArray]:
-    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(predicted, axis=0).T))])
+    lengths = lengths_along(predicted)
     at = np.linspace(0.0, lengths[-1], max(3, round(lengths[-1]) + 1))
-    course = np.column_stack([np.interp(at, lengths, predicted[:, k]) for k in (0, 1)])
+    course = places_at(predicted, at, lengths)
     return course, np.interp(at, lengths, sd)
 
 
