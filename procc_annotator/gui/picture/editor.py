@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.gui.picture.snapping import ScreenSnapper
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.state import same
-from procc_annotator.image.paint import snap
-from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool
 from procc_annotator.interact.gesture import (
@@ -19,16 +16,13 @@ from procc_annotator.interact.gesture import (
     Modifiers,
     Position,
     Reaction,
-    Snapper,
 )
 from procc_annotator.interact.hints import GhostHint, counted, hint
 from procc_annotator.interact.hit import Hit
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
 from procc_annotator.session.strokes.copying import annotated_before
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
-_SNAPS_KEPT = 16
 _FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
 KeyTaker = Callable[
     [str, bool], bool
@@ -50,8 +44,7 @@ class Editor(QObject):
         self._cursor: Position | None = None
         self._held = Modifiers()
         self._explained = False
-        self._snapped_in: tuple[object, ...] = ()
-        self._snap: Snapper | None = None
+        self._snapper = ScreenSnapper(document)
         self.on_ground = False  # whether the last right click hit nothing
         self.seen_before: frozenset[str] = frozenset()
         self._take_field()
@@ -60,7 +53,6 @@ class Editor(QObject):
         self._asked_first: tuple[KeyTaker, ...] = ()
         document.aboutToLeave.connect(self.finish)
         document.selectionChanged.connect(self._finish_for_another_class)
-        document.frameChanged.connect(self._forget_snaps)
         document.frameChanged.connect(self._look_before)
         document.frameChanged.connect(self._look_under)
         document.annotationChanged.connect(self._look_under)
@@ -281,39 +273,12 @@ class Editor(QObject):
             document.selected_point,
             document.selected_points,
             self.curved,
-            self._snapped if self._snapping else None,
+            self._snapper if self._snapper.wanted else None,
             document.state.options.pinned,
             document.state.options.two_clicks,
             document.field.title_of,
             self.spots,
         )
-
-    @property
-    def _snapping(self) -> bool:
-        state = self._document.state
-        return state.options.snapping and state.picture is not None
-
-    def _snapped(
-        self, class_name: str, position: Position, direction: Position | None
-    ) -> Position | None:
-        """Looks for each line once: a click, its hint and what is drawn of it ask for the same."""
-        document = self._document
-        # Nobody waits for the whole picture who only looks: a press does (`Canvas`).
-        picture, fit = document.state.picture, document.live_fit.result
-        size = document.picture_size
-        if picture is None or size is None:
-            return None
-        camera = fit.camera if fit is not None and fit.size == size else None
-        made_of = picture, document.field, camera
-        if self._snap is None or not same(made_of, self._snapped_in):
-            self._snapped_in = made_of
-            expected = ExpectedPaint(document.field, size[0], camera)
-            self._snap = lru_cache(_SNAPS_KEPT)(_snapper(picture, expected))
-        return self._snap(class_name, position, direction)
-
-    def _forget_snaps(self) -> None:
-        """They hold the picture."""
-        self._snap, self._snapped_in = None, ()
 
     def _begin_on(self, seen: Context) -> bool:
         """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody
@@ -423,11 +388,3 @@ class Editor(QObject):
             document.selecting.note_finished(reaction.completed)
         if reaction.preview is None:
             self.changed.emit()
-
-
-def _snapper(picture: PixelArray, expected: ExpectedPaint) -> Snapper:
-    def snapped(class_name: str, position: Position, direction: Position | None) -> Position | None:
-        sought, shown = expected.at(class_name, position)
-        return snap(picture, position, sought, direction=direction or shown)
-
-    return snapped
