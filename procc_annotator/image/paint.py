@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.appearance import ANY, BAR, EDGE, NOTHING, WHITE
+from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, WHITE
 from procc_annotator.image.cuts import Patch
 from procc_annotator.image.following import REACH_PX as FOLLOWED_PX
 from procc_annotator.image.following import Course, follow
@@ -35,9 +35,9 @@ _BENT_SPREAD = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
 _BAR_SPREAD = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])
 _SAME_PX = 1.0
 _LEAST_LENGTH_PX, _LEAST_LENGTH_ANY_PX = 16.0, 30.0
-_WHOLE_PX = 46.0  # as far as a band is followed
-_ONE_SIDED_PX = 6.0  # from the position to the middle of the cuts that show a bar
-_HAND_PX, _LONGER = 4.75, 20.0  # so far off a hand clicks; px of length for each px more
+# Px from the position to the middle of the cuts that show it, and how long it then must be.
+_ONE_SIDED = {LINE: (1.5, 36.0), BAR: (6.0, 46.0)}
+_HAND_PX, _LONGER = 4.5, 20.0  # so far off a hand clicks; px of length for each px more
 # Of the band against a given direction, which of a curve is that of a chord.
 _MOST_TURN, _MOST_TURN_BENT = math.radians(8.0), math.radians(20.0)
 # Of the best one's merit: another band that convinces nearly as much; where paint may be lighter or
@@ -153,8 +153,8 @@ def _snap_along(
 def _least_length(found: Found, course: Course, sought: Sought) -> float:
     """How far a band must go on to be the sought paint, px.
 
-    One that may be lighter or darker than its ground, and is seen beside the position only, could
-    be a letter's stroke; and so could anything that is farther away than a hand errs.
+    One that may be lighter or darker than its ground, and is seen on one side only, could be a
+    letter's stroke; and so could anything that is farther away than a hand errs.
     """
     farther = 0.0
     if not sought.is_wide:
@@ -163,11 +163,10 @@ def _least_length(found: Found, course: Course, sought: Sought) -> float:
         return _LEAST_LENGTH_PX + farther
     if sought.looks.kind == EDGE:
         return _LEAST_LENGTH_ANY_PX + farther
-    is_bar = sought.looks.kind == BAR
     if course.begin_px:
-        return math.inf if is_bar else _WHOLE_PX
-    one_sided = is_bar and abs(found.along) > _ONE_SIDED_PX
-    return (_WHOLE_PX if one_sided else _LEAST_LENGTH_ANY_PX) + farther
+        return math.inf
+    beside, longer = _ONE_SIDED[sought.looks.kind]
+    return (longer if abs(found.along) > beside else _LEAST_LENGTH_ANY_PX) + farther
 
 
 def snap_all(
