@@ -147,6 +147,9 @@ def _snap_along(
     if found is None:
         return None
     across = found.offset / math.cos(found.angle - angle)
+    # Only now: a band that comes out beyond reach makes any other one doubtful all the same.
+    if abs(across) > reach_px:
+        return None
     return point[0] - across * math.sin(angle), point[1] + across * math.cos(angle)
 
 

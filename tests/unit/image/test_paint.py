@@ -260,6 +260,23 @@ def test_what_is_farther_off_than_a_hand_errs_must_go_on_for_longer() -> None:
     assert snap(long, (70.0, 45.0), white, direction=(1.0, 0.0)) is not None
 
 
+@pytest.mark.parametrize("reach_px", [1.5, 2.5, 4.0])
+def test_nothing_is_placed_beyond_reach(reach_px: float) -> None:
+    """At a line's end it is seen beside the position, where askew it is nearer than it is here."""
+    picture = lettered(70, 100)  # from 10 to 80
+    white = Sought(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0), bends=True)
+    away = []
+    for turn in np.radians([-18.0, -12.0, -6.0, 6.0, 12.0, 18.0]):
+        direction = math.cos(turn), math.sin(turn)
+        for x in range(72, 84, 2):
+            for y in np.arange(34.5, 45.0, 0.5):
+                placed = snap(picture, (x, y), white, direction=direction, reach_px=reach_px)
+                if placed is not None:
+                    away.append(math.dist(placed, (x, y)))
+    assert len(away) >= 100
+    assert max(away) <= reach_px + 1e-9
+
+
 @pytest.mark.parametrize("turned_deg", [-15.0, 15.0])
 def test_at_a_lines_end_a_wrong_direction_does_not_take_the_click_off_it(turned_deg: float) -> None:
     picture = lettered(70, 100)  # from 10 to 80
