@@ -16,7 +16,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu, QToolTip
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.window.context_menu import canvas_menu
@@ -314,6 +314,22 @@ class TestRegularise:
         with qtbot.waitSignal(said, check_params_cb=lambda text, _: "regular already" in text):
             clicks.key(Qt.Key.Key_R)
         assert np.array_equal(px(on_pitch, MIDDLE), once)
+
+    def test_what_was_thinned_out_is_regularised_again(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        clicks.draw(MIDDLE, (484, 130), (477, 530))
+        document = on_pitch.document
+        for _ in range(2):
+            with qtbot.waitSignal(
+                document.message, check_params_cb=lambda text, _: "regularised" in text
+            ):
+                clicks.key(Qt.Key.Key_R)
+            line = document.annotation.get(MIDDLE)
+            assert line is not None
+            assert len(line.points) > 3
+            thin = Polyline(MIDDLE, (line.points[0], line.points[-1]))
+            document.edit("thin out", lambda annotation, thin=thin: annotation.with_polyline(thin))
 
     def test_on_a_real_frame_it_is_done_once_and_lies_on_the_paint(
         self,

@@ -15,7 +15,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
-from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.annotation import FrameAnnotation
 
 
 class Status(StrEnum):
@@ -153,15 +153,6 @@ def new_origins(
     for key in unseen:
         origins[key] = Origin(OriginKind.UNCONFIRMED, author, time)
     return origins
-
-
-def is_regularised(polyline: Polyline, origins: Mapping[PointKey, Origin]) -> bool:
-    """Whether an element is as it was left when it was put along its paint, clicks that no paint
-    confirms included."""
-    kinds = {origins[key].kind for p in polyline.points if (key := (p.u, p.v)) in origins}
-    known = all((p.u, p.v) in origins for p in polyline.points)
-    by_paint = {OriginKind.REGULARISED, OriginKind.UNCONFIRMED}
-    return known and OriginKind.REGULARISED in kinds and kinds <= by_paint
 
 
 def count_origins(

@@ -10,7 +10,7 @@ any other stays as it is, and is told.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,12 +28,13 @@ Snap = Callable[[FloatArray, FloatArray], FloatArray]
 MOST_MOVED_PX = 2.5  # a click farther from the paint is not the program's to move
 _SAMPLES = 24  # along an element, to find its curve
 _INLIER_PX = 1.0
-_UNCHANGED_PX = 0.5  # a point that would move by less stays
+_UNCHANGED_PX = 0.5  # a point that would move by less stays, a chord that passes nearer is its own
 _LEAST_SUPPORT = 0.3  # of the samples; with less the curve itself is in doubt
 _LEAST_AGREED = 0.5  # of the clicks: where fewer lie on it, the curve is another line's
 _VOUCHES = 1.5  # so many samples away
 _REGULAR, _DENSER = 0.8, 1.3  # clicks are regular: one so near each sample, and hardly more of them
 _FOOT_SAMPLES = 801
+_MOST_TIMES = 6  # until it stays
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,11 +73,30 @@ def regularise(
     Returns:
         Points in the direction of the clicks: the samples that a painted line supports, and the
         clicks that it does not confirm. With support for fewer than two samples, or for less than a
-        third of them, the polyline comes back as it is; so does one that is regular already, lest
-        it creeps along with every repetition.
+        third of them, the polyline comes back as it is; so does one that is regular already. It is
+        done until that is reached, lest points creep along with every repetition; the last step
+        is left out where it would take a click by more than it may be moved.
     """
     if len(polyline.points) < 2:
         return Regularised(polyline)
+    if snap is None:
+        return _once(polyline, curved, size, None, bar)
+    clicked = points_px(polyline, size)
+    reached = Regularised(polyline)
+    for _ in range(_MOST_TIMES):
+        again = _once(reached.polyline, curved, size, snap, bar)
+        own = tuple(p for p in again.unconfirmed if p in polyline.points)
+        if _is_same(reached.polyline, again.polyline, size):
+            return Regularised(reached.polyline, own)
+        if (_apart(clicked, points_px(again.polyline, size)) > MOST_MOVED_PX).any():
+            break
+        reached = Regularised(again.polyline, own)
+    return reached
+
+
+def _once(
+    polyline: Polyline, curved: bool, size: tuple[int, int], snap: Snap | None, bar: bool
+) -> Regularised:
     clicked = points_px(polyline, size)
     curve = curve_through(clicked, curved, bar)
     if curve is None:
@@ -93,10 +113,7 @@ def regularise(
     fitted = curve.fitted(parameters, found)
     if fitted is None:
         return Regularised(polyline, polyline.points)
-    found_along = _along_paint(polyline, clicked, fitted, snap, size, on_curve=bar)
-    if _is_same(polyline, found_along.polyline, size):
-        return replace(found_along, polyline=polyline)
-    return found_along
+    return _along_paint(polyline, clicked, fitted, snap, size, on_curve=bar)
 
 
 def _is_same(before: Polyline, after: Polyline, size: tuple[int, int]) -> bool:
@@ -152,7 +169,8 @@ def _along_paint(
     rows = [*zip(parameters[supported], placed[supported].tolist(), strict=True)]
     rows += zip(at[lonely], feet[lonely].tolist(), strict=True)
     rows += zip(at[~confirmed], clicked[~confirmed].tolist(), strict=True)
-    passed = _apart(clicked, [place for _, place in sorted(rows)]) <= MOST_MOVED_PX
+    chords = [place for _, place in sorted(rows)]
+    passed = (_apart(clicked, chords) <= MOST_MOVED_PX) & (_apart(feet, chords) <= _UNCHANGED_PX)
     missed = confirmed & ~lonely & ~passed  # where what lies between is hidden
     rows += zip(at[missed], feet[missed].tolist(), strict=True)
     places = [place for _, place in sorted(rows)]

@@ -16,13 +16,12 @@ from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.paint import snap_all
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset import edits
-from procc_annotator.session.facts.origins import OriginKind, PointKey, is_regularised
+from procc_annotator.session.facts.origins import OriginKind, PointKey
 from procc_annotator.session.strokes.copying import Copied, annotated_before, copy_moved
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.regularise import Regularised, regularise
 
-_REGULAR_ALREADY = "nothing changed: regular already"
-_NOTHING_REGULARISED = f"{_REGULAR_ALREADY}, or no painted line was found there"
+_NOTHING_REGULARISED = "nothing changed: regular already, or no painted line was found there"
 
 
 def _unconfirmed(count: int) -> str:
@@ -91,13 +90,6 @@ class Assistant(QObject):
             document.say("no element of the field is annotated here")
         if not polylines or picture is None or size is None or not document.begin_edit():
             return
-        frame, review = document.frame, document.review
-        origins = review.origins(frame.name) if frame is not None else {}
-        # Looked for again from its own points, paint is found a little beside: they would creep.
-        fresh = [p for p in polylines if not is_regularised(p, origins)]
-        if not fresh:
-            document.say(_REGULAR_ALREADY)
-            return
         curved = {e.name for e in field.elements if e.is_curved}
         paint = ExpectedPaint(field, size[0])
 
@@ -112,7 +104,7 @@ class Assistant(QObject):
                     bar=sought.looks.kind == BAR,
                 )
 
-            pairs = ((p, regular(p)) for p in fresh if not control.cancelled)
+            pairs = ((p, regular(p)) for p in polylines if not control.cancelled)
             return _Outcome(tuple(pairs))
 
         self._doing = "regularised"

@@ -227,3 +227,37 @@ def test_a_line_beside_the_clicks_does_not_draw_them_to_itself() -> None:
     found = regularise(beside, curved=False, size=SIZE, snap=partial(snap_all, pitch(BENT)))
     assert found.polyline == beside
     assert found.unconfirmed == beside.points
+
+
+def covered(curve: np.ndarray, *places: int) -> PixelArray:
+    """A pitch with the curve, and with boxes on it at the rows given."""
+    picture = pitch(curve).copy()
+    for x, y in curve[list(places)].astype(int):
+        picture[y - 14 : y + 14, x - 14 : x + 14] = (*GRASS, 255)
+    return picture
+
+
+@pytest.mark.parametrize("drawing", range(24))
+def test_what_was_regularised_stays(drawing: int) -> None:
+    """A circle clicked all round but for one gap, with players on it: time and again the same."""
+    rng = np.random.default_rng(drawing)
+    rows = np.sort(rng.integers(0, len(CIRCLE), 8))
+    clicked = CIRCLE[rows] + rng.normal(0, 1.0, (8, 2))
+    snap = partial(snap_all, covered(CIRCLE, *rng.integers(0, len(CIRCLE), 3)))
+    drawn = polyline("Circle central", clicked)
+    once = regularise(drawn, curved=True, size=SIZE, snap=snap).polyline
+    assert regularise(once, curved=True, size=SIZE, snap=snap).polyline == once
+    own = points_px(once, SIZE)
+    steps = np.linspace(0, 1, 50)[:, None, None]
+    chords = ((1 - steps) * own[:-1] + steps * own[1:]).reshape(-1, 2)
+    assert away(clicked, chords).max() <= MOST_MOVED_PX + 0.1
+
+
+def test_what_was_thinned_out_is_regularised_again() -> None:
+    snap = partial(snap_all, pitch(BENT))
+    drawn = polyline("Middle line", BENT[[0, -1]])
+    once = regularise(drawn, curved=False, size=SIZE, snap=snap).polyline
+    thin = Polyline("Middle line", (once.points[0], once.points[5], once.points[-1]))
+    again = regularise(thin, curved=False, size=SIZE, snap=snap).polyline
+    assert len(again.points) >= len(once.points) - 1
+    assert np.median(away(points_px(again, SIZE), BENT)) < 0.3
