@@ -40,6 +40,7 @@ class ElidedLabel(QWidget):
         """Show something else."""
         if text != self._text:
             self._text = text
+            self.setAccessibleName(text)
             self.update()
 
     def show_line(self, message: str, hint: str) -> None:
@@ -129,6 +130,7 @@ class Readout(QWidget):
         """Show something else."""
         if text != self._text:
             self._text = text
+            self.setAccessibleName(text)
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
