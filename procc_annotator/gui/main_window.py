@@ -41,6 +41,7 @@ from procc_annotator.gui.plots.panel import PlotsPanel
 from procc_annotator.gui.settings import AUTHOR, RECENT, SECOND, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import UNSAVED, Told
+from procc_annotator.gui.state.state import State
 from procc_annotator.gui.tasks.elements.assistant import Assistant
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
 from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
@@ -215,7 +216,7 @@ class MainWindow(QMainWindow):
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
         document.store.watch(lambda state: state.notices, self.message_bar.keep)
-        document.store.watch(lambda state: state.told, self._tell)
+        document.store.changed.connect(self._hear)  # a watch would miss lines said together
         self.welcome.open_folder.connect(self.opening.open_folder)
         self.welcome.open_picture.connect(self.opening.open_picture)
         self.welcome.open_video.connect(self.opening.open_video)
@@ -291,9 +292,11 @@ class MainWindow(QMainWindow):
         if blind:  # it may say how a camera does
             self.status.forget(just_told=True)
 
-    def _tell(self, told: Told | None) -> None:
-        if told is None:
-            return
+    def _hear(self, before: State, after: State) -> None:
+        if after.told is not None and after.told is not before.told:
+            self._tell(after.told)
+
+    def _tell(self, told: Told) -> None:
         document = self.document
         conflict = document.saver.conflict(document.frame_index)
         if told.level == "info":

@@ -41,3 +41,13 @@ def test_a_frame_that_comes_under_a_bar_is_seen_whole(
     covered = bars.mapToGlobal(QPoint(0, bars.height())).y()
     assert window.message_bar.isVisible()
     assert window.canvas.viewport().mapToGlobal(hand.at(0, 0)).y() >= covered
+
+
+def test_a_warning_is_shown_though_something_else_is_said_at_once(window: MainWindow) -> None:
+    document = window.document
+    with document.store.together():
+        document.say("a colleague has this frame", "warning")
+        document.say("the frame is in progress again", "info")
+    assert window.message_bar.isVisible()
+    assert "a colleague has this frame" in window.message_bar.label.text()
+    assert "the frame is in progress again" in window.status.hint.text()

@@ -387,3 +387,37 @@ def test_a_value_of_a_value_follows(qtbot: QtBot) -> None:
     assert more.value is None
     qtbot.waitUntil(lambda: more.value == 21)
     assert len(said) == 3
+
+
+def test_answers_are_kept_within_what_they_are_of_only(qtbot: QtBot) -> None:
+    number, asked, frame = Number(), [], ["first"]
+    value = derived(
+        number,
+        lambda n: asked.append(n) or n,
+        Where.AT_ONCE,
+        kept=8,
+        kept_within=lambda: frame[0],
+    )
+    assert value.value == 1
+    number.set(2)
+    assert value.value == 2
+    number.set(1)
+    assert (value.value, asked) == (1, [1, 2])
+    frame[0] = "second"
+    number.set(2)
+    assert (value.value, asked) == (2, [1, 2, 2])
+    assert value.known(1) is None
+
+
+def test_a_later_look_is_one_for_all_and_no_value_is_older(qtbot: QtBot) -> None:
+    number, asked = Number(), []
+    value = Derived(number.inputs, lambda n: asked.append(n) or 10 * n, Where.BESIDE)
+    said = counted(value.changed)
+    for n in (2, 3, 4):
+        number.set(n)
+        value.look_later()
+        assert value.value is None
+        assert value.working
+    assert not said
+    qtbot.waitUntil(lambda: value.value == 40)
+    assert asked == [4]

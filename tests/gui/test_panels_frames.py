@@ -172,3 +172,19 @@ def _noting(original: Callable[..., Any], asked: set[int]) -> Callable[..., Any]
 def test_the_status_is_not_cut_for_the_number_of_elements() -> None:
     row = RowInfo("a", None, 12, "", False, None, status=Status.IN_PROGRESS)
     assert row_words(row, False) == ["in progress · 12", "in progress"]
+
+
+def test_what_is_drawn_right_before_a_frame_is_left_is_counted(
+    qtbot: QtBot, panel: FramesPanel, document: Document
+) -> None:
+    qtbot.waitUntil(lambda: _known(panel, 0))
+    assert _info(panel, 0).count == 0
+    line = Polyline("Middle line", (Point(0.5, 0.1), Point(0.5, 0.9)))
+    with document.store.together():  # as a polyline under way is finished by leaving
+        assert document.commit_edit("draw", FrameAnnotation((line,)))
+        document.go_to(1)
+    qtbot.waitUntil(lambda: _info(panel, 0).count == 1)
+    assert document.commit_edit("draw", FrameAnnotation((line,)))
+    document.go_to(5)
+    document.go_to(0)
+    qtbot.waitUntil(lambda: _info(panel, 1).count == 1)

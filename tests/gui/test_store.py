@@ -163,3 +163,21 @@ def test_a_watch_hears_once_of_steps_that_follow_from_one_another(store: Store) 
     store.rested.connect(lambda: rested.append(store.state.tau))
     store.set(tau=6.0)
     assert listener.heard == rested == [7.0]
+
+
+def test_whoever_fails_keeps_nobody_else_from_hearing(store: Store) -> None:
+    listener, rested = Listener(), Listener()
+
+    def fail(tau: float) -> None:
+        store.set(blind=True)
+        raise ZeroDivisionError
+
+    store.watch(lambda state: state.tau, fail)
+    store.watch(lambda state: state.tau, listener.hear)
+    store.watch(lambda state: state.blind, listener.hear)
+    store.rested.connect(lambda: rested.hear(store.state.tau))
+    with pytest.raises(ZeroDivisionError):
+        store.set(tau=6.0)
+    assert listener.heard == [6.0, True]
+    assert rested.heard == [6.0]
+    assert not store.busy

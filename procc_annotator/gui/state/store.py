@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from inspect import ismethod
 from typing import Any, Protocol, TypeVar
@@ -79,7 +79,7 @@ class Store(QObject):
     @contextmanager
     def together(self) -> Iterator[None]:
         """What is changed within is there at once, and told as one step at its end, but for lines
-        that are said: of each somebody hears."""
+        that are said: each is a step of its own to those who listen to `changed`."""
         if self.busy:
             yield
             return
@@ -128,17 +128,31 @@ class Store(QObject):
         self._begun = None
 
     def _tell(self) -> None:
+        """Tell every step; where somebody who is told fails, all others hear of it first."""
         self._telling = True
-        try:
-            while self._steps:
-                self.changed.emit(*self._steps.popleft())
-                if not self._steps:
-                    watches = tuple(self._watches)
-                    gone = [watch for watch in watches if not watch.tell(self._state)]
-                    if gone:
-                        self._watches = [w for w in self._watches if w not in gone]
-        finally:
-            self._telling = False
+        with ExitStack() as at_last:
+            at_last.callback(self._rest)
+            self._tell_steps()
+
+    def _tell_steps(self) -> None:
+        while self._steps:
+            self.changed.emit(*self._steps.popleft())
+        with ExitStack() as each:
+            each.callback(self._tell_of_more)
+            for watch in reversed(self._watches):
+                each.callback(self._tell_watch, watch)
+
+    def _tell_watch(self, watch: _Watch) -> None:
+        if not watch.tell(self._state):
+            self._watches.remove(watch)
+
+    def _tell_of_more(self) -> None:
+        """Those who watch may have changed something themselves."""
+        if self._steps:
+            self._tell_steps()
+
+    def _rest(self) -> None:
+        self._telling = False
         self.rested.emit()
 
 

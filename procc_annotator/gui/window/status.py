@@ -40,6 +40,7 @@ class ElidedLabel(QWidget):
         """Show something else."""
         if text != self._text:
             self._text = text
+            self.setAccessibleName(text)
             self.update()
 
     def show_line(self, message: str, hint: str) -> None:
@@ -129,6 +130,7 @@ class Readout(QWidget):
         """Show something else."""
         if text != self._text:
             self._text = text
+            self.setAccessibleName(text)
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -142,8 +144,10 @@ class SteadyLabel(QLabel):
     """A label whose neighbours are laid out anew only when it needs other room."""
 
     def __init__(self, least: str = "") -> None:
-        """Args:
-        least: a text that it always has room for.
+        """Show nothing yet.
+
+        Args:
+            least: a text that it always has room for.
         """
         super().__init__()
         self._least = least

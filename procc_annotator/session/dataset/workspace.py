@@ -265,7 +265,7 @@ class Workspace:
         if written.error is not None:
             state.save_error = written.error
             if written.unsure:
-                state.attempted |= {digest(pending.data)}
+                state.attempted |= {None if pending.removes else digest(pending.data)}
             return
         # The field may have become another one meanwhile, with other spellings.
         annotation = pending.annotation.renamed(self.field.canonical_name)

@@ -100,13 +100,15 @@ def corner_of(
         shifted_px: how much farther on than expected the line's first end was found.
 
     Returns:
-        None where no other element's paint is found, or the line is not seen to go there.
+        None where no other element's paint is found, or the line is not seen to go there, or only
+        beyond.
     """
     best: _Candidate | None = None
     for candidate in (
         candidate
         for joint in end.joints
         for candidate in _candidates(line, end, joint, picture, paint, ghost, shifted_px)
+        if candidate.row > line.runs[0][0]
     ):
         missed = abs(candidate.row - line.runs[-1][1]) / may_miss_px
         merit = candidate.merit - _MISSED * min(missed, 1.0)

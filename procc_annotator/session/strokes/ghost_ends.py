@@ -17,14 +17,13 @@ from procc_annotator.image.sought import Sought
 from procc_annotator.metric.course import normals_of
 from procc_annotator.session.strokes.corners import Corner, corner_of, reach_of
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
-from procc_annotator.session.strokes.visible_line import VisibleLine, continued
+from procc_annotator.session.strokes.visible_line import VisibleLine, continued, onwards
 
 FloatArray = NDArray[np.float64]
 
 _HIDDEN_PX, _JOINED_PX = 40, 24  # so far before its end a line, or a bar, need not be seen
 _EDGE_GAP = 8  # px before the picture's edge where a line need not be seen
 _BACK_PX = 5  # so far before where its paint seems to end it is sure to be its own
-_TANGENT_PX = 40
 _AT_EDGE_PX = 6.0
 _AGAIN_PX, _AGAIN_REACH_PX = 4, 1.5
 _AGAIN_FOUND = 3  # places, and one of the first ones from the edge
@@ -47,20 +46,21 @@ def ends_by_paint(
             is seen until it joins the next one.
 
     Returns:
-        The line, and how many of its ends are cut back. Ends at the picture's edge lie exactly
-        there.
+        The line, and how many of its ends are cut back. It goes on to the picture's edge only
+        where it has no end in the picture, and then lies exactly there.
     """
     may_miss = _HIDDEN_PX if on_ground else _JOINED_PX
     corners = _corners(line, ghost, picture, paint, may_miss)
     sought, unsure = paint.of(ghost.name), 0
     for last in (True, False):
-        way, end = (line if last else _turned(line)), ghost.ends[last]
+        way, end, corner = (line if last else _turned(line)), ghost.ends[last], corners.get(last)
         if not way.runs:
             break
-        if last in corners:
-            ending: VisibleLine | None = _ending_at(way, corners[last])
-        else:
+        ending: VisibleLine | None = None
+        if end is None or (corner and not _is_inside(corner.place_px, picture)):
             ending = _to_edge(way, picture, sought)
+        elif corner:
+            ending = _ending_at(way, corner)
         if ending is None and end is not None:
             ending, unsure = _cut_back(way, end), unsure + 1
         line = ending or way
@@ -93,12 +93,15 @@ def _corners(
     return found
 
 
-def _ending_at(line: VisibleLine, corner: Corner) -> VisibleLine:
-    """A line that is continued to a place beyond its last end, or cut off there."""
-    course = continued(line.course_px, _TANGENT_PX)
+def _ending_at(line: VisibleLine, corner: Corner) -> VisibleLine | None:
+    """A line that is continued to a place beyond its last end, or cut off there; None where it is
+    seen only beyond."""
+    course = continued(line.course_px, _HIDDEN_PX)
     past = max(2, int(np.hypot(*(course - corner.place_px).T).argmin()))
     runs = [(begin, min(end, past)) for begin, end in line.runs if begin < past]
-    if runs and (not corner.is_seen or past - runs[-1][1] <= _HIDDEN_PX):
+    if not runs:
+        return None
+    if not corner.is_seen or past - runs[-1][1] <= _HIDDEN_PX:
         runs[-1] = runs[-1][0], past + 1
     else:
         runs.append((past - _HIDDEN_PX, past + 1))
@@ -117,15 +120,17 @@ def _cut_back(line: VisibleLine, end: End) -> VisibleLine:
     return replace(line, runs=runs)
 
 
+def _is_inside(place_px: FloatArray, picture: PixelArray) -> bool:
+    limits = np.array([picture.shape[1], picture.shape[0]]) - 1.0
+    return bool(((place_px >= 0) & (place_px <= limits)).all())
+
+
 def _to_edge(line: VisibleLine, picture: PixelArray, sought: Sought) -> VisibleLine | None:
     """A line that is seen to end a little inside the picture's edge, or outside it, ends there."""
     size = picture.shape[1], picture.shape[0]
     limits = np.array(size, dtype=np.float64) - 1
     end = np.clip(line.course_px[-1], 0.0, limits)
-    inner = line.course_px[max(0, line.length - 1 - _TANGENT_PX)]
-    along = end - inner
-    length = float(np.hypot(*along))
-    edge = edge_point(end, along / length, size) if length > 1e-6 else None
+    edge = edge_point(end, onwards(line.course_px), size)
     if edge is None or np.hypot(*(edge - end)) > _AT_EDGE_PX:
         return None
     begin, past = line.runs[-1]
@@ -142,7 +147,7 @@ def _to_edge(line: VisibleLine, picture: PixelArray, sought: Sought) -> VisibleL
 def _seen_again(line: VisibleLine, picture: PixelArray, sought: Sought) -> int | None:
     """The place from which a line that was hidden is seen until its last end, which is too near
     for it to show a steady stroke; None: it is not."""
-    rows = np.arange(line.length - 1, max(line.runs[-1][1], line.length - _TANGENT_PX), -_AGAIN_PX)
+    rows = np.arange(line.length - 1, max(line.runs[-1][1], line.length - _HIDDEN_PX), -_AGAIN_PX)
     course, along = line.course_px[rows], line.directions[rows]
     found = snap_all(picture, course, along, sought, reach_px=_AGAIN_REACH_PX)
     seen = ~np.isnan(found[:, 0])

@@ -37,7 +37,8 @@ class GhostPoints:
             polyline is one line: stretches hidden in between are bridged by a chord without points.
             At a corner of a chain there is one point.
         support: the share of the ghost's length along which the picture shows its line, 0 to 1.
-        unsure_ends: how many of its ends no paint confirms; the points stop before them.
+        unsure_ends: of a straight one, how many of the ends that the camera expects in the picture
+            the paint that they lie at does not confirm; the points stop before them.
     """
 
     name: str

@@ -105,13 +105,16 @@ def find_line(
 
 def continued(course: FloatArray, by_px: float, size: tuple[int, int] | None = None) -> FloatArray:
     """A course and, straight on from its last end, some more px; as far as a picture's edge."""
-    inner = course[max(0, len(course) - 1 - _TANGENT_PX)]
-    along = course[-1] - inner
-    along = along / max(float(np.hypot(*along)), 1e-9)
-    more = course[-1] + np.arange(1.0, by_px + 1.0)[:, None] * along
+    more = course[-1] + np.arange(1.0, by_px + 1.0)[:, None] * onwards(course)
     if size is not None:
         more = more[((more >= 0) & (more <= np.array(size) - 1)).all(axis=1)]
     return np.vstack([course, more])
+
+
+def onwards(course: FloatArray) -> FloatArray:
+    """(2,) unit vector straight on from a course's last end."""
+    along = course[-1] - course[max(0, len(course) - 1 - _TANGENT_PX)]
+    return np.asarray(along / max(float(np.hypot(*along)), 1e-9))
 
 
 def _every_pixel(predicted: FloatArray, sd: FloatArray) -> tuple[FloatArray, FloatArray]:

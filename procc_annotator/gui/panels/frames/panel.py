@@ -50,9 +50,10 @@ class FramesPanel(QWidget):
         document.datasetChanged.connect(self._take_dataset)
         # After the canvas was painted: nobody looks at the list first.
         self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self._follow_frame)
-        document.frameChanged.connect(self._soon.start)
-        document.annotationChanged.connect(self._soon.start)
+        self._soon.timeout.connect(self._follow_frames)
+        self._due: set[int] = set()  # frames on screen since the list was brought up to date
+        document.frameChanged.connect(self._follow_soon)
+        document.annotationChanged.connect(self._follow_soon)
         document.framesEdited.connect(self._take_edited)
         document.saveStateChanged.connect(self.model.take_save_state)
         document.frameScoresChanged.connect(self._take_scores)
@@ -114,6 +115,7 @@ class FramesPanel(QWidget):
         self.filter.clear()
         self.frame_filter.search()
         self.model.take_save_state()
+        self._due = {self._document.frame_index}
         self._show_which()
         self._show_current()
 
@@ -191,10 +193,16 @@ class FramesPanel(QWidget):
         if current.isValid():
             self._document.go_to(self.model.frame_index(current.row()))
 
-    def _follow_frame(self) -> None:
+    def _follow_soon(self) -> None:
         """Another frame is on screen, or what is annotated in it is another thing."""
-        self.model.recount(self._document.frame_index)
-        self.model.repaint(self._document.frame_index)
+        self._due.add(self._document.frame_index)
+        self._soon.start()
+
+    def _follow_frames(self) -> None:
+        for index in self._due:
+            self.model.recount(index)
+            self.model.repaint(index)
+        self._due = {self._document.frame_index}  # it may be edited and left at once
         self._show_current()
 
     def _take_edited(self, indices: list[int]) -> None:

@@ -364,3 +364,31 @@ def test_moving_a_point_keeps_what_the_file_said_about_it() -> None:
     before = FrameAnnotation((Polyline("Circle left", (Point(0, 0, (("occluded", True),)),)),))
     moved = edits.move_point(before, "Circle left", 0, Point(0.5, 0.5))
     assert moved.polylines[0].points == (Point(0.5, 0.5, (("occluded", True),)),)
+
+
+def test_somebody_elses_empty_file_is_not_removed_for_ours(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Ours was to go away, nobody could see whether it did; theirs says: nothing is in sight."""
+    dataset(tmp_path, "1.jpg")
+    work, path = opened(tmp_path), tmp_path / "1.json"
+    work.edit(0, "draw", LINE)
+    work.save(0)
+    work.undo(0)
+
+    def unreadable(path: Path) -> bytes:
+        raise AnnotationError(str(path), "Input/output error")
+
+    def fail(path: Path) -> None:
+        broken.setattr(pending_save, "bytes_of", unreadable)
+        raise OSError(5, "Input/output error")
+
+    with monkeypatch.context() as broken:
+        broken.setattr(pending_save, "remove", fail)
+        with pytest.raises(SaveError):
+            work.save(0)
+    assert work.state(0).dirty
+    path.write_bytes(b"{}")
+    with pytest.raises(ChangedOnDiskError):
+        work.save(0)
+    assert path.read_bytes() == b"{}"

@@ -114,6 +114,53 @@ def test_paint_that_goes_on_beyond_all_that_is_likely_says_nothing_of_the_end() 
     assert -40.0 < (last - CORNER) @ ALONG < 0.0
 
 
+@pytest.mark.parametrize("before_px", [15.0, 40.0])
+def test_paint_that_goes_on_to_the_picture_s_edge_says_nothing_of_an_end_before(
+    before_px: float,
+) -> None:
+    """Another line goes on where this one ends in sight, as far as the picture shows."""
+    start, edge = np.array([500.0, 200.0]), np.array([959.0, 327.0])
+    along = (edge - start) / np.hypot(*(edge - start))
+    place = edge - before_px * along
+    picture = pitch(np.array([start, edge + 12.0 * along]))
+    other = dense(place + np.array([[-10.0, -80.0], [10.0, 80.0]]))
+    end = End(place, max(6.0, before_px / 2.5), (Joint("Side line right", other),))
+    found = found_on(picture, dense(np.array([start, place])), end)
+    last = points_px(Polyline("", found.points), SIZE)[-1]
+    assert found.unsure_ends == 1
+    assert -60.0 < (last - place) @ along < 0.0
+
+
+def test_where_both_paints_meet_outside_the_picture_the_line_ends_at_its_edge() -> None:
+    """The camera expects the corner inside."""
+    corner, start = np.array([966.0, 320.0]), np.array([400.0, 107.0])
+    along = (corner - start) / np.hypot(*(corner - start))
+    other = corner + np.array([[-40.0, 230.0], [14.0, -80.0]])
+    off = -19.0 * along
+    end = End(corner + off, 10.0, (Joint("Side line right", dense(other + off)),))
+    found = found_on(
+        pitch(np.array([start, corner]), other), dense(np.array([start, end.place_px])), end
+    )
+    last = points_px(Polyline("", found.points), SIZE)[-1]
+    assert last == pytest.approx(start + (959.0 - start[0]) / along[0] * along, abs=0.3)
+    assert not found.unsure_ends
+
+
+@pytest.mark.parametrize(("begins", "expected"), [(130.0, 100.0), (140.0, 95.0)])
+def test_a_line_that_is_seen_only_beyond_a_corner_does_not_end_there(
+    begins: float, expected: float
+) -> None:
+    """There would be no place before the corner at which anything was seen."""
+    course = np.array([[begins, 200.0], [begins + 33.0, 200.0]])
+    picture = pitch(course, np.array([[begins - 2.0, 120.0], [begins - 2.0, 290.0]]))
+    place = course[-1]
+    other = dense(place + np.array([[0.0, -80.0], [0.0, 90.0]]))
+    end = End(place, 20.0, (Joint("Side line right", other),))
+    found = found_on(picture, dense(np.array([[expected, 200.5], place])), end)
+    assert found.unsure_ends == 1
+    assert (points_px(Polyline("", found.points), SIZE)[:, 0] > begins).all()
+
+
 def test_an_end_in_sight_by_both_paints_is_reached_across_a_player() -> None:
     picture = pitch(np.array([START, CORNER]), GOAL_LINE).copy()
     x, y = (CORNER - 110.0 * ALONG).round().astype(int)
