@@ -24,9 +24,8 @@ from procc_annotator.interact.overlay_shapes import Draft
 from procc_annotator.session.strokes.copying import annotated_before
 
 _FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
-KeyTaker = Callable[
-    [str, bool], bool
-]  # given a key's name, and whether Shift is held, takes it or not
+# Given a key's name and whether Shift is held, takes it or does not.
+KeyTaker = Callable[[str, bool], bool]
 
 
 class Editor(QObject):

@@ -144,8 +144,10 @@ class SteadyLabel(QLabel):
     """A label whose neighbours are laid out anew only when it needs other room."""
 
     def __init__(self, least: str = "") -> None:
-        """Args:
-        least: a text that it always has room for.
+        """Show nothing yet.
+
+        Args:
+            least: a text that it always has room for.
         """
         super().__init__()
         self._least = least

@@ -26,10 +26,10 @@ def discover(kind: type[F]) -> tuple[list[tuple[str, F]], list[str]]:
     Args:
         kind: what each should give, by itself or as the result of a call: one or several.
     """
+    import importlib.metadata  # takes long; the window needs no plug-ins to start
+
     found: list[tuple[str, F]] = []
     problems: list[str] = []
-    import importlib.metadata
-
     for point in importlib.metadata.entry_points(group=GROUP):
         try:
             found += [(point.name, given) for given in _given(point.load(), kind)]

@@ -9,7 +9,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.fit.labels.check import check_by_eye, with_paint
-from procc_annotator.fit.labels.finding import Rule, Severity
+from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.labels.seen_paint import Paint, SeenPaint
 from procc_annotator.fit.result import FitResult
 
@@ -35,11 +35,15 @@ def seen(*offsets: float, length: float = 200.0) -> SeenPaint:
 GOOD = seen(*[0.1] * 12)
 
 
-def found(field, paint: dict[str, SeenPaint]) -> list[tuple[Rule, Severity, str]]:
+def findings(field, paint: dict[str, SeenPaint]) -> list[Finding]:
     polylines = [line(n, (100, 100 + 80 * k), (300, 100 + 80 * k)) for k, n in enumerate(NAMES)]
     annotation = FrameAnnotation(tuple(polylines))
     told = with_paint((), annotation, field, size=SIZE, fit=NO_FIT, paint=paint)
-    return [(f.rule, f.severity, f.reason) for f in told if f.elements[0] == NAMES[0]]
+    return [f for f in told if f.elements[0] == NAMES[0]]
+
+
+def found(field, paint: dict[str, SeenPaint]) -> list[tuple[Rule, Severity, str]]:
+    return [(f.rule, f.severity, f.reason) for f in findings(field, paint)]
 
 
 def test_a_crossbar_on_spectators_is_found_with_share_and_length(field) -> None:
@@ -78,6 +82,33 @@ def test_bent_paint_beside_a_straight_element_is_told_with_what_mends_it(field) 
     assert Rule.BESIDE_PAINT not in [
         f[0] for f in found(field, {NAMES[0]: missing, NAMES[1]: GOOD, NAMES[2]: GOOD})
     ]
+
+
+@pytest.mark.parametrize("at_first", [True, False])
+def test_an_end_beside_its_paint_is_told_with_its_point(field, at_first: bool) -> None:
+    """The way there leaves the paint steadily, until it is too far off to be looked for."""
+    off = [*(7.0 * (np.arange(9) + 0.5) / 12), NAN, NAN, NAN]
+    astray = seen(*(off[::-1] if at_first else off))
+    (told,) = findings(field, {NAMES[0]: astray, NAMES[1]: GOOD, NAMES[2]: GOOD})
+    assert (told.rule, told.severity) == (Rule.BESIDE_PAINT, Severity.WARNING)
+    assert "about 7 px beside its paint" in told.reason
+    assert told.point == (0 if at_first else 1)
+    near = seen(*(2.0 * (np.arange(12) + 0.5) / 12))  # as a hand clicks
+    assert found(field, {NAMES[0]: near, NAMES[1]: GOOD, NAMES[2]: GOOD}) == []
+
+
+def test_an_end_without_paint_is_told_where_all_else_has_some(field) -> None:
+    places = replace(seen(*[0.1] * 9, *[NAN] * 3), segments=np.repeat([0, 1, 2, 3], 3))
+    (told,) = findings(field, {NAMES[0]: places, NAMES[1]: GOOD, NAMES[2]: GOOD})
+    assert (told.rule, told.severity, told.point) == (Rule.NO_PAINT, Severity.HINT, 1)
+    assert "towards one of its ends" in told.reason
+
+
+def test_a_short_post_without_paint_is_told(field) -> None:
+    nothing = seen(NAN, NAN, NAN, length=24.0)
+    (told,) = found(field, {NAMES[0]: nothing, NAMES[1]: GOOD, NAMES[2]: GOOD})
+    assert told[:2] == (Rule.NO_PAINT, Severity.HINT)
+    assert found(field, {NAMES[1]: nothing, NAMES[0]: GOOD, NAMES[2]: GOOD}) == []
 
 
 def test_an_end_is_short_only_where_paint_goes_on(field) -> None:
