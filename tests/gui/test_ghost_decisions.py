@@ -305,3 +305,13 @@ class TestReadOnly:
         assert not document.review.not_visible("00002")
         assert document.annotation.annotated == KEPT
         assert not (annotated / "cameras" / "fitted").exists()
+
+
+def test_accepting_all_says_why_there_is_nothing_to_accept(
+    window: MainWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
+) -> None:
+    """A frame without clicks has no camera, hence no ghosts."""
+    qtbot.waitUntil(lambda: not window.document.live_fit.working)
+    assert not window.document.ghosts.painted
+    hand_on(window).key(Key.Key_Return, SHIFT)
+    assert "no ghosts: " in window.status.hint.text()

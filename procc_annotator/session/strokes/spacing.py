@@ -12,6 +12,7 @@ FloatArray = NDArray[np.float64]
 _SAGITTA_PX = 0.5  # how far chords may cut a bend
 _LARGEST_SPACING = 1 / 16  # of the picture's width
 _SMALLEST_SPACING = 1 / 80
+_STEADY = 9  # so many steps tell how much a curve bends
 
 
 def regular_parameters(
@@ -26,7 +27,7 @@ def regular_parameters(
 
     Args:
         parameters: (n,) ascending, of the places.
-        places_px: (n, 2) dense places along the curve.
+        places_px: (n, 2) dense places along the curve, n >= 2.
         directions: (n, 2) of the curve there.
         width_px: of the picture.
         least: chords at least.
@@ -37,7 +38,8 @@ def regular_parameters(
     steps = np.hypot(*np.diff(places_px, axis=0).T)
     turns = np.abs(np.diff(np.unwrap(np.arctan2(directions[:, 1], directions[:, 0]))))
     # A chord of length c cuts a bend of radius r by c * c / (8 r).
-    bend = np.convolve(turns / np.maximum(steps, 1e-9), np.ones(9) / 9, mode="same")
+    around = min(_STEADY, len(turns))
+    bend = np.convolve(turns / np.maximum(steps, 1e-9), np.ones(around) / around, mode="same")
     spacing = np.sqrt(8 * _SAGITTA_PX / np.maximum(bend, 1e-9))
     spacing = np.clip(spacing, _SMALLEST_SPACING * width_px, _LARGEST_SPACING * width_px)
     count = np.concatenate([[0.0], np.cumsum(steps / spacing)])

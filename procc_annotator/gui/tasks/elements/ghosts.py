@@ -215,12 +215,13 @@ class GhostTasks(QObject):
             return True
         if name != "Enter":
             return False
-        if shift and ghosts.painted:
-            selected = document.selected_class
-            if selected is not None and document.annotation.get_unconfirmed(selected) is not None:
+        if shift and document.frame is not None:
+            selected, waiting = document.selected_class, document.annotation.unconfirmed
+            if any(polyline.class_name == selected for polyline in waiting):
                 return False  # it confirms that element
-            self.accept_all()
-            return True
+            if ghosts.painted or not waiting:
+                self.accept_all()  # says why there are none
+                return True
         if ghosts.walking:
             self.accept()
             return True

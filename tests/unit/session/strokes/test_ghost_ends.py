@@ -161,6 +161,16 @@ def test_a_line_that_is_seen_only_beyond_a_corner_does_not_end_there(
     assert (points_px(Polyline("", found.points), SIZE)[:, 0] > begins).all()
 
 
+def test_of_a_short_one_that_is_cut_back_a_few_pixels_are_left() -> None:
+    place = START + 21.0 * ALONG
+    picture = pitch(np.array([START, START + 80.0 * ALONG]))
+    end = End(place, 4.0, (Joint("Side line right", dense(GOAL_LINE - CORNER + place)),))
+    found = found_on(picture, dense(np.array([START, place])), end)
+    points = points_px(Polyline("", found.points), SIZE)
+    assert found.unsure_ends == 1
+    assert ((points - START) @ ALONG < 9.0).all()
+
+
 def test_an_end_in_sight_by_both_paints_is_reached_across_a_player() -> None:
     picture = pitch(np.array([START, CORNER]), GOAL_LINE).copy()
     x, y = (CORNER - 110.0 * ALONG).round().astype(int)
