@@ -34,7 +34,7 @@ _LEAST_AGREED = 0.5  # of the clicks: where fewer lie on it, the curve is anothe
 _VOUCHES = 1.5  # so many samples away
 _REGULAR, _DENSER = 0.8, 1.3  # clicks are regular: one so near each sample, and hardly more of them
 _FOOT_SAMPLES = 801
-_MOST_TIMES = 6  # until it stays
+_MOST_TIMES = 3  # until it stays
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,9 +73,10 @@ def regularise(
     Returns:
         Points in the direction of the clicks: the samples that a painted line supports, and the
         clicks that it does not confirm. With support for fewer than two samples, or for less than a
-        third of them, the polyline comes back as it is; so does one that is regular already. It is
-        done until that is reached, lest points creep along with every repetition; the last step
-        is left out where it would take a click by more than it may be moved.
+        third of them, the polyline comes back as it is; so does one that is regular already. Curves
+        and bars are done until that is reached, lest their points creep along with every
+        repetition; the last step is left out where it would take a click by more than it may be
+        moved.
     """
     if len(polyline.points) < 2:
         return Regularised(polyline)
@@ -83,7 +84,7 @@ def regularise(
         return _once(polyline, curved, size, None, bar)
     clicked = points_px(polyline, size)
     reached = Regularised(polyline)
-    for _ in range(_MOST_TIMES):
+    for _ in range(_MOST_TIMES if curved or bar else 1):
         again = _once(reached.polyline, curved, size, snap, bar)
         own = tuple(p for p in again.unconfirmed if p in polyline.points)
         if _is_same(reached.polyline, again.polyline, size):
