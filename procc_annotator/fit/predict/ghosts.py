@@ -16,7 +16,7 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.joints import Ends, ends_of
+from procc_annotator.fit.predict.joints import Ends, ends_in_sight
 from procc_annotator.fit.predict.mistaken import carrying_another_label
 from procc_annotator.fit.predict.sight import (
     Stretch,
@@ -103,7 +103,7 @@ def find_ghosts(
     found: dict[str, list[GhostPiece]] = {}
     for stretch, piece in zip(long_enough, pieces, strict=True):
         found.setdefault(stretch.name, []).append(piece)
-    ends = ends_of(long_enough, field, fit)
+    ends = ends_in_sight(long_enough, field, fit)
     ghosts = (
         Ghost(name, tuple(pieces), ends.get(name, (None, None))) for name, pieces in found.items()
     )

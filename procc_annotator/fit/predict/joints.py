@@ -53,7 +53,7 @@ class End:
 Ends = tuple[End | None, End | None]
 
 
-def ends_of(stretches: Sequence[Stretch], field: Field, fit: FitResult) -> dict[str, Ends]:
+def ends_in_sight(stretches: Sequence[Stretch], field: Field, fit: FitResult) -> dict[str, Ends]:
     """The ends of straight elements, by class.
 
     Args:

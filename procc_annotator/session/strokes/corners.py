@@ -78,7 +78,7 @@ def reach_of(end: End | None) -> float:
     return float(np.clip(np.nan_to_num(_LEAST_SD * end.sd_px, nan=np.inf), _LEAST_PX, FARTHEST_PX))
 
 
-def corner_of(
+def seen_corner(
     line: VisibleLine,
     end: End,
     picture: PixelArray,

@@ -15,7 +15,7 @@ from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.paint import snap_all
 from procc_annotator.image.sought import Sought
 from procc_annotator.metric.course import normals_of
-from procc_annotator.session.strokes.corners import Corner, corner_of, reach_of
+from procc_annotator.session.strokes.corners import Corner, reach_of, seen_corner
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.visible_line import VisibleLine, continued, onwards
 
@@ -82,7 +82,7 @@ def _corners(
         way, end = (line if last else _turned(line)), ghost.ends[last]
         if last in found or end is None or not way.runs:
             continue
-        corner = corner_of(
+        corner = seen_corner(
             way, end, picture, paint, ghost, may_miss_px=may_miss_px, shifted_px=shifted
         )
         if corner is None:
