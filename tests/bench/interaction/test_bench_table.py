@@ -63,7 +63,7 @@ def test_table(benchmark: BenchmarkFixture, sample_data: Path, tmp_path: Path) -
 
     benchmark.pedantic(measure, rounds=RUNS)
     for run in (*runs["ours"], *runs["with a judged camera"]):
-        assert set(run["rows"]) == set(ROWS)
+        assert set(ROWS) <= set(run["rows"])
         assert all(run["rows"].values())  # every row was done
     print("\n" + table(runs))
 
