@@ -21,16 +21,12 @@ _TAG = re.compile("<[^>]*>")
 _SHORT_TITLE = 26  # letters: such a title is never cut before the end of the text is
 
 
-class ElidedLabel(QWidget):
-    """A text that is shortened with dots instead of pushing its neighbours out: whatever it says,
-    nothing is laid out anew."""
+class _PaintedText(QWidget):
+    """A text in the room that it has: whatever it says, nothing is laid out anew."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._text = ""
-        self._long_title: re.Pattern[str] | None = None
-        self._begins_with_title = True
 
     def text(self) -> str:
         """All of it."""
@@ -42,6 +38,16 @@ class ElidedLabel(QWidget):
             self._text = text
             self.setAccessibleName(text)
             self.update()
+
+
+class ElidedLabel(_PaintedText):
+    """A text that is shortened with dots instead of pushing its neighbours out."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._long_title: re.Pattern[str] | None = None
+        self._begins_with_title = True
 
     def show_line(self, message: str, hint: str) -> None:
         """What just happened, and before what the next click does; either may be empty."""
@@ -111,8 +117,8 @@ def _most(widths: Sequence[int], room: int) -> int:
     return max(widths, default=0)
 
 
-class Readout(QWidget):
-    """A text that changes with every move of the mouse: in fixed room nothing is laid out anew."""
+class Readout(_PaintedText):
+    """A text that changes with every move of the mouse, in fixed room."""
 
     def __init__(self, name: str, widest: str) -> None:
         super().__init__()
@@ -120,18 +126,6 @@ class Readout(QWidget):
         self.setFont(fixed_width(self.font()))
         metrics = self.fontMetrics()
         self.setFixedSize(metrics.horizontalAdvance(widest), metrics.height() + 2)
-        self._text = ""
-
-    def text(self) -> str:
-        """What is shown."""
-        return self._text
-
-    def set_text(self, text: str) -> None:
-        """Show something else."""
-        if text != self._text:
-            self._text = text
-            self.setAccessibleName(text)
-            self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)

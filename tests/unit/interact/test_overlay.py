@@ -30,8 +30,10 @@ def middle_line(shift_px: float) -> Polyline:
     return Polyline("Middle line", points)
 
 
-def overlay(annotation: FrameAnnotation, **options: object) -> Overlay:
-    measurement = measure(annotation, CAMERA, SETUP)
+def overlay(
+    annotation: FrameAnnotation, camera: PinholeCamera = CAMERA, **options: object
+) -> Overlay:
+    measurement = measure(annotation, camera, SETUP)
     found = score(measurement, 5.0)
     return OverlayBuilder().build(
         ToDraw(
@@ -134,19 +136,8 @@ def test_mirrored_labels_colour_what_the_annotator_drew() -> None:
     px, _ = right.project(points_world)
     points = tuple(point_from_px(x, y, SETUP.size) for x, y in px)
     annotation = FrameAnnotation((Polyline("Side line left", points),))
-    measurement = measure(annotation, right, SETUP)
-    found = score(measurement, 5.0)
-    assert found.mirrored
-    drawn = OverlayBuilder().build(
-        ToDraw(
-            annotation=annotation,
-            size=SETUP.size,
-            field=FIELD,
-            measurement=measurement,
-            score=found,
-            picture_size=SIZE,
-        )
-    )
+    assert score(measure(annotation, right, SETUP), 5.0).mirrored
+    drawn = overlay(annotation, right)
     assert len(segments(drawn, "annotation", tones.PASSES)) == 1
     assert len(segments(drawn, "projection", tones.PASSES)) > 0
 

@@ -815,10 +815,11 @@ def test_any_damage_is_named(tmp_path: Path, opened: Open) -> None:
         dataset = tmp_path / f"dataset {number}"
         (dataset / ".procc").mkdir(parents=True)
         (dataset / ".procc" / "workspace.db").write_bytes(data)
-        _use(WorkspaceDatabase.open(dataset, "Anna"), dataset)
+        assert _newest_after_use(WorkspaceDatabase.open(dataset, "Anna"), dataset) == b"new"
 
 
-def _use(database: WorkspaceDatabase, dataset: Path) -> None:
+def _newest_after_use(database: WorkspaceDatabase, dataset: Path) -> bytes:
+    """Read, write, close, open again: what a frame's newest version then is."""
     for i in (0, 7, 39):
         database.origins(f"f{i}")
         for version in database.versions(f"f{i}"):
@@ -836,8 +837,9 @@ def _use(database: WorkspaceDatabase, dataset: Path) -> None:
     again = WorkspaceDatabase.open(dataset, "Anna")
     assert again.record("new").status is Status.DONE
     assert again.origins("new") == {(0.5, 0.5): _origin()}
-    assert _newest(again, "f39") == b"new"
+    newest = _newest(again, "f39")
     assert again.close()
+    return newest
 
 
 def test_author_comes_from_the_environment_or_the_login(monkeypatch: pytest.MonkeyPatch) -> None:
