@@ -53,6 +53,7 @@ ORIGINS: dict[str, tuple[str, str]] = {
     "copied": ("#0072B2", "ring"),
     "moved": ("#E69F00", "handle"),
     "accepted suggestion": ("#CC79A7", "ring"),
+    "proposed": ("#CC79A7", "cross"),
     "unconfirmed by paint": ("#D55E00", "cross"),
     "from the file": ("#B0B0B0", "handle"),
 }
