@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,9 +12,13 @@ from typing import Any, Protocol
 import numpy as np
 from rich.table import Table
 
-from procc_annotator.fit.result import PoseDeviations
 from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
+from procc_annotator.report.camera_columns import (
+    DEVIATION_COLUMNS,
+    deviation_cells,
+    in_file_units,
+)
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
 from procc_annotator.report.targets import is_archive, open_target
 from procc_annotator.session.dataset.fit_sizes import SizesUsed
@@ -29,10 +32,6 @@ TIES = (
     " mirrored ones)"
 )
 _FAILURES_SHOWN = 20
-_DEVIATIONS = (
-    "sd_pan_degrees", "sd_tilt_degrees", "sd_roll_degrees", "sd_focal_px",
-    "sd_x_m", "sd_y_m", "sd_z_m",
-)  # fmt: skip
 
 Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
 
@@ -150,7 +149,7 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
     if result.folds:
         report.folded.append(result.name)
     if result.deviations is not None:
-        report.deviations.append(_in_file_units(result.deviations))
+        report.deviations.append(in_file_units(result.deviations))
 
 
 def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
@@ -161,29 +160,22 @@ def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
                 yield file_name
 
 
-def _in_file_units(deviations: PoseDeviations) -> tuple[float, ...]:
-    angles = (deviations.pan_rad, deviations.tilt_rad, deviations.roll_rad)
-    return (*map(math.degrees, angles), deviations.focal_px, *deviations.position_m)
-
-
 def _header(thresholds: tuple[float, ...]) -> list[Any]:
     jacs = [f"jac_{threshold:g}" for threshold in thresholds]
     return [
-        "name", "model", "elements", "left_out", *jacs, "mean_reprojection_error", *_DEVIATIONS,
-        "camera", "failure", "position", "width", "height", "hardly_determined",
+        "name", "model", "elements", "left_out", *jacs, "mean_reprojection_error",
+        *DEVIATION_COLUMNS, "camera", "failure", "position", "width", "height", "hardly_determined",
     ]  # fmt: skip
 
 
 def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     size = ("", "") if result.size is None else result.size.fitted
     if not result.has_camera:
-        blank = [""] * (len(thresholds) + 1 + len(_DEVIATIONS))
+        blank = [""] * (len(thresholds) + 1 + len(DEVIATION_COLUMNS))
         why = result.error or result.failure
         return [result.name, result.model, "", "", *blank, "", why, "", *size, ""]
     scores = [result.scores[threshold] for threshold in thresholds]
-    deviations: tuple[Any, ...] = ("",) * len(_DEVIATIONS)
-    if result.deviations is not None:
-        deviations = _in_file_units(result.deviations)
+    deviations = deviation_cells(result.deviations)
     left_out = "; ".join(result.left_out)
     jacs = [score.jac for score in scores]
     return [
