@@ -45,6 +45,11 @@ def look_difference(a: SceneLook, b: SceneLook) -> float:
     return layout + colours / 4
 
 
+def same_scene(a: SceneLook, b: SceneLook) -> bool:
+    """Whether two pictures, one right after the other, may be of one camera that moves."""
+    return look_difference(a, b) < _LEAST
+
+
 def cuts_among(steps: FloatArray, lasting: FloatArray) -> list[int]:
     """The first picture of each scene, 0 included.
 

@@ -67,6 +67,7 @@ AUTHORS: tuple[tuple[str, str], ...] = (
 )
 
 FIT = "#56B4E9"  # the camera fitted to the clicks
+TRACK = "#F5A9D0"  # the cameras of a shot that was followed
 
 # Camera sources, in the order they are opened: wireframes, curves and rows of one source alike.
 # None can be taken for a tone of the criterion, also where red is not seen from green.

@@ -36,6 +36,7 @@ KEPT = {
     "two_clicks",
     "loupe",
     "painted_width",
+    "strip",
     "evidence",
     "live_fit",
     "ghosts",

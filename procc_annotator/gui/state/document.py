@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state.annotated_frames import AnnotatedFrames
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.disagreement import DisagreementWatch
@@ -33,7 +34,9 @@ from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import Selecting
+from procc_annotator.gui.state.sequence_watch import SequenceWatch
 from procc_annotator.gui.state.set_scores import FrameScores, SetScores, scores_of
+from procc_annotator.gui.state.shot_track import ShotTrack
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrames
 from procc_annotator.gui.state.sources import Sources
@@ -256,6 +259,9 @@ class Document(QObject):
 
     def _make_watches(self) -> None:
         store, signals = self.store, self.signals
+        self.sequence = SequenceWatch(store, signals)
+        self.annotated_frames = AnnotatedFrames(store, signals)
+        self.shot_track = ShotTrack(store, signals, self.sequence, self.camera_sources)
         self.painted_width = PaintedWidth(store, signals, self.judge)
         self.disagreement = DisagreementWatch(store, signals, self.source_frames)
         self.live_fit = LiveFit(store, signals, self.review, self.blind_lock, self.judge)
@@ -310,6 +316,8 @@ class Document(QObject):
             self.disagreement,
             self.painted_width,
             self.paint_watch,
+            self.sequence,
+            self.annotated_frames,
         ):
             service.close()
         self.saver.retry_timer.stop()
