@@ -15,7 +15,6 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.source import open_source
-from procc_annotator.report.calibration import Interrupted
 from procc_annotator.report.proposals import (
     TABLE_FILE,
     UNSURE_FOLDER,
@@ -26,7 +25,7 @@ from procc_annotator.report.proposals import (
     states_table,
     summary_words,
 )
-from procc_annotator.report.targets import is_archive
+from procc_annotator.report.targets import Interrupted, is_archive
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.pending_save import bytes_of
 from procc_annotator.session.dataset.picture_source import open_pictures

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,13 +12,14 @@ from rich.table import Table
 
 from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
-from procc_annotator.report.camera_columns import (
+from procc_annotator.report.camera_tables import (
     DEVIATION_COLUMNS,
+    csv_bytes,
     deviation_cells,
     in_file_units,
 )
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
-from procc_annotator.report.targets import is_archive, open_target
+from procc_annotator.report.targets import Interrupted, is_archive, open_target
 from procc_annotator.session.dataset.fit_sizes import SizesUsed
 from procc_annotator.session.runs.calibration_run import Calibrated
 from procc_annotator.words import count_of
@@ -34,14 +33,6 @@ TIES = (
 _FAILURES_SHOWN = 20
 
 Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
-
-
-class Interrupted(KeyboardInterrupt):
-    """Somebody stopped the work: so many cameras of so many frames are written."""
-
-    def __init__(self, written: int, total: int) -> None:
-        super().__init__()
-        self.written, self.total = written, total
 
 
 class Run(Protocol):
@@ -182,13 +173,6 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
         result.name, result.model, result.elements, left_out, *jacs, scores[0].mean_error,
         *deviations, result.file_name, "", result.place, *size, result.open,
     ]  # fmt: skip
-
-
-def csv_bytes(rows: Iterable[Iterable[Any]]) -> bytes:
-    """Rows as a CSV file."""
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
-    return text.getvalue().encode()
 
 
 def deviations_table(report: CalibrationReport) -> Table:

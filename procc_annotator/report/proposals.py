@@ -14,9 +14,8 @@ from rich.table import Table
 from procc_annotator.fit.from_picture.proposal import NONE, STATES, SURE, UNSURE, KnownPosition
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import no_formula
-from procc_annotator.report.calibration import Interrupted, csv_bytes
-from procc_annotator.report.camera_columns import DEVIATION_COLUMNS, deviation_cells
-from procc_annotator.report.targets import make_folder
+from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, csv_bytes, deviation_cells
+from procc_annotator.report.targets import Interrupted, make_folder
 from procc_annotator.session.runs.calibration_run import camera_file
 from procc_annotator.session.runs.proposal_run import (
     ProposalRun,

@@ -1,8 +1,12 @@
-"""Columns that tables of cameras found by the program share."""
+"""What tables of cameras found by the program share: columns, and CSV."""
 
 from __future__ import annotations
 
+import csv
+import io
 import math
+from collections.abc import Iterable
+from typing import Any
 
 from procc_annotator.fit.result import PoseDeviations
 
@@ -21,3 +25,10 @@ def in_file_units(deviations: PoseDeviations) -> tuple[float, ...]:
 def deviation_cells(deviations: PoseDeviations | None) -> tuple[float | str, ...]:
     """The same as cells of a row; empty ones where nothing is known."""
     return ("",) * len(DEVIATION_COLUMNS) if deviations is None else in_file_units(deviations)
+
+
+def csv_bytes(rows: Iterable[Iterable[Any]]) -> bytes:
+    """Rows as a CSV file."""
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue().encode()
