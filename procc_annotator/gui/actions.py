@@ -290,6 +290,11 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("Element/Ghosts", "ghosts", "-Show ghosts", "", "document.ghosts.set_wanted",
           "Draw faint curves where the fitted camera expects elements that are not annotated yet",
           checkable=True, remembered=True, checked=True),
+    _spec("Element/Ghosts", "propose", "Look for the camera in the picture", "",
+          "document.proposals.set_wanted",
+          "Where nothing is annotated yet, find the camera without a click and show its elements as"
+          " ghosts; nothing is saved before it is accepted",
+          checkable=True, remembered=True, checked=True),
     _spec("Element/Ghosts", "suggest", "Say what to annotate next", "",
           "document.ghosts.set_suggesting",
           "Mark on the field map the element that would make the fitted camera surest",

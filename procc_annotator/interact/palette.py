@@ -36,6 +36,7 @@ UNCONFIRMED = "#0072B2"  # copied, nobody has touched it yet
 UNCONFIRMED_DASH = (5.0, 3.0)
 # Where the fitted camera expects an element that is not annotated yet.
 GHOST = "#56B4E9"
+UNSURE_GHOST = "#E69F00"  # of a camera that was found without clicks and may be wrong
 GHOST_DASH = (9.0, 5.0, 2.0, 5.0)
 GHOST_RIM = "#78202020"  # the dashes stand out from the painted line, which is seen through it
 GHOST_BAND = 0.15  # opacity of what it may be off by
@@ -54,6 +55,7 @@ ORIGINS: dict[str, tuple[str, str]] = {
     "moved": ("#E69F00", "handle"),
     "accepted suggestion": ("#CC79A7", "ring"),
     "proposed": ("#CC79A7", "cross"),
+    "accepted proposal": ("#CC79A7", "dot"),
     "unconfirmed by paint": ("#D55E00", "cross"),
     "from the file": ("#B0B0B0", "handle"),
 }

@@ -40,6 +40,7 @@ KEPT = {
     "evidence",
     "live_fit",
     "ghosts",
+    "propose",
     "suggest",
     "keep_zoom",
     "blind",

@@ -17,6 +17,7 @@ from procc_annotator.gui.state.disagreement import DisagreementWatch
 from procc_annotator.gui.state.editing import Editing
 from procc_annotator.gui.state.field_choice import FieldChoice
 from procc_annotator.gui.state.fit_source import FitSource
+from procc_annotator.gui.state.foresight import Foresight
 from procc_annotator.gui.state.frame_walk import FrameWalk
 from procc_annotator.gui.state.ghosts import Ghosts
 from procc_annotator.gui.state.judge import Judge
@@ -29,6 +30,7 @@ from procc_annotator.gui.state.outside_changes import OutsideChanges
 from procc_annotator.gui.state.paint_watch import PaintWatch
 from procc_annotator.gui.state.painted_width import PaintedWidth
 from procc_annotator.gui.state.presence import Presence
+from procc_annotator.gui.state.proposals import Proposals
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.saying import notify, say, withdraw
@@ -271,7 +273,11 @@ class Document(QObject):
         self.fit_source = FitSource(
             store, signals, self.camera_sources, self.source_frames, self.live_fit
         )
-        self.ghosts = Ghosts(store, signals, self.live_fit, self.review)
+        self.proposals = Proposals(store, signals, self.blind_lock, self.cache)
+        self.foresight = Foresight(
+            store, signals, self.live_fit, self.review, self.shot_track, self.proposals
+        )
+        self.ghosts = Ghosts(store, signals, self.foresight, self.review)
         self.paint_watch = PaintWatch(store, signals)
         self.label_check = LabelCheck(
             store, signals, self.review, self.live_fit, self.judge, self.paint_watch
@@ -312,6 +318,8 @@ class Document(QObject):
             self.field_choice,
             self.landmarks,
             self.ghosts,
+            self.foresight,
+            self.proposals,
             self.uncertainty,
             self.disagreement,
             self.painted_width,
