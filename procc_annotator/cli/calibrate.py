@@ -19,11 +19,10 @@ from procc_annotator.report import calibration, together
 from procc_annotator.report.calibration import (
     TABLE_FILE,
     CalibrationReport,
-    Interrupted,
     calibrate_set,
 )
 from procc_annotator.report.scores import tables
-from procc_annotator.report.targets import is_archive
+from procc_annotator.report.targets import Interrupted, is_archive
 from procc_annotator.report.together import POSITIONS_FILE
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.calibration_run import CalibrationRun

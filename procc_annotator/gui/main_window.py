@@ -42,6 +42,8 @@ from procc_annotator.gui.settings import AUTHOR, RECENT, SECOND, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import UNSAVED, Told
 from procc_annotator.gui.state.state import State
+from procc_annotator.gui.strip.place import StripPlace
+from procc_annotator.gui.strip.shot_strip import ShotStrip
 from procc_annotator.gui.tasks.elements.assistant import Assistant
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
 from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
@@ -62,6 +64,7 @@ from procc_annotator.gui.tasks.review.tour import Tour
 from procc_annotator.gui.tasks.review.triage import Triage
 from procc_annotator.gui.tasks.review.versions_command import Versions
 from procc_annotator.gui.tasks.review.worst_first import WorstFirst
+from procc_annotator.gui.tasks.shot.walking import ShotWalk
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.docks import Docks
@@ -125,6 +128,7 @@ class MainWindow(QMainWindow):
         self.ghost_tasks = GhostTasks(document, self.canvas, self.settings, self)
         self.canvas.editor.ask_first(self.assistant.key, self.ghost_tasks.key)
         self.tour = Tour(document)
+        self.shot_walk = ShotWalk(document, self.canvas, self)
         self.triage = Triage(document, self)
         self.worst_first = WorstFirst(document, self)
         self.fit_saving = FitSaving(document)
@@ -157,6 +161,9 @@ class MainWindow(QMainWindow):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.pages)
+        self.strip = ShotStrip(self.document)
+        self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip)
+        column.addWidget(self.strip)
         bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
         self.bars = BarStack(bars, self.pages)
         self.bars.heightChanged.connect(self.canvas.set_covered)

@@ -35,6 +35,7 @@ def build_ghosts(
     current: Ghost | None = None,
     label: str = "",
     points_px: FloatArray = NO_POINTS,
+    tone: str = tones.GHOST,
 ) -> Overlay:
     """Draw ghosts.
 
@@ -43,17 +44,18 @@ def build_ghosts(
         current: drawn stronger, with a dark rim and its points.
         label: said beside the current one.
         points_px: (N, 2) picture px, where accepting the current one would put points.
+        tone: says how sure their camera is.
     """
     others = [piece for ghost in ghosts if ghost is not current for piece in _thinned(ghost)]
-    patches = [*_bands(others, tones.GHOST_BAND)]
+    patches = [*_bands(others, tones.GHOST_BAND, tone)]
     lines = _segments(others)
-    strokes = [*_strokes(lines, tones.GHOST_WIDTH)]
+    strokes = [*_strokes(lines, tones.GHOST_WIDTH, tone)]
     if current is None:
         return Overlay(tuple(strokes), (), (), tuple(patches))
     pieces = _thinned(current)
-    patches += _bands(pieces, tones.CURRENT_GHOST_BAND)
-    strokes += _strokes(_segments(pieces), tones.CURRENT_GHOST_WIDTH)
-    marks = Marks(points_px, "ring", tones.GHOST, tones.GHOST_POINT_SIZE)
+    patches += _bands(pieces, tones.CURRENT_GHOST_BAND, tone)
+    strokes += _strokes(_segments(pieces), tones.CURRENT_GHOST_WIDTH, tone)
+    marks = Marks(points_px, "ring", tone, tones.GHOST_POINT_SIZE)
     labels = Labels(np.array([_middle(current)]), (label,), tones.LABEL)
     return Overlay(tuple(strokes), (marks,), (labels,), tuple(patches))
 
@@ -115,14 +117,14 @@ def _segments(pieces: Iterable[GhostPiece]) -> FloatArray:
     return joined([np.concatenate((p[:-1], p[1:]), axis=1) for p in courses])
 
 
-def _strokes(lines: FloatArray, width: float) -> Iterable[Strokes]:
+def _strokes(lines: FloatArray, width: float, tone: str) -> Iterable[Strokes]:
     yield Strokes(lines, tones.GHOST_RIM, width + 1.4, layer="ghost")
-    yield Strokes(lines, tones.GHOST, width, tones.GHOST_DASH, "ghost")
+    yield Strokes(lines, tone, width, tones.GHOST_DASH, "ghost")
 
 
-def _bands(pieces: Iterable[GhostPiece], opacity: float) -> Iterable[FilledArea]:
+def _bands(pieces: Iterable[GhostPiece], opacity: float, tone: str) -> Iterable[FilledArea]:
     for piece in pieces:
-        yield FilledArea(_band(piece), tones.GHOST, opacity)
+        yield FilledArea(_band(piece), tone, opacity)
 
 
 def _band(piece: GhostPiece) -> FloatArray:

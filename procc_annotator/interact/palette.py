@@ -36,6 +36,7 @@ UNCONFIRMED = "#0072B2"  # copied, nobody has touched it yet
 UNCONFIRMED_DASH = (5.0, 3.0)
 # Where the fitted camera expects an element that is not annotated yet.
 GHOST = "#56B4E9"
+UNSURE_GHOST = "#E69F00"  # of a camera that was found without clicks and may be wrong
 GHOST_DASH = (9.0, 5.0, 2.0, 5.0)
 GHOST_RIM = "#78202020"  # the dashes stand out from the painted line, which is seen through it
 GHOST_BAND = 0.15  # opacity of what it may be off by
@@ -53,6 +54,8 @@ ORIGINS: dict[str, tuple[str, str]] = {
     "copied": ("#0072B2", "ring"),
     "moved": ("#E69F00", "handle"),
     "accepted suggestion": ("#CC79A7", "ring"),
+    "proposed": ("#CC79A7", "cross"),
+    "accepted proposal": ("#CC79A7", "dot"),
     "unconfirmed by paint": ("#D55E00", "cross"),
     "from the file": ("#B0B0B0", "handle"),
 }
@@ -66,6 +69,7 @@ AUTHORS: tuple[tuple[str, str], ...] = (
 )
 
 FIT = "#56B4E9"  # the camera fitted to the clicks
+TRACK = "#F5A9D0"  # the cameras of a shot that was followed
 
 # Camera sources, in the order they are opened: wireframes, curves and rows of one source alike.
 # None can be taken for a tone of the criterion, also where red is not seen from green.

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,11 +10,16 @@ from typing import Any, Protocol
 import numpy as np
 from rich.table import Table
 
-from procc_annotator.fit.result import PoseDeviations
 from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
+from procc_annotator.report.camera_tables import (
+    DEVIATION_COLUMNS,
+    csv_bytes,
+    deviation_cells,
+    in_file_units,
+)
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
-from procc_annotator.report.targets import is_archive, open_target
+from procc_annotator.report.targets import Interrupted, is_archive, open_target
 from procc_annotator.session.dataset.fit_sizes import SizesUsed
 from procc_annotator.session.runs.calibration_run import Calibrated
 from procc_annotator.words import count_of
@@ -29,20 +31,8 @@ TIES = (
     " mirrored ones)"
 )
 _FAILURES_SHOWN = 20
-_DEVIATIONS = (
-    "sd_pan_degrees", "sd_tilt_degrees", "sd_roll_degrees", "sd_focal_px",
-    "sd_x_m", "sd_y_m", "sd_z_m",
-)  # fmt: skip
 
 Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
-
-
-class Interrupted(KeyboardInterrupt):
-    """Somebody stopped the work: so many cameras of so many frames are written."""
-
-    def __init__(self, written: int, total: int) -> None:
-        super().__init__()
-        self.written, self.total = written, total
 
 
 class Run(Protocol):
@@ -150,7 +140,7 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
     if result.folds:
         report.folded.append(result.name)
     if result.deviations is not None:
-        report.deviations.append(_in_file_units(result.deviations))
+        report.deviations.append(in_file_units(result.deviations))
 
 
 def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
@@ -161,42 +151,28 @@ def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
                 yield file_name
 
 
-def _in_file_units(deviations: PoseDeviations) -> tuple[float, ...]:
-    angles = (deviations.pan_rad, deviations.tilt_rad, deviations.roll_rad)
-    return (*map(math.degrees, angles), deviations.focal_px, *deviations.position_m)
-
-
 def _header(thresholds: tuple[float, ...]) -> list[Any]:
     jacs = [f"jac_{threshold:g}" for threshold in thresholds]
     return [
-        "name", "model", "elements", "left_out", *jacs, "mean_reprojection_error", *_DEVIATIONS,
-        "camera", "failure", "position", "width", "height", "hardly_determined",
+        "name", "model", "elements", "left_out", *jacs, "mean_reprojection_error",
+        *DEVIATION_COLUMNS, "camera", "failure", "position", "width", "height", "hardly_determined",
     ]  # fmt: skip
 
 
 def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     size = ("", "") if result.size is None else result.size.fitted
     if not result.has_camera:
-        blank = [""] * (len(thresholds) + 1 + len(_DEVIATIONS))
+        blank = [""] * (len(thresholds) + 1 + len(DEVIATION_COLUMNS))
         why = result.error or result.failure
         return [result.name, result.model, "", "", *blank, "", why, "", *size, ""]
     scores = [result.scores[threshold] for threshold in thresholds]
-    deviations: tuple[Any, ...] = ("",) * len(_DEVIATIONS)
-    if result.deviations is not None:
-        deviations = _in_file_units(result.deviations)
+    deviations = deviation_cells(result.deviations)
     left_out = "; ".join(result.left_out)
     jacs = [score.jac for score in scores]
     return [
         result.name, result.model, result.elements, left_out, *jacs, scores[0].mean_error,
         *deviations, result.file_name, "", result.place, *size, result.open,
     ]  # fmt: skip
-
-
-def csv_bytes(rows: Iterable[Iterable[Any]]) -> bytes:
-    """Rows as a CSV file."""
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
-    return text.getvalue().encode()
 
 
 def deviations_table(report: CalibrationReport) -> Table:

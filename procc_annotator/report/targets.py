@@ -17,6 +17,14 @@ from procc_annotator.report.scores.score_files import replacing
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same dataset gives the same archive
 
 
+class Interrupted(KeyboardInterrupt):
+    """Somebody stopped the work: so many cameras of so many frames are written."""
+
+    def __init__(self, written: int, total: int) -> None:
+        super().__init__()
+        self.written, self.total = written, total
+
+
 class Target(Protocol):
     """Takes files by their names relative to it."""
 

@@ -18,6 +18,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.fit.from_picture.proposal import Proposal
+from procc_annotator.fit.result import FitResult
 from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window, collect_now_and_then, start_lean
 from procc_annotator.gui.main_window import MainWindow
@@ -69,6 +71,19 @@ def little_garbage(qapp: QApplication) -> Iterator[None]:
 def nobody_asks(monkeypatch: pytest.MonkeyPatch) -> None:
     """A window that is closed with unsaved work asks a question nobody would answer here."""
     monkeypatch.setattr("procc_annotator.gui.main_window.ask_to_leave_unsaved", lambda *_: True)
+
+
+@pytest.fixture(autouse=True)
+def nothing_proposed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No camera is found in a picture alone, unless a test is about that: what is annotated in a
+    test comes from its clicks."""
+
+    def none(picture: np.ndarray, *_: object, **__: object) -> Proposal:
+        why = "this test is about something else"
+        fit = FitResult("R", (picture.shape[1], picture.shape[0]), None, why)
+        return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)
+
+    monkeypatch.setattr("procc_annotator.gui.state.proposals.propose_camera", none)
 
 
 @pytest.fixture(scope="session")

@@ -25,10 +25,12 @@ class CameraPlace:
 
     Attributes:
         position: (3,) metres.
+        covariance: (3, 3) of it, metres squared.
         members: (n,) indices of the frames.
     """
 
     position: FloatArray
+    covariance: FloatArray
     members: IntArray
 
 
@@ -67,7 +69,7 @@ def find_places(
         row[one] = np.inf
         apart[one], apart[:, one] = row, row
     found = [
-        CameraPlace(means[i], np.array(sorted(groups[i])))
+        CameraPlace(means[i], spreads[i] + common, np.array(sorted(groups[i])))
         for i in np.flatnonzero(alive)
         if len(groups[i]) >= LEAST_FRAMES
     ]

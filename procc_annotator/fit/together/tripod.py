@@ -297,10 +297,16 @@ def _tripod(
     vectors = np.array([profile.vector for profile in shared.profiles])
     predicted = np.sqrt(np.diagonal(covariances, axis1=1, axis2=2).mean(axis=0))
     scatter = positions.std(axis=0, ddof=1)
-    usual = Usual(
+    return Tripod(
+        tuple(frames), shared.values, shared.covariance, scatter, predicted, usual_of(vectors)
+    )
+
+
+def usual_of(vectors: FloatArray) -> Usual:
+    """What lens and level of a camera usually are, told from its frames' parameters (F, 11)."""
+    return Usual(
         _usual(vectors[:, ROLL], _LEAST_ROLL_SD), _usual(vectors[:, KAPPA], _LEAST_KAPPA_SD)
     )
-    return Tripod(tuple(frames), shared.values, shared.covariance, scatter, predicted, usual)
 
 
 def _usual(values: FloatArray, least: float) -> tuple[float, float]:

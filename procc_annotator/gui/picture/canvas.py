@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from procc_annotator.gui.picture.comparison import OtherSources
 from procc_annotator.gui.picture.editor import Editor
+from procc_annotator.gui.picture.found_plate import FoundPlate
 from procc_annotator.gui.picture.ghost_layer import GhostLayer
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.loupe import Loupe
@@ -51,6 +52,7 @@ class Canvas(PictureView):
         self._layer = OverlayLayer(document, self.editor)
         self._other_layer = OverlayLayer(document, self.editor)
         self._ghost_layer = GhostLayer(document)
+        self.found_plate = FoundPlate(document, self.viewport())
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None

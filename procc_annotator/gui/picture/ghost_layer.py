@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from procc_annotator.gui.state.document import Document
+from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_ghosts import build_ghosts, with_next
 from procc_annotator.interact.overlay_shapes import NOTHING, FloatArray, Overlay
 from procc_annotator.interact.verdicts import NO_POINTS
@@ -29,7 +30,9 @@ class GhostLayer:
         if hidden or size is None or not (painted or at):
             self._made_of, self._overlay = (), NOTHING
             return NOTHING
-        made_of = (*painted, current, found, size, best, at)
+        foresight = self._document.foresight
+        unsure = foresight.stands_in and bool(foresight.doubt)
+        made_of = (*painted, current, found, size, best, at, unsure)
         if made_of != self._made_of:
             self._made_of = made_of
             self._overlay = build_ghosts(
@@ -37,6 +40,7 @@ class GhostLayer:
                 current=current,
                 label=self._label(current.name, current.sd_px) if current is not None else "",
                 points_px=_points_px(found, size),
+                tone=tones.UNSURE_GHOST if unsure else tones.GHOST,
             )
             if best is not None and at is not None and current is None:
                 title = self._document.field.title_of(best.name)
@@ -44,7 +48,9 @@ class GhostLayer:
         return self._overlay
 
     def _label(self, name: str, sd_px: float) -> str:
-        return f"{self._document.field.title_of(name)}  ±{sd_px:.1f} px"
+        foresight = self._document.foresight
+        unsure = "  unsure" if foresight.stands_in and foresight.doubt else ""
+        return f"{self._document.field.title_of(name)}  ±{sd_px:.1f} px{unsure}"
 
 
 def _points_px(found: GhostPoints | None, size: tuple[int, int]) -> FloatArray:

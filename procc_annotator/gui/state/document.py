@@ -10,12 +10,14 @@ from PySide6.QtCore import QObject
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state.annotated_frames import AnnotatedFrames
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.disagreement import DisagreementWatch
 from procc_annotator.gui.state.editing import Editing
 from procc_annotator.gui.state.field_choice import FieldChoice
 from procc_annotator.gui.state.fit_source import FitSource
+from procc_annotator.gui.state.foresight import Foresight
 from procc_annotator.gui.state.frame_walk import FrameWalk
 from procc_annotator.gui.state.ghosts import Ghosts
 from procc_annotator.gui.state.judge import Judge
@@ -28,12 +30,15 @@ from procc_annotator.gui.state.outside_changes import OutsideChanges
 from procc_annotator.gui.state.paint_watch import PaintWatch
 from procc_annotator.gui.state.painted_width import PaintedWidth
 from procc_annotator.gui.state.presence import Presence
+from procc_annotator.gui.state.proposals import Proposals
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import Selecting
+from procc_annotator.gui.state.sequence_watch import SequenceWatch
 from procc_annotator.gui.state.set_scores import FrameScores, SetScores, scores_of
+from procc_annotator.gui.state.shot_track import ShotTrack
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrames
 from procc_annotator.gui.state.sources import Sources
@@ -256,6 +261,9 @@ class Document(QObject):
 
     def _make_watches(self) -> None:
         store, signals = self.store, self.signals
+        self.sequence = SequenceWatch(store, signals)
+        self.annotated_frames = AnnotatedFrames(store, signals)
+        self.shot_track = ShotTrack(store, signals, self.sequence, self.camera_sources)
         self.painted_width = PaintedWidth(store, signals, self.judge)
         self.disagreement = DisagreementWatch(store, signals, self.source_frames)
         self.live_fit = LiveFit(store, signals, self.review, self.blind_lock, self.judge)
@@ -265,7 +273,11 @@ class Document(QObject):
         self.fit_source = FitSource(
             store, signals, self.camera_sources, self.source_frames, self.live_fit
         )
-        self.ghosts = Ghosts(store, signals, self.live_fit, self.review)
+        self.proposals = Proposals(store, signals, self.blind_lock, self.cache)
+        self.foresight = Foresight(
+            store, signals, self.live_fit, self.review, self.shot_track, self.proposals
+        )
+        self.ghosts = Ghosts(store, signals, self.foresight, self.review)
         self.paint_watch = PaintWatch(store, signals)
         self.label_check = LabelCheck(
             store, signals, self.review, self.live_fit, self.judge, self.paint_watch
@@ -306,10 +318,14 @@ class Document(QObject):
             self.field_choice,
             self.landmarks,
             self.ghosts,
+            self.foresight,
+            self.proposals,
             self.uncertainty,
             self.disagreement,
             self.painted_width,
             self.paint_watch,
+            self.sequence,
+            self.annotated_frames,
         ):
             service.close()
         self.saver.retry_timer.stop()

@@ -42,6 +42,8 @@ class FrameWalk(QObject):
         self._second, self._outside = second, outside
         # The whole picture, once half its size was painted: who walks on before spares it.
         self._whole = Latest(self, self._fail_whole, at_once=True, wait_ms=0)
+        self._bringing = Latest(self, self._say, at_once=True)  # the picture of a frame to come to
+        self._aim = -1  # the frame that is come to once its picture is there
 
     def go_to(self, index: int) -> None:
         """Show another frame; what is under way on this one is finished first."""
@@ -62,6 +64,37 @@ class FrameWalk(QObject):
         name = workspace.frames[index].name
         if any(s.files and s.files.written_since(name) for s in self._store.state.sources):
             self._outside.look()
+
+    def come_to(self, index: int) -> None:
+        """As `go_to`, once the picture is decoded, so that a hand that draws along many frames
+        waits for none of them: of those asked for meanwhile only the last is come to."""
+        workspace = self._store.state.workspace
+        if workspace is None or not 0 <= index < len(workspace.frames):
+            return
+        self._aim = index
+        if self._bringing.running:
+            return
+        path = workspace.frames[index].image_path
+        if self._cache.peek(path) is not None:
+            self.go_to(index)
+            return
+        self._bringing.start(
+            lambda _: self._cache.get_ready(path),
+            lambda _: self._come(index),
+            failed=lambda _: self._come(index),  # the frame says itself that it cannot be read
+        )
+
+    @property
+    def coming(self) -> bool:
+        """Whether a frame is still to be come to."""
+        return self._bringing.running
+
+    def _come(self, index: int) -> None:
+        """A picture is there; another one may have been asked for meanwhile."""
+        aim = self._aim
+        self.go_to(index)
+        if aim != index:
+            self.come_to(aim)
 
     def next_frame(self) -> None:
         """Show the next frame, if there is one."""
@@ -97,6 +130,8 @@ class FrameWalk(QObject):
         frame = workspace.frames[index] if index >= 0 else None
         name = frame.name if frame is not None else None
         self._whole.cancel()
+        if index != self._aim:
+            self._bringing.cancel()  # somebody went elsewhere
         self._outside.watch_file(None if frame is None else frame.annotation_path)
         self._editing.review.enter(name)
         self._editing.presence.enter(name)
@@ -145,6 +180,9 @@ class FrameWalk(QObject):
             return {"picture": self._cache.get(path)}
         self._whole.start(lambda _: self._cache.get_ready(path), self._take_whole)
         return {"half": half}
+
+    def _say(self, text: str) -> None:
+        say(self._store, text, "warning")
 
     def _take_whole(self, picture: PixelArray) -> None:
         self._end_first_look(picture=picture)

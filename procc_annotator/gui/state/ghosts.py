@@ -17,7 +17,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
-from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.foresight import Foresight
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
@@ -32,16 +32,16 @@ _KEPT = 32  # ghosts whose points are kept, more than there are in any frame
 
 
 class Ghosts(QObject):
-    """Follows the live fit; knows no widget."""
+    """Follows what is foreseen of the frame; knows no widget."""
 
     changed = Signal()  # which are shown, which one is current, what was found of it, what is next
     ended = Signal()  # the walk is over: there is no ghost left to go on to
 
     def __init__(
-        self, store: Store, signals: Signals, live_fit: LiveFit, review: ReviewState
+        self, store: Store, signals: Signals, foresight: Foresight, review: ReviewState
     ) -> None:
         super().__init__(store)
-        self._store, self._live_fit, self._review = store, live_fit, review
+        self._store, self._foresight, self._review = store, foresight, review
         self._wanted = self._suggesting = True
         self._frame: tuple[str | None, str] = None, ""  # its name, and the sport
         self._latest: Insight | None = None  # of this frame, while a newer one is worked out too
@@ -62,7 +62,7 @@ class Ghosts(QObject):
         self._points.changed.connect(self._take_points)
         self._points.failed.connect(self._say_failed)
         signals.pictureChanged.connect(self._points.look)
-        live_fit.changed.connect(self._look)
+        foresight.changed.connect(self._look)
         for signal in (signals.frameChanged, signals.annotationChanged, signals.selectionChanged):
             signal.connect(self._note_step)
         store.rested.connect(self._look_once)
@@ -84,7 +84,7 @@ class Ghosts(QObject):
     @property
     def insight(self) -> Insight | None:
         """What the ghosts follow from; None where none may be shown."""
-        return self._live_fit.insight if self._wanted else None
+        return self._foresight.insight if self._wanted else None
 
     @property
     def known(self) -> tuple[Ghost, ...]:
@@ -124,7 +124,7 @@ class Ghosts(QObject):
     @property
     def suggesting(self) -> bool:
         """Whether somebody wants to be told what to annotate next, and may be."""
-        return self._suggesting and self._live_fit.wanted and self._live_fit.allowed
+        return self._suggesting and self._foresight.wanted and self._foresight.allowed
 
     def set_suggesting(self, suggesting: bool) -> None:
         """Say what to annotate next, or do not."""
@@ -296,7 +296,7 @@ class Ghosts(QObject):
         here = state.frame_name, state.field.name
         if here != self._frame:
             self._frame, self._at, self._walking, self._latest = here, None, False, None
-        fitted = self._live_fit.insight
+        fitted = self._foresight.insight
         if fitted is not None or not self._may_come:
             self._latest = fitted
         self._painted, self._suggestion = self._to_paint(), self._to_suggest()
@@ -313,8 +313,8 @@ class Ghosts(QObject):
     @property
     def _may_come(self) -> bool:
         """Whether ghosts are being worked out."""
-        live_fit = self._live_fit
-        return live_fit.allowed and live_fit.wanted and live_fit.working
+        foresight = self._foresight
+        return foresight.allowed and foresight.wanted and foresight.working
 
     @property
     def _there(self) -> frozenset[str]:

@@ -30,6 +30,7 @@ class Insight:
         suggestions: what to annotate next, the most helpful first.
         optional_in_sight: the optional elements that the camera has in the picture; they may be
             there or not, and few are suggested.
+        from_clicks: whether the camera is that of the annotation; else it was found without.
     """
 
     annotation: FrameAnnotation
@@ -38,6 +39,7 @@ class Insight:
     findings: tuple[Finding, ...] = ()
     suggestions: tuple[Suggestion, ...] = ()
     optional_in_sight: frozenset[str] = frozenset()
+    from_clicks: bool = True
 
     def out_of_sight(self, field: Field) -> frozenset[str]:
         """The classes without points that the camera has nowhere in the picture.

@@ -30,16 +30,19 @@ def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:
         field: knows the class names.
     """
     folder = frames_folder(video)
-    frames = tuple(
-        Frame(f"{video.stem}_{number:06d}", f"{number:08d}", video, folder)
-        for number in sorted({*numbers, *_worked_on(video)})
-    )
+    frames = tuple(video_frame(video, number) for number in sorted({*numbers, *_worked_on(video)}))
     notices: tuple[str, ...] = ()
     try:
         folder.mkdir(exist_ok=True)
     except OSError as error:
         notices = (f"{folder}: cannot be made, nothing can be saved: {error.strerror}",)
     return Workspace(folder, frames, field, notices)
+
+
+def video_frame(video: Path, number: int) -> Frame:
+    """A frame of a video as one of its dataset, whose annotation lies in `frames_folder`."""
+    name = f"{video.stem}_{number:06d}"
+    return Frame(name, f"{number:08d}", video, frames_folder(video))
 
 
 def _worked_on(video: Path) -> list[int]:

@@ -37,6 +37,8 @@ class OriginKind(StrEnum):
     COPIED = "copied"
     MOVED = "moved"
     SUGGESTED = "accepted suggestion"
+    PROPOSED = "proposed"  # found in the picture without a click; nobody has looked at it yet
+    ACCEPTED = "accepted proposal"  # of a camera found without a click, by a person
     UNCONFIRMED = "unconfirmed by paint"  # the program looked for paint there and found none
     FILE = "from the file"  # it was there when the file was read: nothing else is known
 

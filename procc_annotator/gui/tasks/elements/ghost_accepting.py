@@ -160,7 +160,8 @@ class GhostAccepting(QObject):
         document = self._document
         if not document.begin_edit() or document.annotation is not made_for.annotation:
             return False  # somebody else has the frame, or had it meanwhile: that is said
-        return document.commit_edit(f"accept {what}", annotation, OriginKind.SUGGESTED)
+        kind = OriginKind.SUGGESTED if made_for.from_clicks else OriginKind.ACCEPTED
+        return document.commit_edit(f"accept {what}", annotation, kind)
 
     # --- looking for points ---------------------------------------------------------------
 

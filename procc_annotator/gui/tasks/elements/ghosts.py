@@ -76,14 +76,16 @@ class GhostTasks(QObject):
 
     def _why_none(self) -> str:
         """Why there is no ghost to go to or to accept; empty if there is one."""
-        live_fit, insight = self._document.live_fit, self._ghosts.insight
+        foresight, insight = self._document.foresight, self._ghosts.insight
         if self._document.frame is None:
             return "open a folder of pictures first"
         if off := self._why_off():
             return off
         if insight is None:
             coming = "the camera is being fitted: ghosts come in a moment"
-            return coming if live_fit.working else "no ghosts: no camera could be fitted"
+            return coming if foresight.working else "no ghosts: no camera could be fitted"
+        if insight.fit.camera is None and self._document.proposals.working:
+            return "no ghosts: the camera is looked for in the picture"
         if insight.fit.camera is None:
             return f"no ghosts: {insight.fit.failure or 'no camera fits yet'}"
         if not self._ghosts.known:
@@ -95,7 +97,7 @@ class GhostTasks(QObject):
         live_fit = self._document.live_fit
         if not live_fit.allowed:
             return "no ghosts in blind mode, until the frame is committed (Ctrl+Enter)"
-        if not live_fit.wanted:
+        if not self._document.foresight.wanted:
             return "no ghosts: the live fit is off (Ctrl+T)"
         if not self._ghosts.wanted:
             return "no ghosts: they are switched off (Element > Ghosts > Show ghosts)"

@@ -1,0 +1,204 @@
+"""``procc-annotator annotate``: the paint under given cameras as annotations."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
+from procc_annotator.metric.different_views import most_different
+from procc_annotator.report.annotating import Annotated as Done
+from procc_annotator.report.annotating import annotate_pictures
+from procc_annotator.report.targets import is_archive
+from procc_annotator.session.dataset.dataset_folder import (
+    annotation_folder,
+    folder_of_dataset,
+    json_stems,
+)
+from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
+from procc_annotator.session.runs.annotation_run import AnnotationRun
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.set_run import WORTH_WORKERS
+from procc_annotator.words import count_of, listed
+
+HELP = """\
+SOURCE is a folder of pictures, one picture, or a video, whose frames are named as the window names
+them (match_000123). Every element that a frame's camera shows is looked for in the picture; those
+whose paint is seen become an annotation in OUT, FRAME.json, SoccerNet JSON. OUT may be where the
+window looks for annotations: match/annotations, or match_frames beside match.mp4.
+
+Cameras whose files name no picture size are taken for 960x540, the official evaluation's, unless
+--camera-size says otherwise.
+
+The points' provenance is "proposed": somebody should look at them. The workspace of the dataset
+remembers it, and that of OUT. A file of OUT is never replaced: frames that have one are passed
+over, so that an interrupted run goes on when it is started again.
+
+--every 25 takes every 25th frame. --views 20 takes the 20 frames whose views differ most, by where
+the camera looks and how far it zooms: those to look at first. With both, 20 of every 25th.
+
+Exit code: 0; 1 if some pictures or cameras were unreadable (listed); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator annotate match.mp4 match_frames/ --cameras tracked/ --every 25
+  procc-annotator annotate match/ match/annotations/ --cameras proposed/ --views 20
+"""
+
+Source = Annotated[Path, typer.Argument(help="Folder of pictures, one picture, or a video.")]
+Out = Annotated[Path, typer.Argument(help="Folder to write the annotations to.")]
+Cameras = Annotated[
+    Path, typer.Option("--cameras", metavar="PATH", help="Folder, zip or file of cameras.")
+]
+Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
+Views = Annotated[
+    int | None,
+    typer.Option(
+        min=1, metavar="K", show_default=False, help="The K frames whose views differ most only."
+    ),
+]
+
+
+def annotate(
+    source: Source,
+    out: Out,
+    cameras: Cameras,
+    every: Every = 1,
+    views: Views = None,
+    field: options.FieldName = None,
+    lines: options.Lines = None,
+    camera_format: options.CameraFormat = "auto",
+    camera_size: options.CameraSize = None,
+    workers: options.FitWorkers = None,
+    dask: options.Dask = None,
+) -> None:
+    if not cameras.exists():
+        raise UsageError(f"{cameras}: does not exist")
+    shown = chosen_field(field, source, lines=lines)
+    pictures = open_pictures(source, out)
+    datasets.report_remarks(pictures.notices)
+    with CameraCollection.open(cameras, camera_format) as collection:
+        _check_out(out, collection)
+        datasets.report_remarks(collection.notices)
+        chosen = _with_camera(pictures.frames[::every], collection, cameras)
+        if views is not None:
+            chosen = _most_different(chosen, collection, views)
+        frames = [frame for frame in chosen if not os.path.lexists(frame.annotation_path)]
+        run = AnnotationRun(frames, collection, shown, options.shown_size(camera_size))
+        done = Done()
+        try:
+            with make_executor(workers, dask, frames=len(frames), worth_from=WORTH_WORKERS) as who:
+                run.executor = who
+                annotate_pictures(run, frames, _workspaces(pictures, out), with_progress, done)
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(_what_is_there(done, len(frames), out)) from None
+    raise typer.Exit(_report(done, len(chosen) - len(frames), pictures, out))
+
+
+def _check_out(out: Path, collection: CameraCollection) -> None:
+    """Fail before the work.
+
+    Raises:
+        UsageError: OUT cannot be a folder of annotations.
+    """
+    if is_archive(out) or (out.exists() and not out.is_dir()):
+        raise UsageError(f"{out}: a folder is needed")
+    outputs.check_folder_apart(out, [collection])
+
+
+def _with_camera(
+    frames: Sequence[Frame], collection: CameraCollection, cameras: Path
+) -> list[Frame]:
+    """The frames that have a camera.
+
+    Raises:
+        UsageError: none has.
+    """
+    found = [frame for frame in frames if frame.name in collection.frames]
+    if not found:
+        some = f", e.g. for {next(iter(collection.frames))}" if collection.frames else ""
+        raise UsageError(
+            f"nothing to do: {cameras} holds no camera of these frames (it holds"
+            f" {count_of(len(collection.frames), 'camera')}{some}; a frame here is called"
+            f" {frames[0].name})"
+        )
+    return found
+
+
+def _most_different(
+    frames: Sequence[Frame], collection: CameraCollection, count: int
+) -> list[Frame]:
+    """The frames whose views differ most, in their order; those whose cameras cannot be read, or
+    have no pan, are none of them."""
+    found, seen, widths = [], [], []
+    for frame in frames:
+        try:
+            loaded = collection.read(frame.name)
+        except CameraError:
+            continue
+        camera = loaded.camera
+        if isinstance(camera, PinholeCamera):
+            found.append(frame)
+            seen.append(camera)
+            widths.append((loaded.size or OFFICIAL_SIZE)[0])
+    if not found:
+        raise UsageError("--views needs cameras with pan and zoom (pinhole cameras)")
+    chosen = most_different(seen, widths, count)
+    return [found[place] for place in sorted(chosen)]
+
+
+def _workspaces(pictures: PictureSource, out: Path) -> list[Path]:
+    """The datasets that the annotations belong to: that of the pictures, and what OUT is one of."""
+    out.mkdir(parents=True, exist_ok=True)
+    found = [folder for folder in (pictures.folder, folder_of_dataset(out)) if folder is not None]
+    there = [folder for folder in found if folder.is_dir()]
+    return list({os.path.realpath(folder): folder for folder in there}.values())
+
+
+def _what_is_there(done: Done, total: int, out: Path) -> str:
+    """What an interrupted run left, and how to go on."""
+    looked_at = len(done.frames) + len(done.bare) + len(done.kept) + len(done.errors)
+    return (
+        f"{looked_at} of {count_of(total, 'frame')} looked at,"
+        f" {count_of(len(done.frames), 'annotation')} written to {out}; run it again to go on"
+    )
+
+
+def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) -> int:
+    """Say what was written and what was not; returns the exit code."""
+    written = count_of(len(done.frames), "annotation")
+    what = f"{count_of(done.elements, 'element')}, {count_of(done.points, 'point')}"
+    typer.echo(f"written: {written} ({what}) to {out}, their points as proposed")
+    if kept := passed_over + len(done.kept):
+        typer.echo(f"not touched: {count_of(kept, 'frame')} annotated already")
+    if done.bare:
+        typer.echo(f"no paint found under the camera: {listed(done.bare, 'frame')}")
+    datasets.report_remarks(done.remarks)
+    if (looked := _looked_for_elsewhere(pictures, out)) is not None and done.frames:
+        typer.echo(
+            f"note: the window looks for annotations of {pictures.path} in {looked}; open these"
+            f" with --annotations {out}",
+            err=True,
+        )
+    return datasets.report_unreadable(done.errors)
+
+
+def _looked_for_elsewhere(pictures: PictureSource, out: Path) -> Path | None:
+    """Where the window looks for annotations of these pictures, if that is not OUT."""
+    usual = pictures.folder if pictures.is_video else annotation_folder(pictures.folder)
+    there = usual.is_dir() and out.is_dir() and usual.samefile(out)
+    return None if there or not json_stems(out) else usual

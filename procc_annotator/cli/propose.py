@@ -1,0 +1,203 @@
+"""``procc-annotator propose``: a camera for every picture, without a click."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.console import stdout_console, with_progress
+from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.fit.from_picture.proposing import propose_camera
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.source import open_source
+from procc_annotator.report.proposals import (
+    TABLE_FILE,
+    UNSURE_FOLDER,
+    Proposals,
+    doubtful_table,
+    positions_words,
+    propose_for_set,
+    states_table,
+    summary_words,
+)
+from procc_annotator.report.targets import Interrupted, is_archive
+from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.dataset.pending_save import bytes_of
+from procc_annotator.session.dataset.picture_source import open_pictures
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.known_positions import read_positions
+from procc_annotator.session.runs.proposal_run import ProposalRun
+from procc_annotator.words import count_of, first_of
+
+HELP = """\
+DATASET is a folder of pictures, one picture, or a video, whose frames are named as the window names
+them (match_000123). Nobody has to click: the camera is found from the paint in the picture. Frames
+that are annotated are passed over, unless --all.
+
+OUT gets camera_FRAME.json for the sure ones, SoccerNet JSON in px of the picture; those that are
+not sure go to OUT/unsure. proposals.csv has a row a frame: state (sure, unsure, none), the reason,
+coverage (share of the visible model on paint), explained (share of the paint on the model),
+residual in px, margin (how much better than the next camera), standard deviations, seconds.
+
+--known CAMERAS tells where cameras stand: cameras of other frames of the match, or positions.csv of
+calibrate --shared-position. A known position makes it faster and surer. Positions on which three or
+more sure frames agree are taken for known when the others are looked at once more.
+
+Exit code: 0; 1 if some pictures were unreadable (listed); 2 if there was nothing to do. A frame
+without a camera is no error.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator propose match/ proposed/
+  procc-annotator propose match.mp4 proposed/ --every 25 --known fitted/positions.csv
+"""
+
+# Below this many pictures starting processes costs more than it saves.
+_WORTH_WORKERS = 8
+
+Out = Annotated[Path, typer.Argument(help="Folder to write the cameras to.")]
+Source = Annotated[Path, typer.Argument(help="Folder of pictures, one picture, or a video.")]
+Known = Annotated[
+    Path | None,
+    typer.Option(
+        "--known",
+        metavar="CAMERAS",
+        show_default=False,
+        help="Where cameras stand: a folder, zip or file of cameras, or positions.csv.",
+    ),
+]
+All = Annotated[bool, typer.Option("--all", help="Also frames that are annotated.")]
+Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
+Workers = Annotated[
+    int | None,
+    typer.Option(
+        "--workers",
+        min=1,
+        metavar="N",
+        show_default=False,
+        help=f"Processes that share the work.  [default: 1; from {_WORTH_WORKERS} frames one a"
+        " CPU]",
+    ),
+]
+Overwrite = Annotated[
+    bool, typer.Option("--overwrite", help="Replace cameras of OUT that are there.")
+]
+
+
+def propose(
+    dataset: Source,
+    out: Out,
+    known: Known = None,
+    every_frame: All = False,
+    every: Every = 1,
+    annotations: datasets.Annotations = None,
+    field: options.FieldName = None,
+    lines: options.Lines = None,
+    camera_format: options.CameraFormat = "auto",
+    workers: Workers = None,
+    dask: options.Dask = None,
+    overwrite: Overwrite = False,
+) -> None:
+    for given in (annotations, known):
+        if given is not None and not given.exists():
+            raise UsageError(f"{given}: does not exist")
+    shown = chosen_field(field, dataset, lines=lines)
+    pictures = open_pictures(dataset, annotations)
+    datasets.report_remarks(pictures.notices)
+    _check_out(out, known, overwrite=overwrite)
+    positions = () if known is None else read_positions(known, shown, camera_format)
+    chosen, annotated = _wanted(pictures.frames[::every], shown, every_frame)
+    run = ProposalRun(chosen, shown, propose_camera, positions)
+    try:
+        with make_executor(workers, dask, frames=run.total, worth_from=_WORTH_WORKERS) as executor:
+            run.executor = executor
+            found = propose_for_set(run, out, with_progress)
+    except Interrupted as stopped:
+        raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
+    raise typer.Exit(_report(found, annotated, out))
+
+
+def _check_out(out: Path, known: Path | None, *, overwrite: bool) -> None:
+    """Fail before the work.
+
+    Raises:
+        UsageError: OUT is no folder, holds annotations or what is read, or cameras nobody asked to
+            replace.
+    """
+    if is_archive(out) or (out.exists() and not out.is_dir()):
+        raise UsageError(f"{out}: a folder is needed")
+    if known is not None and known.is_dir():
+        with open_source(known) as source:
+            outputs.check_folder_apart(out, [source])
+    if not out.is_dir():
+        return
+    outputs.check_no_annotations(out)
+    kinds = ("camera_*.json", f"{UNSURE_FOLDER}/camera_*.json", TABLE_FILE)
+    if not overwrite and any(True for kind in kinds for _ in out.glob(kind)):
+        raise UsageError(
+            f"{out}: holds cameras or their table already; choose another place, or --overwrite to"
+            " replace them"
+        )
+
+
+def _wanted(frames: tuple[Frame, ...], field: Field, all_of_them: bool) -> tuple[list[Frame], int]:
+    """The frames to look at, and how many are annotated and passed over.
+
+    Raises:
+        UsageError: none is left.
+    """
+    if all_of_them:
+        return list(frames), 0
+    chosen = [frame for frame in frames if not _is_annotated(frame, field)]
+    if not chosen:
+        raise UsageError("nothing to do: all frames are annotated (--all looks at them too)")
+    return chosen, len(frames) - len(chosen)
+
+
+def _is_annotated(frame: Frame, field: Field) -> bool:
+    """Whether anybody put a point there; a file that cannot be read may hold some."""
+    try:
+        data = bytes_of(frame.annotation_path)
+        if data is None:
+            return False
+        return bool(read_annotation(data, path=str(frame.annotation_path), field=field).annotated)
+    except InputError:
+        return True
+
+
+def _what_is_there(stopped: Interrupted, out: Path) -> str:
+    """What an interrupted run left, and how to go on."""
+    if not stopped.written:
+        return "nothing was written"
+    return (
+        f"{count_of(stopped.written, 'sure camera')} of {count_of(stopped.total, 'frame')} written"
+        f" to {out}, {TABLE_FILE} not; run it again with --overwrite to get all of them"
+    )
+
+
+def _report(found: Proposals, annotated: int, out: Path) -> int:
+    """Print what was found; returns the exit code."""
+    console = stdout_console()
+    console.print(states_table(found))
+    if any(one.proposal is not None and not one.is_sure for one in found.frames):
+        console.print(doubtful_table(found))
+    if words := positions_words(found):
+        typer.echo(words)
+    if annotated:
+        typer.echo(f"passed over: {count_of(annotated, 'annotated frame')} (--all)")
+    typer.echo(f"{summary_words(found)}; written to {out}, with {TABLE_FILE}")
+    if found.stale:
+        typer.echo(
+            f"note: {out} holds {count_of(len(found.stale), 'other camera')} of these frames, not"
+            f" written now and not touched: {first_of(found.stale)}",
+            err=True,
+        )
+    return datasets.report_unreadable(found.errors)

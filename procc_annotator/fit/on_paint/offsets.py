@@ -1,0 +1,160 @@
+"""How far paint lies from where it should be, across it: all places of a picture at once.
+
+Across each place the picture is cut; in the cut a band of the expected width is looked for whose
+ground on either side is darker (or lighter, as the field file says). Cuts of neighbouring places
+are averaged, so that what runs in another direction fades; a place where another band convinces
+nearly as much finds nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.fit.on_paint.expected import Expected
+from procc_annotator.fit.on_paint.painted import Painted
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
+from procc_annotator.image.pixels import PixelArray
+
+Values = NDArray[np.float32]
+
+# A cut is sampled in steps of a quarter of the band's width; of half a pixel where it is narrow.
+_WIDTH_STEPS, _LEAST_STEP_PX = 4, 0.5
+_GAP_STEPS, _FLANK_STEPS = 1, 3
+_NEIGHBOURS = 2  # to either side, whose cuts are averaged with a place's own
+_BEYOND = _WIDTH_STEPS // 2 + _GAP_STEPS + _FLANK_STEPS
+_LEAST_CONTRAST = 5.0  # grey levels, of the band against the nearer of its flanks
+_RIVAL = 0.75  # of a band's contrast: another one that convinces as much
+_RIVAL_STEPS = 5  # from the band's middle: nearer ones are itself
+
+
+@dataclass(frozen=True, eq=False)
+class Offsets:
+    """Paint beside n expected places.
+
+    Attributes:
+        px: (n,) solver px, how far along the normal the paint's middle lies.
+        found: (n,) whether there is any, and no doubt which.
+        contrast: (n,) grey levels of the band against the nearer of its flanks.
+    """
+
+    px: FloatArray
+    found: NDArray[np.bool_]
+    contrast: FloatArray
+
+
+def offsets_of(
+    picture: PixelArray,
+    expected: Expected,
+    painted: Painted,
+    frame: PictureFrame,
+    reach_px: float | FloatArray,
+) -> Offsets:
+    """Look for paint across every expected place.
+
+    Args:
+        picture: (H, W, 4) BGRA.
+        expected: n places.
+        painted: what they are places of.
+        frame: the picture.
+        reach_px: (n,) or one for all: how far off paint may be, solver px.
+    """
+    count = len(expected.rows)
+    if not count:
+        return Offsets(np.zeros(0), np.zeros(0, dtype=bool), np.zeros(0))
+    reach = np.broadcast_to(np.asarray(reach_px, dtype=np.float64), (count,)) / frame.scale
+    step = np.maximum(expected.width_px / frame.scale / _WIDTH_STEPS, _LEAST_STEP_PX)
+    half = int(np.ceil((reach / step).max()))
+    cuts = _cuts(picture, expected, frame, step, half + _BEYOND)
+    tone = painted.tone[expected.rows]
+    response = _responses(cuts, tone, painted.element[expected.rows])
+    response = _averaged(response, expected.run)
+    within = np.abs(np.arange(-half, half + 1)) * step[:, None] <= reach[:, None]
+    at, contrast, found = _best(response, within)
+    return Offsets((at - half) * step * frame.scale, found, contrast)
+
+
+def _cuts(
+    picture: PixelArray, expected: Expected, frame: PictureFrame, step: FloatArray, half: int
+) -> PixelArray:
+    """(n, 2 half + 1, 3) BGR across every place."""
+    centre = np.array(frame.centre_px)[:, None]
+    px = expected.px / frame.scale + centre
+    along = np.arange(-half, half + 1) * step[:, None]
+    x, y = (
+        (px[axis][:, None] + expected.normal[axis][:, None] * along).astype(np.float32)
+        for axis in (0, 1)
+    )
+    cut = cv2.remap(picture, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    return np.asarray(cut[..., :3], dtype=np.uint8)
+
+
+def _responses(cuts: PixelArray, tone: IntArray, element: IntArray) -> Values:
+    """(n, m) how much a band of its width, in the middle, stands out from both flanks."""
+    # White paint is light in all colours, coloured paint dark in one of them.
+    values = cuts.min(axis=2).astype(np.float32)
+    known = _standing_out(values * np.where(tone < 0, -1, 1).astype(np.float32)[:, None])
+    unknown = np.flatnonzero(tone == 0)
+    if len(unknown):
+        grey = cuts[unknown].astype(np.float32).mean(axis=2)
+        both = np.stack([_standing_out(grey), _standing_out(-grey)])
+        # An element is painted in one colour: all of its places tell which.
+        strength = np.maximum(both, 0).max(axis=2)
+        own = element[unknown]
+        votes = np.stack([np.bincount(own, s) for s in strength])
+        known[unknown] = np.where((votes[0] >= votes[1])[own][:, None], both[0], both[1])
+    return known
+
+
+def _standing_out(values: Values) -> Values:
+    total = np.zeros((len(values), values.shape[1] + 1), dtype=np.float32)
+    np.cumsum(values, axis=1, out=total[:, 1:])
+    inner, flank, gap = _WIDTH_STEPS, _FLANK_STEPS, _GAP_STEPS
+    # Half weights at both ends of the band keep its middle on a sample.
+    width = values.shape[1] - 2 * _BEYOND
+    begin = _BEYOND - inner // 2
+
+    def sum_from(first: int, many: int) -> Values:
+        return total[:, first + many : first + many + width] - total[:, first : first + width]
+
+    band = sum_from(begin, inner) + sum_from(begin + 1, inner)
+    left = sum_from(begin - gap - flank, flank) / flank
+    right = sum_from(begin + inner + gap + 1, flank) / flank
+    return np.asarray(band / (2 * inner) - np.maximum(left, right))
+
+
+def _averaged(response: Values, run: IntArray) -> Values:
+    """The mean over each place and its neighbours on the same stretch."""
+    rows = np.arange(len(run))
+    first = np.searchsorted(run, run)
+    last = np.searchsorted(run, run, side="right") - 1
+    found = response.copy()
+    for away in range(1, _NEIGHBOURS + 1):
+        for other in (rows - away, rows + away):
+            found += response[np.clip(other, first, last)]
+    found /= 2 * _NEIGHBOURS + 1
+    return found
+
+
+def _best(
+    response: Values, within: NDArray[np.bool_]
+) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+    """(n,) column of each place's band, between columns; its contrast; whether it convinces."""
+    columns = np.arange(response.shape[1])
+    allowed = np.where(within, response, -np.inf)
+    best = allowed.argmax(axis=1)
+    rows = np.arange(len(best))
+    contrast = allowed[rows, best].astype(np.float64)
+    # The slope of a band beyond the reach is no band.
+    left = response[rows, np.maximum(best - 1, 0)]
+    right = response[rows, np.minimum(best + 1, response.shape[1] - 1)]
+    is_top = (left <= contrast) & (right <= contrast)
+    convinces = is_top & (contrast >= _LEAST_CONTRAST)
+    far = np.abs(columns - best[:, None]) >= _RIVAL_STEPS
+    rival = np.where(far, allowed, -np.inf).max(axis=1)
+    bend = np.maximum(2 * contrast - left - right, 1e-6)
+    at = best + np.clip((right - left) / (2 * bend), -0.5, 0.5)
+    return at, contrast, convinces & (rival < _RIVAL * contrast)

@@ -1,0 +1,116 @@
+"""Everything of a field that has paint a finder can look for, as places along it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from procc_annotator.field.appearance import BAR, DARKER, LIGHTER, LINE
+from procc_annotator.field.geometry import (
+    Line,
+    Part,
+    Spot,
+    angles_of,
+    at_angles,
+    outline_of,
+    parts_of,
+)
+from procc_annotator.field.model import Element, Field
+from procc_annotator.field.paint import normal_of_paint
+from procc_annotator.field.painted_middle import at_middle_of_paint
+from procc_annotator.fit.solving.observations import FloatArray, IntArray
+
+# Between two places, of half the field's length; curves turn by this much at most.
+_SPACING = 0.004
+_LARGEST_TURN_RAD = 0.05
+_TONES = {LIGHTER: 1, DARKER: -1}
+
+
+@dataclass(frozen=True, eq=False)
+class Painted:
+    """N places in the middle of the paint of E elements.
+
+    Attributes:
+        names: (E,) classes, those of the field that are painted lines or bars.
+        world: (3, N) metres.
+        along: (3, N) unit vectors along the element.
+        across: (3, N) unit vectors across it, in the plane of the paint; 0 for bars, which show
+            their diameter to everybody.
+        element: (N,) index in ``names``.
+        run: (N,) which smooth part of an element it is on, ascending.
+        width_m: (N,) of the band, or diameter of the bar; 0 where nobody knows.
+        tone: (N,) 1 for paint lighter than what is beside it, -1 for darker, 0 where either may be.
+    """
+
+    names: tuple[str, ...]
+    world: FloatArray
+    along: FloatArray
+    across: FloatArray
+    element: IntArray
+    run: IntArray
+    width_m: FloatArray
+    tone: IntArray
+
+
+def painted_of(field: Field) -> Painted:
+    """The places of a field's paint, each element in the middle of its paint.
+
+    Args:
+        field: any, wherever it says that its elements lie.
+    """
+    return _painted(at_middle_of_paint(field).elements)
+
+
+@lru_cache(maxsize=8)
+def _painted(elements: tuple[Element, ...]) -> Painted:
+    sought = [e for e in elements if e.appearance.kind in (LINE, BAR) and not e.is_spot]
+    reach = max((float(np.abs(outline_of(e.geometry)).max()) for e in sought), default=1.0)
+    world, along, across, counts, owners = [], [], [], [], []
+    for number, element in enumerate(sought):
+        normal = None if element.appearance.kind == BAR else normal_of_paint(element)
+        for part in _parts(element):
+            places, ways = _places(part, _SPACING * reach)
+            world.append(places)
+            along.append(ways)
+            across.append(np.zeros_like(ways) if normal is None else np.cross(normal, ways))
+            counts.append(len(places))
+            owners.append(number)
+    if not sought:
+        nothing = np.zeros((3, 0))
+        rows = np.zeros(0, dtype=np.intp)
+        return Painted((), nothing, nothing, nothing, rows, rows, np.zeros(0), rows)
+    element_of = np.repeat(owners, counts)
+    return Painted(
+        tuple(e.name for e in sought),
+        np.concatenate(world).T.copy(),
+        np.concatenate(along).T.copy(),
+        np.concatenate(across).T.copy(),
+        element_of,
+        np.repeat(np.arange(len(counts)), counts),
+        np.array([e.appearance.width_m for e in sought])[element_of],
+        np.array([_TONES.get(e.appearance.tone, 0) for e in sought], dtype=np.intp)[element_of],
+    )
+
+
+def _parts(element: Element) -> list[Part]:
+    return [part for part in parts_of(element.geometry) if not isinstance(part, Spot)]
+
+
+def _places(part: Part, spacing_m: float) -> tuple[FloatArray, FloatArray]:
+    """(n, 3) metres along a part, and (n, 3) unit vectors along it there."""
+    if isinstance(part, Spot):
+        raise TypeError("a spot has no course")
+    if isinstance(part, Line):
+        start, end = np.array(part.start), np.array(part.end)
+        length = float(np.linalg.norm(end - start))
+        shares = np.linspace(0.0, 1.0, max(2, int(np.ceil(length / spacing_m)) + 1))[:, None]
+        places = start + shares * (end - start)
+        return places, np.broadcast_to((end - start) / length, places.shape)
+    first, last = angles_of(part)
+    step = min(spacing_m / part.radius, _LARGEST_TURN_RAD)
+    angles = np.linspace(first, last, max(3, int(np.ceil((last - first) / step)) + 1))
+    ahead, aside = np.array(part.ahead), np.array(part.aside)
+    ways = -np.sin(angles)[:, None] * ahead + np.cos(angles)[:, None] * aside
+    return at_angles(part, angles), ways

@@ -1,0 +1,129 @@
+"""What the elements that are missing in the frame on screen follow from.
+
+That is the camera fitted to the clicks. As long as these give none, a camera that was found without
+clicks stands in for it: that of the track, where the shot was followed, else the proposed one.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.fit.from_picture.proposal import SURE
+from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.proposals import Proposals
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.shot_track import ShotTrack
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+from procc_annotator.session.clicks.foreseen import foresee
+from procc_annotator.session.clicks.insight import Insight
+from procc_annotator.session.dataset.tracked_cameras import doubt_about
+
+_KEPT = 8
+
+
+class Foresight(QObject):
+    """The insight that ghosts go by."""
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        store: Store,
+        signals: Signals,
+        live_fit: LiveFit,
+        review: ReviewState,
+        track: ShotTrack,
+        proposals: Proposals,
+    ) -> None:
+        super().__init__(store)
+        self._store, self._live_fit, self._review = store, live_fit, review
+        self._track, self._proposals = track, proposals
+        self._stand_in = Derived(
+            self._made_of, foresee, Where.BESIDE, self, kept=_KEPT, stoppable=True
+        )
+        self._stand_in.changed.connect(self.changed)
+        for signal in (signals.frameChanged, signals.annotationChanged):
+            signal.connect(self._stand_in.look_later)
+        for signal in (
+            live_fit.changed,
+            review.notVisibleChanged,
+            track.changed,
+            track.followed,
+            proposals.changed,
+            signals.modeChanged,
+        ):
+            signal.connect(self._look)
+
+    @property
+    def allowed(self) -> bool:
+        """Whether it may be shown: blind mode is for clicks that nothing has influenced."""
+        return self._live_fit.allowed
+
+    @property
+    def wanted(self) -> bool:
+        """Whether there is a camera to go by, or somebody wants one."""
+        return self._live_fit.wanted or self.found is not None
+
+    @property
+    def working(self) -> bool:
+        """Whether more may be known in a moment."""
+        return self._live_fit.working or self._stand_in.working
+
+    @property
+    def found(self) -> FitResult | None:
+        """The camera of the frame on screen that was found without clicks."""
+        if not self._proposals.allowed or self._store.state.frame is None:
+            return None
+        if (followed := self._track.fit_here) is not None:
+            return followed
+        proposal = self._proposals.here
+        return None if proposal is None or proposal.fit.camera is None else proposal.fit
+
+    @property
+    def insight(self) -> Insight | None:
+        """What the camera tells; None while that is worked out, or to be hidden."""
+        fitted = self._live_fit.insight
+        if fitted is not None and fitted.fit.camera is not None:
+            return fitted
+        stand_in = self._stand_in.value
+        if stand_in is not None and stand_in.fit.camera is not None:
+            return stand_in
+        return fitted if not self._stand_in.working else None
+
+    @property
+    def doubt(self) -> str:
+        """Why the camera that stands in should be looked at first; empty where it is sure."""
+        if (frame := self._track.here) is not None and self._track.fit_here is not None:
+            return doubt_about(frame)
+        proposal = self._proposals.here
+        return "" if proposal is None or proposal.state == SURE else proposal.reason
+
+    @property
+    def stands_in(self) -> bool:
+        """Whether what is shown follows from a camera that was found without clicks."""
+        insight = self.insight
+        return insight is not None and not insight.from_clicks
+
+    def close(self) -> None:
+        """Work nothing out any more."""
+        self._stand_in.close()
+
+    # --- inside ---
+
+    def _made_of(self) -> Inputs | None:
+        """The clicks go before what was found without them, once they give a camera."""
+        found, state = self.found, self._store.state
+        if found is None or state.frame_name is None:
+            return None
+        if state.annotation.annotated and self._live_fit.wanted:
+            fitted = self._live_fit.insight
+            if fitted is None or fitted.fit.camera is not None:
+                return None
+        return state.annotation, state.field, found, self._review.not_visible(state.frame_name)
+
+    def _look(self, *_: object) -> None:
+        self._stand_in.look()
+        self.changed.emit()

@@ -1,0 +1,148 @@
+"""Cameras proposed for frames without annotation, from their pictures alone, worked out beside."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.errors import InputError
+from procc_annotator.field.model import Field
+from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
+from procc_annotator.fit.from_picture.proposing import propose_camera
+from procc_annotator.gui.state.blind_lock import BlindLock
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+from procc_annotator.image.cache import FrameCache
+from procc_annotator.session.dataset.frames import Frame
+
+_KEPT = 64
+_STAYED_MS = 150  # a frame that is left sooner was only passed
+_NEIGHBOURS = (1, -1)  # looked at once nothing is left to do for the frame on screen
+
+
+class Proposals(QObject):
+    """Looks at the frame on screen if nothing is annotated there, then at those beside it.
+
+    Nothing of it is ever saved: what a person accepts is an edit like any other. In blind mode, and
+    in a dataset locked to it, nothing is looked for.
+
+    Attributes:
+        known: where cameras of this dataset are known to stand; a search begins there.
+    """
+
+    changed = Signal()  # what is known of the frame on screen, or that it is looked for
+
+    def __init__(
+        self, store: Store, signals: Signals, blind_lock: BlindLock, cache: FrameCache
+    ) -> None:
+        super().__init__(store)
+        self._store, self._blind_lock, self._cache = store, blind_lock, cache
+        self.known: tuple[KnownPosition, ...] = ()
+        self._wanted = True
+        self._derived = Derived(
+            self._next,
+            self._look_at,
+            Where.BESIDE,
+            self,
+            kept=_KEPT,
+            kept_within=lambda: store.state.workspace,
+            stoppable=True,
+            urgent=False,
+            patience=lambda _: _STAYED_MS,
+        )
+        self._derived.changed.connect(self._take)
+        for signal in (
+            signals.frameChanged,
+            signals.pictureChanged,
+            signals.annotationChanged,
+            signals.modeChanged,
+            signals.frameScoresChanged,  # a frame committed in blind mode
+            signals.fieldChanged,
+        ):
+            signal.connect(self._derived.look_later)
+
+    @property
+    def wanted(self) -> bool:
+        """Whether somebody wants cameras to be proposed."""
+        return self._wanted
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Propose cameras, or do not."""
+        if wanted != self._wanted:
+            self._wanted = wanted
+            self._derived.look()
+            self.changed.emit()
+
+    @property
+    def allowed(self) -> bool:
+        """Whether a camera may be shown of the frame on screen before anything is clicked."""
+        return self._store.state.projection_visible and self._blind_lock.lock is None
+
+    @property
+    def here(self) -> Proposal | None:
+        """What was found in the frame on screen; None while it is looked for, and where it is
+        not."""
+        if not (self._wanted and self.allowed):
+            return None
+        state = self._store.state
+        return None if state.frame is None else self._derived.known(state.frame, state.field)
+
+    @property
+    def working(self) -> bool:
+        """Whether the frame on screen is looked at, or about to be."""
+        return self._is_asked(self._store.state.frame_index) and self.here is None
+
+    def close(self) -> None:
+        """Look for nothing any more."""
+        self._derived.close()
+
+    # --- inside ---
+
+    def _next(self) -> Inputs | None:
+        """The first of the frames that should be looked at and were not."""
+        state = self._store.state
+        if state.workspace is None or state.picture is None:
+            return None
+        for index in self._in_turn(state.frame_index):
+            frame = state.workspace.frames[index]
+            if not self._is_asked(index):
+                if index == state.frame_index:
+                    return None  # a hand works here: no search slows it down
+            elif self._derived.known(frame, state.field) is None:
+                return frame, state.field
+        return None
+
+    def _in_turn(self, here: int) -> Iterator[int]:
+        workspace = self._store.state.workspace
+        count = len(workspace.frames) if workspace is not None else 0
+        yield from (i for i in (here, *(here + step for step in _NEIGHBOURS)) if 0 <= i < count)
+
+    def _is_asked(self, index: int) -> bool:
+        """Whether a camera should be proposed for a frame: nobody annotated it."""
+        state = self._store.state
+        workspace = state.workspace
+        if workspace is None or index < 0 or not self._wanted or self._blind_lock.lock is not None:
+            return False
+        if index == state.frame_index:
+            annotation = state.annotation
+            bare = not annotation.annotated and not annotation.unconfirmed
+            return bare and not state.why_broken and self.allowed
+        try:
+            return (
+                state.reveals(workspace.frames[index].name)
+                and workspace.annotated_count(index) == 0
+            )
+        except InputError:
+            return False
+
+    def _look_at(self, frame: Frame, field: Field, *, go_on: Callable[[], None]) -> Proposal:
+        """In a thread."""
+        go_on()
+        picture = self._cache.get(frame.image_path)
+        return propose_camera(picture, field, known=self.known, go_on=go_on)
+
+    def _take(self) -> None:
+        self.changed.emit()
+        self._derived.look_later()  # there may be the next one to look at

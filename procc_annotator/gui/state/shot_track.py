@@ -1,0 +1,108 @@
+"""The track through the open sequence: the cameras of its frames, as far as they were followed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.through_shot.track import Track, TrackedFrame
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.sequence_watch import SequenceWatch
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.sources import Sources
+from procc_annotator.gui.state.store import Store
+from procc_annotator.interact.palette import TRACK
+from procc_annotator.session.dataset.tracked_cameras import TrackedCameras
+
+
+class ShotTrack(QObject):
+    """What was followed, by number in the sequence; as a camera source, by frame name.
+
+    Attributes:
+        tracked: number -> the frame.
+        cuts: the first frame of each shot that was met, but the first of the sequence.
+        source: as a row of the list of sources, once a frame of the dataset has a camera.
+    """
+
+    changed = Signal()  # other frames are known, or none
+    followed = Signal(object)  # these frames came while a shot is followed
+
+    def __init__(
+        self, store: Store, signals: Signals, sequence: SequenceWatch, sources: Sources
+    ) -> None:
+        super().__init__(store)
+        self._store, self._sequence, self._sources = store, sequence, sources
+        self.tracked: dict[int, TrackedFrame] = {}
+        self.cuts: tuple[int, ...] = ()
+        self.source = CameraSource(TrackedCameras(), TRACK, visible=False)
+        signals.datasetChanged.connect(self._begin_anew)
+
+    @property
+    def here(self) -> TrackedFrame | None:
+        """What is known of the frame on screen."""
+        sequence, index = self._sequence.value, self._store.state.frame_index
+        if sequence is None or not 0 <= index < len(sequence.numbers):
+            return None
+        return self.tracked.get(int(sequence.numbers[index]))
+
+    @property
+    def fit_here(self) -> FitResult | None:
+        """The camera of the frame on screen, as a fit; None without one."""
+        frame = self.here
+        fit = frame.fit if frame is not None else None
+        return fit if fit is not None and fit.camera is not None else None
+
+    def put(self, frames: Iterable[TrackedFrame]) -> None:
+        """Frames were followed; more are to come."""
+        frames = tuple(frames)
+        self.tracked |= {frame.number: frame for frame in frames}
+        self.followed.emit(frames)
+
+    def replace(self, frames: Mapping[int, TrackedFrame], cuts: Iterable[int]) -> None:
+        """This is all that is known from now on."""
+        self.tracked, self.cuts = dict(frames), tuple(sorted(cuts))
+        self._show()
+        self.changed.emit()
+
+    def take(self, track: Track) -> None:
+        """A shot was followed to its end: what was known of its frames before goes."""
+        if not track.frames:
+            return
+        first, last = track.frames[0].number, track.frames[-1].number
+        begins = {begin for begin, _ in track.shots}
+        kept = {cut for cut in self.cuts if not first < cut <= last}
+        others = {n: frame for n, frame in self.tracked.items() if not first <= n <= last}
+        found = others | {frame.number: frame for frame in track.frames}
+        sequence = self._sequence.value
+        least = sequence.first if sequence is not None else 0
+        self.replace(found, {cut for cut in kept | begins if cut > least})
+
+    def forget(self) -> None:
+        """Nothing is known any more."""
+        self.replace({}, ())
+
+    # --- inside ---
+
+    def _begin_anew(self) -> None:
+        if self.source in self._store.state.sources:
+            self._sources.remove_camera_set(self._store.state.sources.index(self.source))
+        self.source.clear()
+        self.forget()
+
+    def _show(self) -> None:
+        """The source holds the cameras of the dataset's frames."""
+        sequence, workspace = self._sequence.value, self._store.state.workspace
+        tracked: dict[str, TrackedFrame] = {}
+        if sequence is not None and workspace is not None:
+            index_of, frames = sequence.index_of, workspace.frames
+            tracked = {
+                frames[index_of[n]].name: t for n, t in self.tracked.items() if n in index_of
+            }
+        self.source.forget(set(self.source.camera_set.frames) | set(tracked))
+        self.source.camera_set = cameras = TrackedCameras(tracked)
+        if self.source in self._store.state.sources:
+            self._sources.show_source_again(self.source)
+        elif cameras.frames:
+            self._sources.join_source(self.source, active=self._store.state.active is None)

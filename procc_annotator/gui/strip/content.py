@@ -1,0 +1,109 @@
+"""What a strip shows of the open sequence, kept up as frames are followed, annotated, reviewed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.fit.through_shot.track import TrackedFrame
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.strip.band import Band
+from procc_annotator.session.dataset.frame_sequence import FrameSequence
+from procc_annotator.session.dataset.tracked_cameras import doubt_about, most_residual_px
+from procc_annotator.session.facts.origins import Status
+
+
+class StripContent(QObject):
+    """Frames by number, marks by number.
+
+    Attributes:
+        sequence: the frames; None while nothing is open that has an order in time.
+        band: what is known of each frame's camera.
+        anchors: (n,) numbers of annotated frames, ascending.
+        statuses: (number, status) of the frames that were touched, ascending.
+    """
+
+    changed = Signal()
+
+    def __init__(self, document: Document, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.sequence: FrameSequence | None = None
+        self.band = Band.unknown(0)
+        self.anchors: tuple[int, ...] = ()
+        self.statuses: tuple[tuple[int, Status], ...] = ()
+        document.sequence.changed.connect(self._begin_anew)
+        document.datasetChanged.connect(self._begin_anew)
+        document.shot_track.followed.connect(self._take_followed)
+        document.shot_track.changed.connect(self._take_track)
+        document.annotated_frames.changed.connect(self._take_anchors)
+        document.review.statusChanged.connect(self._take_statuses)
+
+    @property
+    def hidden(self) -> bool:
+        """Whether nothing of a camera may be shown."""
+        return self._document.blind
+
+    @property
+    def cuts(self) -> tuple[int, ...]:
+        """The first frame of each shot but the first, as far as the shots are known."""
+        return self._document.shot_track.cuts
+
+    def _begin_anew(self) -> None:
+        sequence = self._document.sequence.value
+        if sequence is self.sequence:
+            return
+        self.sequence = sequence
+        self._document.annotated_frames.set_wanted(sequence is not None)
+        self._take_track()
+        self._take_anchors()
+        self._take_statuses()
+        self.changed.emit()
+
+    def _take_track(self) -> None:
+        """Other frames than before may be known."""
+        if self.sequence is not None:
+            self.band = Band.unknown(self.sequence.count)
+            self._take_followed(tuple(self._document.shot_track.tracked.values()))
+
+    def _take_followed(self, frames: Iterable[TrackedFrame]) -> None:
+        sequence = self.sequence
+        if sequence is None:
+            return
+        for frame in frames:
+            if sequence.first <= frame.number <= sequence.last:
+                _put(self.band, frame.number - sequence.first, frame)
+        self.changed.emit()
+
+    def _take_anchors(self) -> None:
+        if (sequence := self.sequence) is not None:
+            numbers = sequence.numbers.tolist()
+            annotated = sorted(self._document.annotated_frames.indices)
+            self.anchors = tuple(numbers[i] for i in annotated if i < len(numbers))
+            self.changed.emit()
+
+    def _take_statuses(self, _: str = "") -> None:
+        sequence, workspace = self.sequence, self._document.workspace
+        database = self._document.review.database
+        if sequence is None or workspace is None or database is None:
+            return
+        known = {
+            workspace.index[name]: record.status
+            for name, record in database.records().items()
+            if record.status is not Status.UNTOUCHED and name in workspace.index
+        }
+        numbers = sequence.numbers
+        self.statuses = tuple((int(numbers[i]), known[i]) for i in sorted(known))
+        self.changed.emit()
+
+
+def _put(band: Band, at: int, frame: TrackedFrame) -> None:
+    """Take down what is known of one more frame, in place."""
+    fit = frame.fit if frame.fit is not None and frame.fit.camera is not None else None
+    band.coverage[at] = 0.0 if fit is None else float(np.clip(frame.coverage, 0.0, 1.0))
+    far = 0.0 if fit is None or frame.residual_px is None else frame.residual_px
+    band.distance[at] = 0.0 if fit is None else min(1.0, far / most_residual_px(fit.size[0]))
+    band.doubtful[at] = bool(doubt_about(frame))
+    band.lost[at] = fit is None

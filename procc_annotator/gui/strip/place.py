@@ -1,0 +1,63 @@
+"""When the strip is there: for frames that follow one another, and never coming while a hand works.
+
+It takes room from the picture, which must not move under a click: found out late, it waits for the
+next frame unless nothing was begun in this one.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject
+
+from procc_annotator.gui.picture.editor import Editor
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.strip.shot_strip import ShotStrip
+
+
+class StripPlace(QObject):
+    """Shows and hides the strip."""
+
+    def __init__(self, document: Document, editor: Editor, strip: ShotStrip) -> None:
+        super().__init__(strip)
+        self._document, self._editor, self._strip = document, editor, strip
+        self._wanted, self._begun = True, False
+        strip.setVisible(False)
+        document.datasetChanged.connect(self._begin)
+        document.frameChanged.connect(self._begin)
+        document.sequence.changed.connect(self._look)
+        for begun in (
+            document.annotationChanged,
+            document.previewChanged,
+            document.selectionChanged,
+            editor.changed,
+        ):
+            begun.connect(self._note)
+
+    @property
+    def wanted(self) -> bool:
+        """Whether somebody wants it where there is one."""
+        return self._wanted
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Show it where there is one, or do not."""
+        self._wanted = wanted
+        self._show()
+        if wanted and self._document.frame is not None and self._document.sequence.value is None:
+            why = "it is being looked whether they do"
+            if not self._document.sequence.working:
+                why = "these do not"
+            self._document.say(f"the strip is for frames that follow one another: {why}")
+
+    def _begin(self) -> None:
+        """A frame came whole."""
+        self._begun = False
+        self._show()
+
+    def _note(self) -> None:
+        self._begun = True
+
+    def _look(self) -> None:
+        if not self._begun and not self._editor.drawing:
+            self._show()
+
+    def _show(self) -> None:
+        self._strip.setVisible(self._wanted and self._document.sequence.value is not None)

@@ -1,0 +1,190 @@
+"""The strip below the picture: every frame of a video or a shot, to look at and to go to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QHelpEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from procc_annotator.gui.panels.refresher import Refresher
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.strip.axis import Axis
+from procc_annotator.gui.strip.content import StripContent
+from procc_annotator.gui.strip.painting import Rows, paint_strip, rows_of
+from procc_annotator.gui.strip.words import words_of
+
+_WHEEL_STEP = 1.25
+_SIDE = 8  # px beside the frames
+
+
+class ShotStrip(QWidget):
+    """Paints a `StripContent`; a click or a drag goes to frames, the wheel zooms.
+
+    Attributes:
+        content: what is shown.
+        axis: which frames are in sight; None while there are none.
+    """
+
+    stretchMarked = Signal()
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self.setObjectName("shotStrip")
+        self.setAccessibleName("Frames of the shot")
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys are the picture's
+        self._document = document
+        self.content = StripContent(document, self)
+        self.axis: Axis | None = None
+        self._aim: int | None = None  # the number under a hand that drags
+        self._mark_from: int | None = None
+        self.stretch: tuple[int, int] | None = None  # numbers, first and last, marked by hand
+        self.progress: Callable[[], str] = str
+        self._refresher = Refresher(self, self._follow)
+        self._refresher.follow(
+            document.store,
+            lambda s: (s.workspace, s.frame_index, s.blind, s.committed),
+            self.content.changed,
+        )
+
+    # --- what is shown ----------------------------------------------------------------------
+
+    @property
+    def number(self) -> int | None:
+        """The frame on screen, or the one that a hand drags to."""
+        sequence, index = self.content.sequence, self._document.frame_index
+        if self._aim is not None or sequence is None:
+            return self._aim
+        return int(sequence.numbers[index]) if 0 <= index < len(sequence.numbers) else None
+
+    def _follow(self) -> None:
+        sequence, axis = self.content.sequence, self.axis
+        if sequence is None:
+            self.axis = self.stretch = None
+        elif axis is None or (axis.first, axis.last) != (sequence.first, sequence.last):
+            self.axis = Axis.whole(sequence.first, sequence.last, self._room())
+            self.stretch = None
+        number = self.number
+        if self.axis is not None and number is not None and self._aim is None:
+            self.axis = self.axis.showing(number)
+        self.update()
+
+    def _room(self) -> float:
+        return max(1.0, self.width() - 2.0 * _SIDE)
+
+    def _rows(self) -> Rows:
+        return rows_of(self.fontMetrics())
+
+    def sizeHint(self) -> QSize:
+        return QSize(400, self._rows().height)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(120, self._rows().height)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self.axis is None:
+            return
+        painter = QPainter(self)
+        area = QRectF(_SIDE, 0, self._room(), self.height())
+        words = words_of(self._document, self.content, self.number)
+        paint_strip(
+            painter,
+            self.content,
+            self.axis,
+            area,
+            colours=self.palette(),
+            number=self.number,
+            stretch=self.stretch,
+            words=(words, self.progress()),
+        )
+        painter.end()
+
+    # --- hands ------------------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() != Qt.MouseButton.LeftButton or self.axis is None:
+            event.ignore()
+            return
+        number = self._number_under(event.position())
+        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self._mark_from = number
+            self._mark(number)
+        else:
+            self._go(number)
+        event.accept()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._mark_from is not None:
+            self._mark(self._number_under(event.position()))
+        elif self._aim is not None:
+            self._go(self._number_under(event.position()))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._mark_from = self._aim = None
+        self.update()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if self.axis is not None and self.stretch is not None:
+            self.stretch = None
+            self.update()
+            self.stretchMarked.emit()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.axis is None:
+            event.ignore()
+            return
+        turned = event.angleDelta()
+        sideways = turned.x() or (
+            turned.y() if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 0
+        )
+        if sideways:
+            span = self.axis.end - self.axis.begin
+            self.axis = self.axis.scrolled(-sideways / 120 * span / 10)
+        else:
+            times = _WHEEL_STEP ** (turned.y() / 120)
+            self.axis = self.axis.zoomed(times, event.position().x() - _SIDE)
+        self.update()
+        event.accept()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self.axis is not None:
+            self.axis = self.axis.with_width(self._room())
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and self.axis is not None:
+            number = self._number_under(QPointF(event.pos()))
+            QToolTip.showText(
+                event.globalPos(), words_of(self._document, self.content, number), self
+            )
+            return True
+        if event.type() == QEvent.Type.FontChange:
+            self.updateGeometry()
+        return super().event(event)
+
+    def _number_under(self, place: QPointF) -> int:
+        assert self.axis is not None
+        return self.axis.number_at(place.x() - _SIDE)
+
+    def _go(self, number: int) -> None:
+        sequence = self.content.sequence
+        if sequence is not None:
+            index = sequence.nearest(number)
+            self._aim = int(sequence.numbers[index])
+            self._document.walk.come_to(index)
+            self.update()
+
+    def _mark(self, number: int) -> None:
+        assert self._mark_from is not None
+        self.stretch = min(self._mark_from, number), max(self._mark_from, number)
+        self.update()
+        self.stretchMarked.emit()

@@ -1,0 +1,45 @@
+"""What a strip says of a frame."""
+
+from __future__ import annotations
+
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.strip.content import StripContent
+from procc_annotator.session.dataset.tracked_cameras import doubt_about
+
+
+def words_of(document: Document, content: StripContent, number: int | None) -> str:
+    """Number, time and what is known of its camera, in a line."""
+    sequence = content.sequence
+    if sequence is None or number is None:
+        return ""
+    said = [f"frame {number} of {sequence.first}–{sequence.last}"]
+    if sequence.video is not None:
+        seconds = number / sequence.fps
+        said.append(f"{int(seconds // 60)}:{seconds % 60:05.2f}")
+    if number in content.anchors:
+        said.append("annotated")
+    status = dict(content.statuses).get(number)
+    if status is not None:
+        said.append(status.value)
+    index = sequence.index_of.get(number)
+    name = None
+    if index is not None and document.workspace is not None:
+        name = document.workspace.frames[index].name
+    if document.state.reveals(name):
+        said.extend(_of_track(document, number))
+    else:
+        said.append("blind: its camera is hidden")
+    return "  ·  ".join(said)
+
+
+def _of_track(document: Document, number: int) -> list[str]:
+    frame = document.shot_track.tracked.get(number)
+    if frame is None:
+        return []
+    said: list[str] = [frame.state]
+    if frame.fit is not None and frame.fit.camera is not None:
+        far = f", {frame.residual_px:.1f} px from it" if frame.residual_px is not None else ""
+        said[0] += f", {frame.coverage:.0%} of the lines on paint{far}"
+    if doubt := doubt_about(frame):
+        said.append(f"doubtful: {doubt}")
+    return said

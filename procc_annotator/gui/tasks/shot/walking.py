@@ -1,0 +1,119 @@
+"""Through the frames of a shot: by tens, to the next doubtful or annotated one, and played."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from procc_annotator.fit.through_shot.track import TrackedFrame
+from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.state.document import Document
+from procc_annotator.session.dataset.tracked_cameras import doubt_about
+
+_SLOWEST_MS = 1000  # between frames that lie seconds apart, nobody wants to wait as long
+
+
+class ShotWalk(QObject):
+    """Commands that go to frames; none of them waits for a picture."""
+
+    playingChanged = Signal(bool)
+
+    def __init__(self, document: Document, canvas: Canvas, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._at: int | None = None  # where playing is
+        self._clock = QTimer(self, singleShot=True)
+        self._clock.timeout.connect(self._play_on)
+        canvas.editor.changed.connect(self.stop)  # a hand does something
+        document.annotationChanged.connect(self.stop)
+        document.datasetChanged.connect(self.stop)
+
+    def step(self, frames: int) -> None:
+        """Go so many frames on, or back; to the last or the first one at most."""
+        workspace = self._document.workspace
+        if workspace is not None and workspace.frames:
+            index = self._document.frame_index + frames
+            self._document.walk.come_to(min(max(index, 0), len(workspace.frames) - 1))
+
+    def go_anchor(self, step: int) -> None:
+        """Go to the nearest annotated frame after (1) or before (-1) this one."""
+        indices = self._document.annotated_frames.indices
+        if self._has_order():
+            self._go(indices, step, "annotated")
+
+    def go_doubtful(self, step: int) -> None:
+        """Go to the nearest frame whose track is in doubt, after (1) or before (-1) this one."""
+        sequence = self._document.sequence.value
+        tracked = self._document.shot_track.tracked
+        if sequence is None or not self._has_order():
+            return
+        if self._document.blind:
+            self._document.say("blind mode: how the track does is hidden")
+            return
+        if not tracked:
+            self._document.say("no shot was followed yet (T)")
+            return
+        index_of = sequence.index_of
+        self._go((index_of[n] for n in index_of if _doubtful(tracked, n)), step, "doubtful")
+
+    def _go(self, indices: Iterable[int], step: int, what: str) -> None:
+        here = self._document.frame_index
+        beyond = [index for index in indices if (index - here) * step > 0]
+        if beyond:
+            self._document.walk.come_to(min(beyond) if step > 0 else max(beyond))
+        else:
+            where = "after" if step > 0 else "before"
+            self._document.say(f"no frame {where} this one is {what}")
+
+    def _has_order(self) -> bool:
+        if self._document.sequence.value is None:
+            self._document.say("these frames do not follow one another")
+            return False
+        return True
+
+    # --- playing ------------------------------------------------------------------------------
+
+    @property
+    def playing(self) -> bool:
+        """Whether frames are shown one after the other."""
+        return self._at is not None
+
+    def play(self) -> None:
+        """Show the frames one after the other from here on, or stop."""
+        if self.playing:
+            self.stop()
+        elif self._has_order():
+            self._at = self._document.frame_index
+            self.playingChanged.emit(True)
+            self._play_on()
+
+    def stop(self) -> None:
+        """Stay where it is."""
+        if self._at is not None:
+            self._at = None
+            self._clock.stop()
+            self.playingChanged.emit(False)
+
+    def _play_on(self) -> None:
+        """Go to the next frame, unless somebody went elsewhere or the last one is there."""
+        document, at = self._document, self._at
+        sequence = document.sequence.value
+        if at is None or sequence is None:
+            self.stop()
+            return
+        if document.walk.coming:  # pictures come more slowly than they should be shown
+            self._clock.start(5)
+            return
+        if document.frame_index != at or at + 1 >= len(sequence.numbers):
+            self.stop()
+            return
+        self._at = at + 1
+        apart = int(sequence.numbers[at + 1] - sequence.numbers[at])
+        document.walk.come_to(at + 1)
+        self._clock.start(min(_SLOWEST_MS, round(1000 * apart / sequence.fps)))
+
+
+def _doubtful(tracked: Mapping[int, TrackedFrame], number: int) -> bool:
+    frame = tracked.get(number)
+    return frame is not None and bool(doubt_about(frame))

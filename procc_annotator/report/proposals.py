@@ -1,0 +1,207 @@
+"""Proposed cameras as files, what is said of them as CSV and as tables on the terminal."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rich.table import Table
+
+from procc_annotator.fit.from_picture.proposal import NONE, STATES, SURE, UNSURE, KnownPosition
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.csv_text import no_formula
+from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, csv_bytes, deviation_cells
+from procc_annotator.report.targets import Interrupted, make_folder
+from procc_annotator.session.runs.calibration_run import camera_file
+from procc_annotator.session.runs.proposal_run import (
+    ProposalRun,
+    Proposed,
+    second_look,
+)
+from procc_annotator.words import count_of
+
+TABLE_FILE = "proposals.csv"
+UNSURE_FOLDER = "unsure"
+_COLUMNS = (
+    "frame", "state", "reason", "coverage", "explained", "residual_px", "margin",
+    *DEVIATION_COLUMNS, "seconds", "width", "height", "camera", "known_position",
+)  # fmt: skip
+_SHOWN = 20
+
+Progress = Callable[[Iterable[Proposed], int, str], Iterable[Proposed]]
+
+
+@dataclass
+class Proposals:
+    """What became of a set of pictures.
+
+    Attributes:
+        frames: in their order.
+        positions: on which sure frames agreed.
+        stale: cameras of earlier runs for these frames that belong to no proposal of this one.
+    """
+
+    frames: list[Proposed] = field(default_factory=list)
+    positions: tuple[KnownPosition, ...] = ()
+    stale: list[str] = field(default_factory=list)
+
+    @property
+    def errors(self) -> list[str]:
+        """Why pictures cannot be used, one line each."""
+        return [one.error for one in self.frames if one.error]
+
+    @property
+    def states(self) -> Counter[str]:
+        """How many frames are in each state."""
+        return Counter(one.proposal.state for one in self.frames if one.proposal is not None)
+
+
+def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposals:
+    """Look at all pictures of a set, once more at those without a sure camera where the others
+    agree where it stands, and write cameras and table.
+
+    Every file appears in one step, whole; the sure ones of the first look as they come, and the
+    table at last.
+
+    Args:
+        run: over the pictures.
+        out: folder; made if needed.
+        progress: shows the progress of what it passes on.
+
+    Raises:
+        SaveError: writing failed.
+        Interrupted: in place of a KeyboardInterrupt; the sure cameras so far stay.
+    """
+    found: dict[str, Proposed] = {}
+    positions: tuple[KnownPosition, ...] = ()
+    written: set[str] = set()
+    make_folder(out)
+    try:
+        for one in progress(run, run.total, "proposing"):
+            found[one.name] = one
+            if one.is_sure:
+                written.add(_write_camera(one, out))
+        again = second_look(run, list(found.values()))
+        if again is not None:
+            positions = again.positions
+            for one in progress(again.run, again.run.total, "proposing, positions known"):
+                found[one.name] = better = again.better(one)
+                if better.is_sure:
+                    written.add(_write_camera(better, out))
+    except KeyboardInterrupt:
+        raise Interrupted(len(written), run.total) from None
+    frames = [found[name] for name in run.names]
+    for one in frames:
+        if not one.is_sure and _has_camera(one):
+            written.add(_write_camera(one, out))
+    write_atomic(out / TABLE_FILE, csv_bytes([_COLUMNS, *map(_row, frames)]))
+    return Proposals(frames, positions, _stale(out, run.names, written))
+
+
+def _has_camera(one: Proposed) -> bool:
+    return one.proposal is not None and one.proposal.fit.camera is not None
+
+
+def _file_of(one: Proposed) -> str:
+    """Where the camera of a frame goes, within OUT; empty without one."""
+    if one.proposal is None or one.proposal.fit.camera is None:
+        return ""
+    name = f"camera_{one.name}.json"
+    return name if one.is_sure else f"{UNSURE_FOLDER}/{name}"
+
+
+def _write_camera(one: Proposed, out: Path) -> str:
+    assert one.proposal is not None
+    _, data = camera_file(one.name, one.proposal.fit)
+    path = out / _file_of(one)
+    make_folder(path.parent)
+    write_atomic(path, data)
+    return _file_of(one)
+
+
+def _stale(out: Path, names: Iterable[str], written: set[str]) -> list[str]:
+    files = (f"{folder}camera_{n}.json" for n in names for folder in ("", f"{UNSURE_FOLDER}/"))
+    return [file for file in files if file not in written and (out / file).exists()]
+
+
+def _row(one: Proposed) -> list[Any]:
+    if one.proposal is None:
+        blank = [""] * (len(_COLUMNS) - 3)
+        return [no_formula(one.name), "unreadable", no_formula(one.error), *blank]
+    said = one.proposal
+    return [
+        no_formula(one.name),
+        said.state,
+        no_formula(said.reason),
+        round(said.coverage, 4),
+        round(said.explained, 4),
+        "" if said.residual_px is None else round(said.residual_px, 3),
+        round(said.margin, 4),
+        *deviation_cells(said.fit.deviations),
+        round(one.seconds, 3),
+        *said.fit.size,
+        no_formula(_file_of(one)),
+        "true" if one.from_agreement else "false",
+    ]
+
+
+def states_table(found: Proposals) -> Table:
+    """How many frames are in each state, and how they are, median."""
+    looked_at = len(found.frames) - len(found.errors)
+    table = Table(title=f"Proposals for {count_of(looked_at, 'frame')}", title_justify="left")
+    for heading in ("", "frames", "coverage %", "explained %", "residual px", "margin", "s"):
+        table.add_column(heading, justify="right" if heading else "left")
+    for state in STATES:
+        own = [one for one in found.frames if one.proposal and one.proposal.state == state]
+        said = [one.proposal for one in own if one.proposal is not None]
+        table.add_row(
+            state,
+            str(len(own)),
+            _median([100 * p.coverage for p in said], 0),
+            _median([100 * p.explained for p in said], 0),
+            _median([p.residual_px for p in said if p.residual_px is not None], 2),
+            _median([p.margin for p in said], 2),
+            _median([one.seconds for one in own], 2),
+        )
+    return table
+
+
+def _median(values: Sequence[float], digits: int) -> str:
+    return f"{float(np.median(values)):.{digits}f}" if values else "–"
+
+
+def doubtful_table(found: Proposals) -> Table:
+    """The frames without a sure camera and why, the first ones of many."""
+    doubtful = [one for one in found.frames if one.proposal is not None and not one.is_sure]
+    table = Table(title=f"{count_of(len(doubtful), 'frame')} not sure", title_justify="left")
+    for heading in ("frame", "state", "why"):
+        table.add_column(heading)
+    for one in doubtful[:_SHOWN]:
+        assert one.proposal is not None
+        table.add_row(one.name, one.proposal.state, one.proposal.reason)
+    if (more := len(doubtful) - _SHOWN) > 0:
+        table.add_row("...", "", f"{more} more in {TABLE_FILE}")
+    return table
+
+
+def summary_words(found: Proposals) -> str:
+    """``112 sure, 9 unsure, 5 none``."""
+    states = found.states
+    return ", ".join(f"{states[state]} {state}" for state in (SURE, UNSURE, NONE))
+
+
+def positions_words(found: Proposals) -> str:
+    """Where sure frames agree that cameras stand, and what came of it; empty where they do not."""
+    if not found.positions:
+        return ""
+    places = "; ".join(
+        ", ".join(f"{value:.1f}" for value in known.position_m) + " m" for known in found.positions
+    )
+    gained = sum(one.from_agreement for one in found.frames)
+    positions = count_of(len(found.positions), "position")
+    became = count_of(gained, "more frame is", "more frames are")
+    return f"sure frames agree on {positions} ({places}); with that {became} sure"

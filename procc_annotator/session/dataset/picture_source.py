@@ -1,0 +1,72 @@
+"""What a command looks at: the pictures of a folder, or all frames of a video, as the window names
+them."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from procc_annotator.errors import UsageError
+from procc_annotator.image.suffixes import VIDEO_SUFFIXES
+from procc_annotator.image.video import open_shared
+from procc_annotator.session.dataset.dataset_folder import frames_folder
+from procc_annotator.session.dataset.frames import Frame, list_frames
+from procc_annotator.session.dataset.video_frames import video_frame
+
+
+@dataclass(frozen=True)
+class PictureSource:
+    """Pictures in their order.
+
+    Attributes:
+        path: the folder or video.
+        folder: the dataset's own, which need not exist yet for a video.
+        frames: their names, pictures and annotation files; pictures by absolute paths, so that any
+            worker finds them.
+        is_video: whether they are the frames of one.
+        notices: what the user should know of it.
+    """
+
+    path: Path
+    folder: Path
+    frames: tuple[Frame, ...]
+    is_video: bool = False
+    notices: tuple[str, ...] = ()
+
+
+def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
+    """The pictures of a folder in natural order, one picture, or all frames of a video.
+
+    Nothing is made on the disk, and of a video only the timestamps are read.
+
+    Args:
+        path: folder, picture or video.
+        annotations: folder of the annotation files, if it is not where it would be looked for.
+
+    Raises:
+        UsageError: nothing there, a file of another kind, or a folder without pictures.
+        ImageError: a video that cannot be opened.
+        InputError: a folder that cannot be listed.
+    """
+    whole = Path(os.path.abspath(path))
+    if not path.exists():
+        raise UsageError(f"{path}: does not exist")
+    if path.is_file() and path.suffix.lower() in VIDEO_SUFFIXES:
+        count = open_shared(path).frame_count
+        frames = tuple(video_frame(whole, number) for number in range(count))
+        if annotations is not None:
+            frames = tuple(_annotated_in(frame, annotations) for frame in frames)
+        return PictureSource(path, frames_folder(path), frames, is_video=True)
+    root, frames, notices = list_frames(path, annotations)
+    if not frames:
+        raise UsageError(f"nothing to do: no picture in {path}")
+    folder = Path(os.path.abspath(root))
+    found = tuple(
+        Frame(f.name, f.image_file, folder, f.annotation_folder, f.annotation_stem) for f in frames
+    )
+    return PictureSource(path, root, found, notices=notices)
+
+
+def _annotated_in(frame: Frame, folder: Path) -> Frame:
+    return Frame(frame.name, frame.image_file, frame.image_folder, folder)

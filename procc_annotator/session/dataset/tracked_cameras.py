@@ -1,0 +1,91 @@
+"""The cameras of a shot that was followed, beside those that come from files, and their doubts."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from procc_annotator.fit.through_shot.track import TrackedFrame
+from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.session.dataset.camera_set import CameraForFrame
+
+TRACK_NAME = "track"  # no cameras from files are called so
+
+_LEAST_COVERAGE = 0.5  # of the visible model, found on paint
+_MOST_RESIDUAL = 2.0 / 1280  # of the picture's width
+
+
+def most_residual_px(width: int) -> float:
+    """How far the paint may be from the lines in a frame that is sure, px.
+
+    Args:
+        width: of the picture, px.
+    """
+    return _MOST_RESIDUAL * width
+
+
+def doubt_about(frame: TrackedFrame) -> str:
+    """Why somebody should look at a frame before its camera is used; empty where nobody need."""
+    if frame.fit is None or frame.fit.camera is None:
+        return frame.reason or "no camera was found"
+    if frame.state == "anchor":
+        return ""
+    if frame.state != "followed":
+        return frame.reason or "carried over by the picture's motion, not measured on paint"
+    if frame.coverage < _LEAST_COVERAGE:
+        return f"only {frame.coverage:.0%} of the lines in sight are on paint"
+    most = most_residual_px(frame.fit.size[0])
+    if frame.residual_px is not None and frame.residual_px > most:
+        return f"the paint is {frame.residual_px:.1f} px from the lines"
+    return ""
+
+
+@dataclass(frozen=True, eq=False)
+class TrackedCameras:
+    """Cameras by frame name; never changed, so that any thread may read it.
+
+    Attributes:
+        tracked: of the dataset's frames that were followed, with a camera or without.
+    """
+
+    tracked: Mapping[str, TrackedFrame] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """Shown to the user; always the same."""
+        return TRACK_NAME
+
+    @property
+    def origin(self) -> str:
+        """Where the cameras come from, for people."""
+        return "Followed through the shot; nothing of it is in a file"
+
+    @cached_property
+    def frames(self) -> Mapping[str, TrackedFrame]:
+        """The frames that have a camera."""
+        return {
+            name: frame
+            for name, frame in self.tracked.items()
+            if frame.fit is not None and frame.fit.camera is not None
+        }
+
+    def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
+        """A frame's camera in px of an evaluation size, or None when there is none."""
+        frame = self.frames.get(frame_name)
+        if frame is None or frame.fit is None or frame.fit.camera is None:
+            return None
+        fit = frame.fit
+        camera, _ = fit_to_size(LoadedCamera(frame.fit.camera, fit.model, fit.size), size)
+        return CameraForFrame(camera, fit.model, doubt_about(frame) or None)
+
+    def why_none(self, frame_name: str) -> str:
+        """Why a frame has no camera, for people."""
+        frame = self.tracked.get(frame_name)
+        return f"no track here: {frame.reason}" if frame is not None else "not followed so far"
+
+    def without(self, frame_names: Collection[str]) -> TrackedCameras:
+        """The same without some frames."""
+        kept = {n: frame for n, frame in self.tracked.items() if n not in frame_names}
+        return TrackedCameras(kept) if len(kept) < len(self.tracked) else self

@@ -1,0 +1,115 @@
+"""Annotate pictures by the paint that given cameras lead to: here, in processes, on a cluster."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.errors import InputError
+from procc_annotator.field.landmarks import field_of_frame
+from procc_annotator.field.model import Field
+from procc_annotator.fit.predict.ghosts import find_ghosts
+from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
+from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.runs.set_run import KeptOpen, SetRun, cameras_kept_open
+from procc_annotator.session.strokes.ghost_points import accept_all, find_points
+
+_NOTHING = FrameAnnotation(())
+
+
+@dataclass(frozen=True, slots=True)
+class Painted:
+    """What was found of one picture.
+
+    Attributes:
+        name: of the frame.
+        annotation: the elements whose paint was seen; none without any.
+        unseen: elements that the camera shows and the picture does not.
+        error: why there is nothing: picture or camera cannot be used.
+    """
+
+    name: str
+    annotation: FrameAnnotation = _NOTHING
+    unseen: int = 0
+    error: str = ""
+
+
+@dataclass(frozen=True)
+class AnnotatePictures:
+    """Annotates chunks of frames.
+
+    Attributes:
+        cameras: where those of the frames are.
+        field: the elements, metres.
+        camera_size: (width, height) the cameras' pixels belong to; None goes by their files, and
+            takes those that say nothing for the official evaluation's size.
+    """
+
+    cameras: KeptOpen[CameraCollection]
+    field: Field
+    camera_size: tuple[int, int] | None = None
+
+    def __call__(self, chunk: Sequence[Frame]) -> tuple[list[Painted], None]:
+        return [self._annotate(frame) for frame in chunk], None
+
+    def _annotate(self, frame: Frame) -> Painted:
+        try:
+            loaded = self.cameras.opened.read(frame.name)
+            picture = decode_bgra(frame.image_path)
+        except InputError as error:
+            return Painted(frame.name, error=str(error))
+        size = picture.shape[1], picture.shape[0]
+        own = self.camera_size or loaded.size or OFFICIAL_SIZE
+        camera, _ = fit_to_size(loaded, size, own)
+        if not isinstance(camera, PinholeCamera | HomographyCamera):
+            shown = self.cameras.opened.display(frame.name)
+            why = f"{shown}: a camera of the kind {loaded.model} is of no use here"
+            return Painted(frame.name, error=f"{why} (convert it to a pinhole or a homography)")
+        return painted(frame.name, picture, camera, self.field)
+
+    def close(self) -> None:
+        """Close what a worker opened."""
+        self.cameras.close()
+
+
+def painted(
+    name: str, picture: PixelArray, camera: PinholeCamera | HomographyCamera, field: Field
+) -> Painted:
+    """The elements of a picture whose paint is seen where a camera shows them.
+
+    Args:
+        name: of the frame.
+        picture: (H, W, 4) BGRA.
+        camera: in px of the picture.
+        field: the elements, metres.
+    """
+    size = picture.shape[1], picture.shape[0]
+    shown = field_of_frame(field, name)
+    ghosts = find_ghosts(_NOTHING, shown, given_camera(camera, size))
+    found = [find_points(ghost, picture, shown, size) for ghost in ghosts]
+    accepted = accept_all(_NOTHING, found)
+    return Painted(name, accepted.annotation, len(accepted.left))
+
+
+class AnnotationRun(SetRun[Frame, Painted, None]):
+    """One pass over pictures that have a camera; iterate it once."""
+
+    chunk = 1  # a second's work, and what is found is written as it comes
+    task: AnnotatePictures
+
+    def __init__(
+        self,
+        frames: Sequence[Frame],
+        cameras: CameraCollection,
+        field: Field,
+        camera_size: tuple[int, int] | None = None,
+    ) -> None:
+        super().__init__(frames, AnnotatePictures(cameras_kept_open(cameras), field, camera_size))

@@ -1,0 +1,239 @@
+"""``procc-annotator annotate``: the paint under given cameras, as proposed, over nothing."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.api import evaluate, load_annotation
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.facts.origins import OriginKind, count_origins
+from procc_annotator.session.runs import annotation_run
+from tests.drawn_shots import DrawnShot, soccer_shot
+
+SIZE = (640, 360)
+FRAMES = 3
+
+
+@dataclass(frozen=True)
+class Match:
+    """Pictures of a drawn shot, with their cameras."""
+
+    shot: DrawnShot
+    root: Path
+
+    @property
+    def cameras(self) -> Path:
+        return self.root / "cameras"
+
+    @property
+    def pictures(self) -> Path:
+        return self.root / "match"
+
+    @property
+    def annotations(self) -> Path:
+        return self.pictures / "annotations"
+
+    def write_cameras(self) -> None:
+        """The true cameras of all frames."""
+        self.cameras.mkdir()
+        size = {"image_width": SIZE[0], "image_height": SIZE[1]}
+        for number, camera in enumerate(self.shot.cameras):
+            path = self.cameras / f"camera_{number:05d}.json"
+            path.write_bytes(write_camera(camera, size))
+
+
+def names_in(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.glob("*.json"))
+
+
+def kinds_of(dataset: Path, annotation: Path) -> dict[OriginKind, int]:
+    """How the points of an annotation came to be, as a dataset's workspace has it."""
+    database = WorkspaceDatabase.open(dataset, "somebody")
+    try:
+        return count_origins(load_annotation(annotation), database.origins(annotation.stem))
+    finally:
+        database.close()
+
+
+@pytest.fixture(scope="module")
+def shot() -> DrawnShot:
+    return soccer_shot(FRAMES, size=SIZE)
+
+
+@pytest.fixture(scope="module")
+def pictures(shot: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    folder = shot.write_pictures(tmp_path_factory.mktemp("drawn"))
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+@pytest.fixture
+def match(shot: DrawnShot, pictures: dict[str, bytes], tmp_path: Path) -> Match:
+    made = Match(shot, tmp_path)
+    made.pictures.mkdir()
+    for name, data in pictures.items():
+        (made.pictures / name).write_bytes(data)
+    made.write_cameras()
+    return made
+
+
+def test_the_paint_under_the_cameras_becomes_annotations(cli, match) -> None:
+    done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
+    assert done.exit_code == 0, done.output
+    assert f"written: {FRAMES} annotations (" in done.stdout
+    assert not done.stderr
+    for number, camera in enumerate(match.shot.cameras):
+        annotation = load_annotation(match.annotations / f"{number:05d}.json")
+        field = match.shot.stage.field
+        score = evaluate(annotation, camera, field=field, size=SIZE, protocol="procc")
+        assert score.tp >= 3
+        assert score.max_error is not None
+        assert score.max_error < 1.5
+
+
+def test_their_points_are_proposed_wherever_the_set_is_opened(cli, match, tmp_path) -> None:
+    elsewhere = tmp_path / "elsewhere"
+    for out in (match.annotations, elsewhere):
+        assert cli("annotate", match.pictures, out, "--cameras", match.cameras).exit_code == 0
+    first = match.annotations / "00000.json"
+    points = sum(len(polyline.points) for polyline in load_annotation(first).polylines)
+    assert kinds_of(match.pictures, first) == {OriginKind.PROPOSED: points}
+    again = elsewhere / "00000.json"
+    assert again.read_bytes() == first.read_bytes()
+    assert kinds_of(elsewhere, again) == {OriginKind.PROPOSED: points}
+
+
+def test_what_is_annotated_stays_and_a_run_goes_on(cli, match) -> None:
+    match.annotations.mkdir()
+    own = match.annotations / "00001.json"
+    own.write_text("{}")
+    arguments = ("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
+    done = cli(*arguments)
+    assert done.exit_code == 0, done.output
+    assert f"written: {FRAMES - 1} annotations" in done.stdout
+    assert "not touched: 1 frame annotated already" in done.stdout
+    assert own.read_text() == "{}"
+    before = {path: path.read_bytes() for path in match.annotations.iterdir()}
+    (match.annotations / "00002.json").unlink()
+    assert "written: 1 annotation (" in cli(*arguments).stdout
+    assert {path: path.read_bytes() for path in match.annotations.iterdir()} == before
+
+
+def test_an_annotation_that_appears_meanwhile_stays(cli, match, monkeypatch) -> None:
+    def slow(name, *arguments):
+        match.annotations.joinpath(f"{name}.json").write_text("{}")
+        return painted(name, *arguments)
+
+    painted = annotation_run.painted
+    monkeypatch.setattr(annotation_run, "painted", slow)
+    done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
+    assert done.exit_code == 0, done.output
+    assert f"not touched: {FRAMES} frames annotated already" in done.stdout
+    assert {path.read_text() for path in match.annotations.iterdir()} == {"{}"}
+
+
+def test_nothing_is_written_where_no_paint_is(cli, match) -> None:
+    last = (match.pictures / f"{FRAMES - 1:05d}.png").read_bytes()
+    (match.pictures / "00000.png").write_bytes(last)  # the picture of another camera
+    done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
+    assert done.exit_code == 0, done.output
+    assert "no paint found under the camera: 1 frame (00000)" in done.stdout
+    assert "00000.json" not in names_in(match.annotations)
+
+
+def test_frames_of_a_video_by_their_names(cli, match, tmp_path) -> None:
+    video = match.shot.write_video(tmp_path / "match.mp4")
+    for path in match.cameras.iterdir():
+        path.rename(path.with_name(path.name.replace("camera_0", "camera_match_00")))
+    frames = tmp_path / "match_frames"
+    done = cli("annotate", video, frames, "--cameras", match.cameras, "--every", 2)
+    assert done.exit_code == 0, done.output
+    assert names_in(frames) == ["match_000000.json", "match_000002.json"]
+    assert not done.stderr
+    assert set(kinds_of(frames, frames / "match_000002.json")) == {OriginKind.PROPOSED}
+
+
+def test_the_views_that_differ_most(cli, match) -> None:
+    arguments = ("--cameras", match.cameras, "--views", 2)
+    done = cli("annotate", match.pictures, match.annotations, *arguments)
+    assert done.exit_code == 0, done.output
+    first, second = names_in(match.annotations)
+    assert (first, second) == ("00000.json", "00001.json")
+
+
+def test_several_processes_find_the_same(cli, match, tmp_path) -> None:
+    for name, workers in (("one", 1), ("two", 2)):
+        out = tmp_path / name
+        arguments = ("--cameras", match.cameras, "--workers", workers)
+        assert cli("annotate", match.pictures, out, *arguments).exit_code == 0
+    one, two = (
+        [p.read_bytes() for p in sorted((tmp_path / n).glob("*.json"))] for n in ("one", "two")
+    )
+    assert one == two
+    assert len(one) == FRAMES
+
+
+def test_what_cannot_be_read_is_listed_and_the_rest_goes_on(cli, match) -> None:
+    (match.pictures / "00000.png").write_bytes(b"no picture")
+    (match.cameras / "camera_00001.json").write_text("{")
+    done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
+    assert done.exit_code == 1
+    assert len(done.stderr.splitlines()) == 2
+    assert names_in(match.annotations) == ["00002.json"]
+
+
+def test_what_makes_no_sense(cli, match, tmp_path) -> None:
+    for wrong, said in (
+        ((tmp_path / "nowhere", match.annotations, "--cameras", match.cameras), "does not exist"),
+        ((match.pictures, match.annotations, "--cameras", tmp_path / "no"), "does not exist"),
+        ((match.pictures, match.cameras, "--cameras", match.cameras), "write to another folder"),
+        ((match.pictures, tmp_path / "o.zip", "--cameras", match.cameras), "a folder is needed"),
+        ((match.cameras, match.annotations, "--cameras", match.cameras), "no picture in"),
+    ):
+        done = cli("annotate", *wrong)
+        assert done.exit_code == 2, done.output
+        assert said in done.stderr
+    for path in match.cameras.iterdir():
+        path.rename(path.with_name("camera_other.json"))
+    done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
+    assert done.exit_code == 2
+    assert "holds no camera of these frames (it holds 1 camera, e.g. for other" in done.stderr
+
+
+def test_an_interrupted_run_says_how_to_go_on(cli, match, monkeypatch) -> None:
+    def stopped(name, *arguments):
+        if name == "00002":
+            raise KeyboardInterrupt
+        return painted(name, *arguments)
+
+    painted = annotation_run.painted
+    monkeypatch.setattr(annotation_run, "painted", stopped)
+    done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
+    assert done.exit_code == 130
+    assert f"interrupted: 2 of {FRAMES} frames looked at, 2 annotations written" in done.stderr
+    assert names_in(match.annotations) == ["00000.json", "00001.json"]
+    assert set(kinds_of(match.pictures, match.annotations / "00001.json")) == {OriginKind.PROPOSED}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL")
+def test_a_kill_leaves_whole_files_of_known_origin(match) -> None:
+    arguments = ["annotate", match.pictures, match.annotations, "--cameras", match.cameras]
+    command = [sys.executable, "-m", "procc_annotator", *map(str, arguments)]
+    running = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    while running.poll() is None and not any(match.annotations.glob("*.json")):
+        try:
+            running.wait(0.02)
+        except subprocess.TimeoutExpired:
+            continue
+    running.send_signal(signal.SIGKILL)
+    running.wait()
+    written = list(match.annotations.glob("*.json"))
+    assert written
+    for path in written:
+        assert set(kinds_of(match.pictures, path)) == {OriginKind.PROPOSED}

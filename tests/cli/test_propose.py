@@ -1,0 +1,235 @@
+"""``procc-annotator propose``: what becomes of proposals, whoever makes them."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.api import fit_camera, load_annotation
+from procc_annotator.field.model import Field
+from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal, State
+from procc_annotator.fit.result import FitResult
+from tests.cli.conftest import PANS, SIZE, Dataset, write_dataset
+
+NAMES = ["1", "2", "3", "10", "11"]
+POSITION = (0.0, 60.0, -14.0)
+
+
+def proposal(fit: FitResult, state: State, reason: str = "the paint says so") -> Proposal:
+    return Proposal(state, reason, fit, 0.91, 0.84, 0.4, 0.3, None)
+
+
+@dataclass
+class Pretended:
+    """Stands in for the search in a picture: says of each frame what it is told, in their order.
+
+    Attributes:
+        said: what it says of the frames, first look and second one after the other.
+        known: what it was told of positions each time.
+    """
+
+    said: list[Proposal]
+    known: list[tuple[KnownPosition, ...]] = field(default_factory=list)
+
+    def __call__(
+        self, picture: np.ndarray, field: Field, *, known: Iterable[KnownPosition]
+    ) -> Proposal:
+        assert picture.shape[2] == 4
+        self.known.append(tuple(known))
+        return self.said[len(self.known) - 1]
+
+
+@pytest.fixture(scope="module")
+def fits(tmp_path_factory: pytest.TempPathFactory) -> dict[str, FitResult]:
+    """What a fit to its points says of every frame."""
+    made = write_dataset(tmp_path_factory.mktemp("fits") / "match")
+    return {
+        name: fit_camera(load_annotation(made.annotations / f"{name}.json"), size=SIZE)
+        for name in PANS
+    }
+
+
+@pytest.fixture
+def bare(dataset: Dataset) -> Dataset:
+    """Nobody has annotated anything."""
+    for path in dataset.annotations.iterdir():
+        path.unlink()
+    return dataset
+
+
+@pytest.fixture
+def pretend(monkeypatch: pytest.MonkeyPatch):
+    def made(said: list[Proposal]) -> Pretended:
+        found = Pretended(said)
+        monkeypatch.setattr("procc_annotator.cli.propose.propose_camera", found)
+        return found
+
+    return made
+
+
+def none() -> Proposal:
+    why = "no paint of this field was found"
+    failed = FitResult("R", SIZE, None, why)
+    return replace(proposal(failed, "none", why), coverage=0.0, residual_px=None)
+
+
+def table(out: Path) -> dict[str, dict[str, str]]:
+    with (out / "proposals.csv").open(newline="") as stream:
+        return {row["frame"]: row for row in csv.DictReader(stream)}
+
+
+def files(out: Path) -> list[str]:
+    return sorted(str(path.relative_to(out)) for path in out.rglob("*") if path.is_file())
+
+
+def test_sure_cameras_unsure_ones_and_none(cli, bare, pretend, fits, tmp_path) -> None:
+    said = [proposal(fits["1"], "sure"), proposal(fits["2"], "unsure", "-too little in sight")]
+    pretend([*said, none(), none(), none()])
+    out = tmp_path / "out"
+    done = cli("propose", bare.root, out)
+    assert done.exit_code == 0, done.output
+    assert "1 sure, 1 unsure, 3 none" in done.stdout
+    assert "too little in sight" in done.stdout
+    assert files(out) == ["camera_1.json", "proposals.csv", "unsure/camera_2.json"]
+    camera = json.loads((out / "camera_1.json").read_text())
+    assert (camera["image_width"], camera["image_height"]) == SIZE
+    assert camera["pan_degrees"] == pytest.approx(PANS["1"], abs=0.01)
+    rows = table(out)
+    assert list(rows) == NAMES
+    assert [row["state"] for row in rows.values()] == ["sure", "unsure", "none", "none", "none"]
+    assert rows["1"]["coverage"] == "0.91"
+    assert float(rows["1"]["sd_pan_degrees"]) > 0
+    assert rows["2"]["reason"] == "'-too little in sight"
+    assert (rows["2"]["camera"], rows["3"]["camera"]) == ("unsure/camera_2.json", "")
+    assert (rows["3"]["residual_px"], rows["3"]["sd_x_m"]) == ("", "")
+
+
+def test_annotated_frames_are_passed_over(cli, dataset, pretend, fits, tmp_path) -> None:
+    (dataset.annotations / "3.json").unlink()
+    (dataset.annotations / "10.json").write_text("{}")
+    pretend([proposal(fits["3"], "sure"), none()])
+    done = cli("propose", dataset.root, tmp_path / "out")
+    assert done.exit_code == 0, done.output
+    assert "passed over: 3 annotated frames (--all)" in done.stdout
+    assert list(table(tmp_path / "out")) == ["3", "10"]
+    pretend([none()] * 5)
+    assert cli("propose", dataset.root, tmp_path / "all", "--all").exit_code == 0
+    assert list(table(tmp_path / "all")) == NAMES
+
+
+def test_sure_frames_tell_the_others_where_the_camera_stands(
+    cli, bare, pretend, fits, tmp_path
+) -> None:
+    first = [proposal(fits[name], "sure") for name in NAMES[:3]]
+    first += [proposal(fits["10"], "unsure"), none()]
+    finder = pretend([*first, proposal(fits["10"], "sure"), none()])
+    out = tmp_path / "out"
+    done = cli("propose", bare.root, out)
+    assert done.exit_code == 0, done.output
+    assert finder.known[:5] == [()] * 5
+    for known in finder.known[5:]:
+        (position,) = known
+        assert position.position_m == pytest.approx(POSITION, abs=0.5)
+        assert position.usual is not None
+    assert "sure frames agree on 1 position" in done.stdout
+    assert "with that 1 more frame is sure" in done.stdout
+    assert files(out) == [f"camera_{n}.json" for n in ("1", "10", "2", "3")] + ["proposals.csv"]
+    rows = table(out)
+    assert [rows[n]["known_position"] for n in NAMES] == ["false"] * 3 + ["true", "false"]
+
+
+@pytest.mark.parametrize("given", ["cameras", "positions"])
+def test_known_positions(cli, bare, pretend, tmp_path, given) -> None:
+    known = bare.cameras
+    if given == "positions":
+        known = tmp_path / "positions.csv"
+        known.write_text("position,x_m,y_m,z_m,sd_x_m,sd_y_m,sd_z_m\na,0,60,-14,.1,.2,.1\n")
+    finder = pretend([none()] * 5)
+    done = cli("propose", bare.root, tmp_path / "out", "--known", known)
+    assert done.exit_code == 0, done.output
+    for told in finder.known:
+        (position,) = told
+        assert position.position_m == pytest.approx(POSITION)
+        assert (np.linalg.eigvalsh(position.covariance) > 0).all()
+
+
+def test_positions_that_cannot_be_read(cli, bare, pretend, tmp_path) -> None:
+    finder = pretend([])
+    table_file = tmp_path / "positions.csv"
+    for text, said in (
+        ("a,b\n1,2\n", "has no column x_m"),
+        ("x_m,y_m,z_m,sd_x_m,sd_y_m,sd_z_m\n1,2,here,1,1,1\n", "line 2: expected numbers"),
+        ("x_m,y_m,z_m,sd_x_m,sd_y_m,sd_z_m\n", "holds no position"),
+    ):
+        table_file.write_text(text)
+        done = cli("propose", bare.root, tmp_path / "out", "--known", table_file)
+        assert done.exit_code == 2
+        assert said in done.stderr
+    np.save(tmp_path / "1.npy", np.eye(3))
+    done = cli("propose", bare.root, tmp_path / "out", "--known", tmp_path / "1.npy")
+    assert done.exit_code == 2
+    assert "holds no camera with a position" in done.stderr
+    assert not finder.known
+
+
+def test_what_cannot_be_read_is_listed_and_the_rest_goes_on(cli, bare, pretend, tmp_path) -> None:
+    (bare.root / "2.jpg").write_bytes(b"no picture")
+    pretend([none()] * 4)
+    done = cli("propose", bare.root, tmp_path / "out")
+    assert done.exit_code == 1
+    assert "0 sure, 0 unsure, 4 none" in done.stdout
+    assert done.stderr.startswith("unreadable: ")
+    assert table(tmp_path / "out")["2"]["state"] == "unreadable"
+
+
+def test_nothing_is_replaced_that_nobody_asked_to_replace(
+    cli, bare, pretend, fits, tmp_path
+) -> None:
+    out = tmp_path / "out"
+    pretend([proposal(fits["1"], "sure"), *[none()] * 4])
+    assert cli("propose", bare.root, out).exit_code == 0
+    pretend([none()] * 5)
+    done = cli("propose", bare.root, out)
+    assert done.exit_code == 2
+    assert "--overwrite to replace them" in done.stderr
+    done = cli("propose", bare.root, out, "--overwrite")
+    assert done.exit_code == 0, done.output
+    assert "holds 1 other camera of these frames" in done.stderr
+
+
+def test_what_makes_no_sense(cli, dataset, tmp_path) -> None:
+    for wrong, said in (
+        ((tmp_path / "nowhere", tmp_path / "out"), "does not exist"),
+        ((dataset.root, tmp_path / "out"), "all frames are annotated"),
+        ((dataset.root, tmp_path / "out.zip"), "a folder is needed"),
+        ((dataset.root, dataset.annotations, "--all"), "holds annotations"),
+        ((dataset.root, tmp_path / "out", "--known", tmp_path / "no"), "does not exist"),
+        ((dataset.root, dataset.cameras, "--known", dataset.cameras), "write to another folder"),
+        ((dataset.cameras, tmp_path / "out"), "no picture in"),
+    ):
+        done = cli("propose", *wrong)
+        assert done.exit_code == 2, done.output
+        assert said in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_an_interrupted_run_says_what_is_there(cli, bare, monkeypatch, fits, tmp_path) -> None:
+    calls = []
+
+    def stopped(picture, field, *, known):
+        calls.append(picture)
+        if len(calls) == 3:
+            raise KeyboardInterrupt
+        return proposal(fits["1"], "sure")
+
+    monkeypatch.setattr("procc_annotator.cli.propose.propose_camera", stopped)
+    done = cli("propose", bare.root, tmp_path / "out")
+    assert done.exit_code == 130
+    assert "interrupted: 2 sure cameras of 5 frames written" in done.stderr
+    assert files(tmp_path / "out") == ["camera_1.json", "camera_2.json"]

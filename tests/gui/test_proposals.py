@@ -1,0 +1,260 @@
+"""Cameras that are found without a click: their ghosts, what is said of them, what they may do."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from threading import Event
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.model import Field
+from procc_annotator.fit.from_picture.proposal import Proposal, State
+from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state import proposals
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.interact import palette as tones
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.facts.origins import OriginKind
+from tests.gui.conftest import Hand, all_done, until_kept
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import MakeWindow
+
+Key, SHIFT = Qt.Key, Qt.KeyboardModifier.ShiftModifier
+
+
+class Finder:
+    """Stands for the search in the picture: says what it is told to."""
+
+    def __init__(self, folder: Path) -> None:
+        self.cameras = CameraSet.open(folder / "cameras" / "true", camera_size=(960, 540))
+        self.state: State = "sure"
+        self.reason = "94 % of the lines in sight are on paint"
+        self.asked = 0
+        self.wait: Event | None = None
+        self.frame = "00002"
+
+    def __call__(
+        self, picture: PixelArray, field: Field, *, known: Any = (), go_on: Callable[[], None]
+    ) -> Proposal:
+        self.asked += 1
+        while self.wait is not None and not self.wait.wait(0.01):
+            go_on()
+        size = picture.shape[1], picture.shape[0]
+        if self.state == "none":
+            none = FitResult("R", size, None, self.reason)
+            return Proposal("none", self.reason, none, 0.0, 0.0, None, 0.0, None)
+        found = self.cameras.camera(self.frame, size)
+        assert found is not None
+        assert isinstance(found.camera, PinholeCamera)
+        fit = given_camera(found.camera, size)
+        return Proposal(self.state, self.reason, fit, 0.94, 0.9, 0.4, 0.3, None)
+
+
+@pytest.fixture
+def finder(annotated: Path, monkeypatch: pytest.MonkeyPatch) -> Finder:
+    found = Finder(annotated)
+    monkeypatch.setattr(proposals, "propose_camera", found)
+    return found
+
+
+@pytest.fixture
+def bare(annotated: Path) -> Path:
+    """The sample; nothing is annotated in its second frame."""
+    (annotated / "00002.json").unlink()
+    return annotated
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot) -> MainWindow:
+    made = make_window(bare)
+    made.document.go_to(1)
+    all_done(qtbot)
+    return made
+
+
+def ghosts(window: MainWindow) -> list[str]:
+    return [ghost.name for ghost in window.document.ghosts.painted]
+
+
+def tones_of(window: MainWindow) -> set[str]:
+    return {stroke.colour for stroke in window.canvas.overlay_item.ghosts.strokes}
+
+
+def entries(folder: Path) -> dict[str, Any]:
+    until_kept()
+    path = folder / "00002.json"
+    return dict(json.loads(path.read_text())) if path.exists() else {}
+
+
+class TestAFrameWithoutAnnotation:
+    def test_shows_ghosts_without_a_click_and_says_how_sure(
+        self, window: MainWindow, finder: Finder
+    ) -> None:
+        assert len(ghosts(window)) > 5
+        plate = window.canvas.found_plate
+        assert plate.isVisible()
+        assert plate.text == f"Camera found, sure: {finder.reason}"
+        assert tones.GHOST in tones_of(window)
+
+    def test_nothing_is_saved_before_somebody_accepts(self, window: MainWindow, bare: Path) -> None:
+        window.document.next_frame()
+        window.document.previous_frame()
+
+        assert entries(bare) == {}
+        assert [source.name for source in window.document.sources] == []
+
+    def test_unsure_cameras_look_unsure(
+        self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot
+    ) -> None:
+        finder.state, finder.reason = "unsure", "another camera fits nearly as well"
+        window = make_window(bare)
+        window.document.go_to(1)
+        all_done(qtbot)
+
+        assert tones.UNSURE_GHOST in tones_of(window)
+        assert window.canvas.found_plate.text.startswith("Camera found, unsure: another camera")
+
+    def test_without_a_camera_the_reason_is_said(
+        self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot, hand_on: Any
+    ) -> None:
+        finder.state, finder.reason = "none", "no paint of this field was found"
+        window = make_window(bare)
+        window.document.go_to(1)
+        all_done(qtbot)
+
+        assert ghosts(window) == []
+        assert window.canvas.found_plate.text == f"No camera found: {finder.reason}"
+
+    def test_every_frame_is_looked_at_once_and_its_neighbours_before_they_are_come_to(
+        self, window: MainWindow, finder: Finder, qtbot: QtBot
+    ) -> None:
+        assert finder.asked == 1  # the neighbours are annotated
+
+        for step in (1, -1, 1, -1):
+            window.document.go_to(1 + max(step, 0))
+            all_done(qtbot)
+
+        assert finder.asked == 1
+
+    def test_leaving_the_frame_stops_the_search(
+        self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot
+    ) -> None:
+        finder.wait = Event()
+        window = make_window(bare)
+        window.document.go_to(1)
+        qtbot.waitUntil(lambda: finder.asked == 1)
+        assert window.canvas.found_plate.text.startswith("Looking for the camera")
+
+        window.document.go_to(2)
+        all_done(qtbot)  # it would wait for ever
+
+        assert not window.canvas.found_plate.isVisible()
+
+
+class TestAccepting:
+    def test_all_of_them_is_one_step_and_bears_where_it_came_from(
+        self, window: MainWindow, bare: Path, hand_on: Any, qtbot: QtBot
+    ) -> None:
+        hand: Hand = hand_on(window)
+        document = window.document
+
+        hand.key(Key.Key_Return, SHIFT)
+        all_done(qtbot)
+
+        assert len(entries(bare)) > 5
+        counts = document.review.origin_counts("00002", document.annotation)
+        assert set(counts) == {OriginKind.ACCEPTED}
+        assert document.live_fit.result is not None
+        assert document.live_fit.result.camera is not None
+        assert not window.canvas.found_plate.isVisible()
+        document.undo()
+        all_done(qtbot)
+        assert entries(bare) == {}
+        assert window.canvas.found_plate.isVisible()
+
+    def test_one_by_one_while_the_clicks_give_no_camera(
+        self, window: MainWindow, hand_on: Any, qtbot: QtBot
+    ) -> None:
+        hand: Hand = hand_on(window)
+        document = window.document
+        before = len(ghosts(window))
+
+        hand.key(Key.Key_Tab)
+        first = document.ghosts.current
+        assert first is not None
+        all_done(qtbot)
+        hand.key(Key.Key_Return)
+        all_done(qtbot)
+
+        assert document.annotation.annotated == (first.name,)
+        assert document.live_fit.result is not None
+        assert document.live_fit.result.camera is None
+        assert document.foresight.stands_in
+        assert len(ghosts(window)) == before - 1
+        assert document.ghosts.current is not None  # the walk goes on
+
+    def test_not_visible_here(self, window: MainWindow, hand_on: Any, qtbot: QtBot) -> None:
+        hand: Hand = hand_on(window)
+        hand.key(Key.Key_Tab)
+        current = window.document.ghosts.current
+        assert current is not None
+        hand.key(Key.Key_Period)
+        all_done(qtbot)
+
+        assert current.name not in ghosts(window)
+
+    def test_clicks_that_contradict_the_camera_take_its_ghosts_away(
+        self, window: MainWindow, hand_on: Any, qtbot: QtBot
+    ) -> None:
+        hand: Hand = hand_on(window)
+        name = ghosts(window)[0]
+        height = (window.document.picture_size or (0, 0))[1]
+
+        hand.draw(name, (10, height - 12), (40, height - 40))
+        all_done(qtbot)
+
+        assert not window.document.foresight.stands_in
+        assert ghosts(window) == []
+
+
+class TestOff:
+    def test_in_blind_mode(
+        self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot
+    ) -> None:
+        window = make_window(bare)
+        window.document.set_blind(True)
+        window.document.go_to(1)
+        all_done(qtbot)
+
+        assert finder.asked == 0
+        assert ghosts(window) == []
+        assert not window.canvas.found_plate.isVisible()
+        window.document.set_blind(False)
+        all_done(qtbot)
+        assert ghosts(window)
+
+    def test_by_the_option(self, window: MainWindow, finder: Finder, qtbot: QtBot) -> None:
+        window.actions_["propose"].trigger()
+        all_done(qtbot)
+
+        assert ghosts(window) == []
+        assert not window.canvas.found_plate.isVisible()
+        window.actions_["propose"].trigger()
+        all_done(qtbot)
+        assert ghosts(window)
+        assert finder.asked == 1
+
+    def test_the_live_fit_may_be_off(self, window: MainWindow, qtbot: QtBot) -> None:
+        window.document.live_fit.set_wanted(False)
+        all_done(qtbot)
+
+        assert ghosts(window)

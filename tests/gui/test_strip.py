@@ -1,0 +1,361 @@
+"""The strip below the picture: when it is there, where a click goes, what it tells of frames."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from time import thread_time
+from typing import TYPE_CHECKING
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QPixmap, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.through_shot.track import FrameState, Track, TrackedFrame
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.strip.axis import Axis
+from procc_annotator.gui.strip.band import Band, band_pixels
+from procc_annotator.session.dataset.frame_sequence import FEWEST, sequence_of
+from procc_annotator.session.dataset.frames import list_frames
+from tests.gui.conftest import all_done
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import Hand, MakeWindow
+
+SIZE = (320, 180)
+COUNT = 24
+CAMERA = PinholeCamera(
+    pan_rad=0.0,
+    tilt_rad=1.35,
+    roll_rad=0.0,
+    position_world=(0.0, 60.0, -15.0),
+    focal_px=(400.0, 400.0),
+    principal_point_px=(159.5, 89.5),
+)
+
+
+def panned(number: int, scene: int = 0) -> np.ndarray:
+    """A camera that pans over a scene."""
+    colours = np.random.default_rng(scene).integers(0, 200, (6, 12, 3), dtype=np.uint8)
+    wide = cv2.resize(colours, (SIZE[0] + 2 * COUNT, SIZE[1]), interpolation=cv2.INTER_CUBIC)
+    return np.ascontiguousarray(wide[:, 2 * number : 2 * number + SIZE[0]])
+
+
+@pytest.fixture
+def shot(tmp_path: Path) -> Path:
+    """A folder of pictures that follow one another."""
+    folder = tmp_path / "shot"
+    folder.mkdir()
+    for number in range(COUNT):
+        cv2.imwrite(str(folder / f"shot_{number + 100:04d}.png"), panned(number))
+    return folder
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, shot: Path, qtbot: QtBot) -> MainWindow:
+    made = make_window(shot)
+    qtbot.waitUntil(made.strip.isVisible)
+    all_done(qtbot)
+    return made
+
+
+def tracked(number: int, state: FrameState = "followed", coverage: float = 0.9) -> TrackedFrame:
+    fit = None if state == "lost" else FitResult("R", SIZE, CAMERA)
+    return TrackedFrame(number, state, "", fit, coverage, 0.3, 4)
+
+
+def take(window: MainWindow, frames: Iterable[TrackedFrame], *shots: tuple[int, int]) -> None:
+    window.document.shot_track.take(Track(tuple(frames), shots))
+
+
+def place_of(window: MainWindow, number: int) -> QPoint:
+    strip = window.strip
+    assert strip.axis is not None
+    return QPoint(round(8 + strip.axis.middle_of(number)), strip.height() // 2)
+
+
+def key(window: MainWindow, key: Qt.Key, modifiers: Qt.KeyboardModifier) -> None:
+    QTest.keyClick(window.canvas, key, modifiers)
+
+
+SHIFT, CTRL, ALT = (
+    Qt.KeyboardModifier.ShiftModifier,
+    Qt.KeyboardModifier.ControlModifier,
+    Qt.KeyboardModifier.AltModifier,
+)
+
+
+class TestWhereItIs:
+    def test_pictures_that_follow_one_another_have_one(self, window: MainWindow) -> None:
+        sequence = window.document.sequence.value
+
+        assert sequence is not None
+        assert (sequence.first, sequence.last, sequence.video) == (100, 123, None)
+        assert window.strip.mapTo(window, QPoint()).y() > window.canvas.mapTo(window, QPoint()).y()
+
+    def test_unrelated_pictures_have_none(
+        self, make_window: MakeWindow, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        for number in range(COUNT):
+            cv2.imwrite(str(tmp_path / f"{number:05d}.png"), panned(0, scene=number))
+
+        window = make_window(tmp_path)
+        all_done(qtbot)
+
+        assert window.document.sequence.value is None
+        assert not window.strip.isVisible()
+
+    def test_few_pictures_or_names_without_order_make_no_sequence(self, shot: Path) -> None:
+        frames = list_frames(shot)[1]
+
+        assert sequence_of(frames) is not None
+        assert sequence_of(frames[: FEWEST - 1]) is None
+        assert sequence_of(frames[::2]) is None  # every second one is missing
+
+    def test_it_does_not_come_while_a_hand_works(
+        self, make_window: MakeWindow, dataset: Path, shot: Path, qtbot: QtBot
+    ) -> None:
+        window = make_window(dataset)
+        all_done(qtbot)
+        document = window.document
+        document.open_path(shot)
+        assert document.sequence.working
+        document.select_class("Middle line")
+        qtbot.waitUntil(lambda: document.sequence.value is not None)
+
+        assert not window.strip.isVisible()
+        document.next_frame()
+        assert window.strip.isVisible()
+
+    def test_it_is_switched_off_and_remembered(
+        self, window: MainWindow, make_window: MakeWindow, shot: Path, qtbot: QtBot
+    ) -> None:
+        window.actions_["strip"].trigger()
+
+        assert not window.strip.isVisible()
+        window.document.next_frame()
+        assert not window.strip.isVisible()
+        window.actions_["strip"].trigger()
+        assert window.strip.isVisible()
+
+    def test_where_there_is_none_switching_it_on_says_why(
+        self, make_window: MakeWindow, dataset: Path, qtbot: QtBot
+    ) -> None:
+        window = make_window(dataset)
+        all_done(qtbot)
+        said: list[str] = []
+        window.document.message.connect(lambda text, _: said.append(text))
+
+        for _ in range(2):
+            window.actions_["strip"].trigger()
+
+        assert said == ["the strip is for frames that follow one another: these do not"]
+
+
+class TestHands:
+    def test_a_click_goes_to_a_frame_and_a_drag_along_them(
+        self, window: MainWindow, qtbot: QtBot
+    ) -> None:
+        strip, document = window.strip, window.document
+        left = Qt.MouseButton.LeftButton
+
+        QTest.mouseClick(strip, left, Qt.KeyboardModifier.NoModifier, place_of(window, 112))
+        qtbot.waitUntil(lambda: document.frame_index == 12)
+        QTest.mousePress(strip, left, Qt.KeyboardModifier.NoModifier, place_of(window, 105))
+        for number in (108, 115, 120):
+            QTest.mouseMove(strip, place_of(window, number))
+        qtbot.waitUntil(lambda: document.frame_index == 20)
+        QTest.mouseRelease(strip, left, Qt.KeyboardModifier.NoModifier, place_of(window, 120))
+
+        assert strip.number == 120
+
+    def test_the_wheel_zooms_where_the_pointer_is(self, window: MainWindow) -> None:
+        strip = window.strip
+        before = strip.axis
+        assert before is not None
+        assert before.is_whole
+
+        for turned in (120, 120):
+            at = QPointF(place_of(window, 110))
+            event = QWheelEvent(
+                at,
+                QPointF(strip.mapToGlobal(at.toPoint())),
+                QPoint(),
+                QPoint(0, turned),
+                Qt.MouseButton.NoButton,
+                Qt.KeyboardModifier.NoModifier,
+                Qt.ScrollPhase.NoScrollPhase,
+                False,
+            )
+            QApplication.sendEvent(strip, event)
+        after = strip.axis
+
+        assert after is not None
+        assert after.per_frame > before.per_frame
+        assert after.middle_of(110) == pytest.approx(before.middle_of(110), abs=2.0)
+
+    def test_the_keyboard_stays_with_the_picture(self, window: MainWindow) -> None:
+        QTest.mouseClick(
+            window.strip,
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+            place_of(window, 110),
+        )
+
+        assert window.canvas.hasFocus()
+
+    def test_a_stretch_is_marked_with_shift(self, window: MainWindow) -> None:
+        strip, left = window.strip, Qt.MouseButton.LeftButton
+
+        QTest.mousePress(strip, left, SHIFT, place_of(window, 118))
+        QTest.mouseMove(strip, place_of(window, 106))
+        QTest.mouseRelease(strip, left, SHIFT, place_of(window, 106))
+
+        assert strip.stretch == (106, 118)
+        assert window.document.frame_index == 0
+
+
+class TestKeys:
+    def test_by_ten(self, window: MainWindow, qtbot: QtBot) -> None:
+        document = window.document
+
+        for expected in (10, 20, COUNT - 1):
+            key(window, Qt.Key.Key_PageDown, SHIFT)
+            qtbot.waitUntil(lambda at=expected: document.frame_index == at)
+        key(window, Qt.Key.Key_PageUp, SHIFT)
+        qtbot.waitUntil(lambda: document.frame_index == COUNT - 11)
+
+    def test_to_annotated_frames(self, window: MainWindow, hand_on: object, qtbot: QtBot) -> None:
+        document = window.document
+        document.go_to(7)
+        hand: Hand = hand_on(window)  # type: ignore[operator]
+        hand.draw("Middle line", (40, 40), (200, 120))
+        document.go_to(15)
+        hand.draw("Middle line", (40, 40), (200, 120))
+        all_done(qtbot)
+
+        assert window.strip.content.anchors == (107, 115)
+        key(window, Qt.Key.Key_PageUp, CTRL)
+        qtbot.waitUntil(lambda: document.frame_index == 7)
+        key(window, Qt.Key.Key_PageDown, CTRL)
+        qtbot.waitUntil(lambda: document.frame_index == 15)
+
+    def test_to_doubtful_frames(self, window: MainWindow, qtbot: QtBot) -> None:
+        document = window.document
+        frames = [tracked(n) for n in range(100, 124)]
+        frames[9], frames[14] = tracked(109, "bridged"), tracked(114, coverage=0.2)
+        take(window, frames, (100, 123))
+
+        for expected in (9, 14):
+            key(window, Qt.Key.Key_PageDown, ALT)
+            qtbot.waitUntil(lambda at=expected: document.frame_index == at)
+        key(window, Qt.Key.Key_PageUp, ALT)
+        qtbot.waitUntil(lambda: document.frame_index == 9)
+
+    def test_playing_goes_on_to_the_end_and_an_edit_stops_it(
+        self, window: MainWindow, qtbot: QtBot
+    ) -> None:
+        document, walk = window.document, window.shot_walk
+
+        key(window, Qt.Key.Key_Space, SHIFT)
+        qtbot.waitUntil(lambda: document.frame_index > 2)
+        window.canvas.editor.changed.emit()
+        assert not walk.playing
+        document.go_to(COUNT - 3)
+        key(window, Qt.Key.Key_Space, SHIFT)
+        qtbot.waitUntil(lambda: not walk.playing)
+
+        assert document.frame_index == COUNT - 1
+
+
+class TestWhatItTells:
+    def test_of_a_followed_frame(self, window: MainWindow) -> None:
+        take(window, [tracked(n) for n in range(100, 120)], (100, 109), (110, 119))
+        document, content = window.document, window.strip.content
+
+        assert content.cuts == (110,)
+        assert np.isnan(content.band.coverage[20:]).all()
+        assert "track" in [source.name for source in document.sources]
+        document.set_active_camera(document.sources.index(document.shot_track.source))
+        assert document.camera is not None
+        document.go_to(21)
+        assert document.camera is None
+        assert document.camera_notice == "not followed so far"
+
+    def test_nothing_of_cameras_in_blind_mode(self, window: MainWindow) -> None:
+        take(window, [tracked(n) for n in range(100, 120)], (100, 119))
+
+        window.document.set_blind(True)
+
+        assert window.strip.content.hidden
+        assert "on paint" not in strip_words(window)
+        window.document.set_blind(False)
+        assert "on paint" in strip_words(window)
+
+    def test_another_dataset_begins_without(
+        self, window: MainWindow, dataset: Path, qtbot: QtBot
+    ) -> None:
+        take(window, [tracked(n) for n in range(100, 120)], (100, 119))
+
+        window.document.open_path(dataset)
+        all_done(qtbot)
+
+        assert not window.document.shot_track.tracked
+        assert not window.document.sources
+        assert not window.strip.isVisible()
+
+
+def strip_words(window: MainWindow) -> str:
+    from procc_annotator.gui.strip.words import words_of
+
+    return words_of(window.document, window.strip.content, window.strip.number)
+
+
+def test_a_band_shows_the_worst_of_what_shares_a_column() -> None:
+    band = Band.unknown(1000)
+    band.coverage[:] = 0.9
+    band.coverage[500], band.lost[500], band.doubtful[500] = 0.0, True, True
+    pixels = band_pixels(band, Axis.whole(0, 999, 100.0), (100, 16))
+
+    heights = (pixels != 0).sum(axis=0)
+    assert heights[50] < 4 < heights[49]
+    assert (heights[np.arange(100) != 50] >= 14).all()
+
+
+@pytest.mark.parametrize("width", [100, 3840])
+def test_a_frame_is_found_where_it_is_painted(width: int) -> None:
+    axis = Axis.whole(10, 5009, float(width)).zoomed(4.0, width / 3)
+
+    for number in (int(axis.begin) + 2, int(axis.end) - 2):
+        assert abs(axis.number_at(axis.middle_of(number)) - number) <= 1
+    assert axis.scrolled(1e9).end == 5010
+
+
+@pytest.mark.new_window
+def test_painting_thousands_of_frames_takes_a_fraction_of_a_screen_frame(
+    make_window: MakeWindow, shot: Path, qtbot: QtBot
+) -> None:
+    window = make_window(shot)
+    qtbot.waitUntil(window.strip.isVisible)
+    strip = window.strip
+    strip.content.band = Band.unknown(20_000)
+    strip.content.band.coverage[:] = np.random.default_rng(1).random(20_000)
+    strip.content.anchors = tuple(range(0, 20_000, 25))
+    strip.axis = Axis.whole(0, 19_999, 3800.0)
+    strip.resize(3840, strip.height())
+    device = QPixmap(strip.size())
+
+    taken = []
+    for _ in range(7):
+        begin = thread_time()
+        strip.render(device)
+        taken.append(thread_time() - begin)
+
+    assert np.median(taken) < 0.016
