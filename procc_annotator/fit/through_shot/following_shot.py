@@ -57,7 +57,7 @@ def track(
     Args:
         frame: number -> (H, W, 4) BGRA; is called by another thread, one call at a time.
         numbers: the frames, consecutive.
-        field: the elements, wherever it says they lie: paint is followed where it is painted.
+        field: the elements, taken for the middle of their paint, see `painted_of`.
         anchors: cameras that are known, px of the pictures; those outside ``numbers`` do not count.
         propose: finds a camera where none is known; None for `propose_camera`.
         on_frame: told of each frame as soon as it was followed, in the order in which they are;
