@@ -18,6 +18,9 @@ from procc_annotator.fit.through_shot.turning import OWN, Turn, turn_between
 _FIRST_WORTH = Worth(0.4, 5.0)
 _LOST_PX = 40.0  # solver px: who knows no better where lines are has lost them
 _SAME_CAMERA = 0.5  # coverage from which on a picture that looks different is no cut
+# So different looks a picture of which nothing can be followed if it comes from another camera; of
+# one camera less, however fast it turns.
+_OTHER_CAMERA = 0.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,21 +65,27 @@ def follow(
     """
     done: list[tuple[int, Stepped]] = []
     before: Glimpse | None = None
-    cut = False
+    cut = broken = False  # for certain; if nothing is found again
     for now in glimpses(frame, numbers):
         go_on()
         step = _next(done, before, now, start, painted, picture_frame)
         if now.begins and (step.marks is None or step.coverage < _SAME_CAMERA):
             cut = True
             break
+        if before is not None and step.marks is None and step.turn is None:
+            broken = broken or now.unlike > _OTHER_CAMERA
+        else:
+            broken = False
         if step.marks is None and step.sd_px > _LOST_PX and before is not None:
             break
         done.append((now.number, step))
         on_step(now.number, step)
         before = now
+    else:
+        broken = False
     while len(done) > 1 and done[-1][1].marks is None and (cut or done[-1][1].turn is None):
         done.pop()  # nothing confirmed what was guessed
-    return Followed(tuple(n for n, _ in done), tuple(s for _, s in done), cut)
+    return Followed(tuple(n for n, _ in done), tuple(s for _, s in done), cut or broken)
 
 
 def _next(
