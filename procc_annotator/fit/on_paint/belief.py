@@ -13,9 +13,12 @@ from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.starts import prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of
 
-_ITERATIONS = 6
+_ITERATIONS = 8
 _SETTLED_PX = 0.01
 _MOST_KAPPA = 0.6
+# Farther off, a mark is less and less likely to be of the paint it was taken for.
+LEAST_SCALE_PX = 1.5
+COUNTS = 0.25  # weight from which on it is
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,13 +84,14 @@ def solve(
         start: (11,) parameters to start from.
         half_diagonal: half the picture's diagonal, solver px.
         error_px: standard deviation of a mark, solver px; what weighs them against the belief.
-        scale_px: marks farther off than this count less and less (Geman and McClure).
+        scale_px: marks farther off than this count less and less; halved from step to step until
+            it is that of marks on the same paint.
     """
     free = len(belief.information)
-    vector = start.copy()
+    vector, scale = start.copy(), max(scale_px, LEAST_SCALE_PX)
     for _ in range(_ITERATIONS):
         off, by = residuals(vector[None], marks, half_diagonal, free)
-        weights = (1 / (1 + (off[0] / scale_px) ** 2)) ** 2
+        weights = weights_of(off[0], scale)
         weighted = by[0] * weights[:, None]
         information = weighted.T @ by[0]
         before = belief.vector[:free] - vector[:free]
@@ -97,8 +101,14 @@ def solve(
         vector[:free] += step
         if free > KAPPA:
             vector[KAPPA] = np.clip(vector[KAPPA], LEAST_KAPPA, _MOST_KAPPA)
-        if len(marks) == 0 or np.abs(by[0] @ step).max() < _SETTLED_PX:
+        is_last = scale == LEAST_SCALE_PX
+        scale = max(scale / 2, LEAST_SCALE_PX)
+        if is_last and np.abs(by[0] @ step).max(initial=0.0) < _SETTLED_PX:
             break
-    off, _ = residuals(vector[None], marks, half_diagonal, free)
-    weights = (1 / (1 + (off[0] / scale_px) ** 2)) ** 2
-    return Solved(vector, information, off[0], weights)
+    off = off[0] - by[0] @ step
+    return Solved(vector, information, off, weights_of(off, scale))
+
+
+def weights_of(off: FloatArray, scale_px: float = LEAST_SCALE_PX) -> FloatArray:
+    """What marks count that are so far off, solver px (Geman and McClure)."""
+    return np.asarray((1 / (1 + (off / scale_px) ** 2)) ** 2)

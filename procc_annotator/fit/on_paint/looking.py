@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from procc_annotator.fit.on_paint.belief import COUNTS
 from procc_annotator.fit.on_paint.expected import Expected, expect
 from procc_annotator.fit.on_paint.marks import Marks
 from procc_annotator.fit.on_paint.offsets import Offsets, offsets_of
@@ -69,7 +70,7 @@ def shares_on_paint(
     own = painted.element[seen.expected.rows]
     length = seen.expected.length_px
     found = np.zeros(len(length))
-    found[seen.offsets.found] = weights > 0.25
+    found[seen.offsets.found] = weights > COUNTS
     total = np.bincount(own, length, minlength=len(painted.names))
     part = np.bincount(own, length * found, minlength=len(painted.names))
     whole = float(total.sum())

@@ -9,7 +9,7 @@ import numpy as np
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.on_paint.belief import Belief, Solved, solve, usual
+from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve, usual
 from procc_annotator.fit.on_paint.looking import Look, look, shares_on_paint
 from procc_annotator.fit.on_paint.painted import Painted, painted_of
 from procc_annotator.fit.on_paint.result import fit_of, worth_of
@@ -20,7 +20,6 @@ from procc_annotator.image.pixels import PixelArray
 
 REACHES_PX = (20.0, 10.0, 5.0, 5.0)
 _SCALE_SHARE = 0.5  # of the reach: farther off, marks count less and less
-_LEAST_SCALE_PX = 1.5
 _FEWEST = 12  # marks, for a camera to go by
 
 
@@ -80,7 +79,7 @@ def on_marks(
     seen: Look, belief: Belief, start: FloatArray, frame: PictureFrame, reach_px: float
 ) -> Solved:
     """The camera for what was found within a reach, from (11,) parameters."""
-    scale = max(_SCALE_SHARE * reach_px, _LEAST_SCALE_PX)
+    scale = _SCALE_SHARE * reach_px
     return solve(seen.marks, belief, start, frame.half_diagonal, error_px=1.0, scale_px=scale)
 
 
@@ -91,7 +90,7 @@ def result_of(
     worth = worth_of(solved, seen.marks)
     coverage, shares = shares_on_paint(seen, solved.weights, painted)
     fit = fit_of(solved, seen.marks, belief, worth, painted, frame)
-    counted = solved.weights > 0.25
+    counted = solved.weights > COUNTS
     residual = (
         float(np.median(np.abs(solved.off[counted]))) / frame.scale if counted.any() else None
     )

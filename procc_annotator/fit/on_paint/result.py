@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.on_paint.belief import Belief, Solved
+from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, Marks
 from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.result import ElementResidual, FitResult, PoseDeviations
@@ -19,7 +19,6 @@ from procc_annotator.fit.solving.models import (
 )
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
-_COUNTS = 0.25  # weight below which a mark is taken for something else
 _LEAST_ERROR_PX, _USUAL_ERROR_PX, _BELIEF = 0.08, 0.5, 20.0
 _TOGETHER = 12  # neighbouring marks, whose errors may have a part in common
 _MOST_TOGETHER = 12.0
@@ -45,7 +44,7 @@ class Worth:
 
 def worth_of(solved: Solved, marks: Marks) -> Worth:
     """What the marks of a picture are worth, by what remains of them."""
-    counted = solved.weights > _COUNTS
+    counted = solved.weights > COUNTS
     off, run = solved.off[counted], marks.run[counted]
     if not len(off):
         return Worth(_USUAL_ERROR_PX, _MOST_TOGETHER)
@@ -123,7 +122,7 @@ def _elements(
     found = []
     for number in np.unique(marks.element).tolist():
         own = marks.element == number
-        counted = own & (solved.weights > _COUNTS)
+        counted = own & (solved.weights > COUNTS)
         left_out = not counted.any()
         distances = away[own if left_out else counted]
         found.append(ElementResidual(painted.names[number], tuple(distances.tolist()), left_out))

@@ -1,0 +1,93 @@
+"""A run of frames followed from one whose camera is known, until a cut, or until it is lost."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.fit.on_paint.belief import Belief
+from procc_annotator.fit.on_paint.painted import Painted
+from procc_annotator.fit.on_paint.result import Worth
+from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.through_shot.reading import Glimpse, ReadFrame, glimpses
+from procc_annotator.fit.through_shot.stepping import Stepped, foretold, stepped
+from procc_annotator.fit.through_shot.turning import OWN, Turn, turn_between
+
+_FIRST_WORTH = Worth(0.4, 5.0)
+_LOST_PX = 40.0  # solver px: who knows no better where lines are has lost them
+_SAME_CAMERA = 0.5  # coverage from which on a picture that looks different is no cut
+
+
+@dataclass(frozen=True, eq=False)
+class Followed:
+    """Frames in the order they were followed.
+
+    Attributes:
+        numbers: of the frames.
+        steps: of each.
+        cut: whether another camera's picture ended it.
+    """
+
+    numbers: tuple[int, ...]
+    steps: tuple[Stepped, ...]
+    cut: bool
+
+
+def follow(
+    frame: ReadFrame,
+    numbers: Sequence[int],
+    start: Belief,
+    painted: Painted,
+    picture_frame: PictureFrame,
+    on_step: Callable[[int, Stepped], None],
+    go_on: Callable[[], None],
+) -> Followed:
+    """Follow a camera from frame to frame.
+
+    Args:
+        frame: number -> picture.
+        numbers: consecutive ones, ascending or descending; of the first the camera is known.
+        start: what is believed of that.
+        painted: the field's paint.
+        picture_frame: the pictures.
+        on_step: told of every frame as it is followed.
+        go_on: called between frames; what it raises ends it.
+    """
+    done: list[tuple[int, Stepped]] = []
+    before: Glimpse | None = None
+    cut = False
+    for now in glimpses(frame, numbers):
+        go_on()
+        step = _next(done, before, now, start, painted, picture_frame)
+        if now.begins and (step.marks is None or step.coverage < _SAME_CAMERA):
+            cut = True
+            break
+        if step.marks is None and step.sd_px > _LOST_PX and before is not None:
+            break
+        done.append((now.number, step))
+        on_step(now.number, step)
+        before = now
+    while len(done) > 1 and done[-1][1].marks is None and (cut or done[-1][1].turn is None):
+        done.pop()  # nothing confirmed what was guessed
+    return Followed(tuple(n for n, _ in done), tuple(s for _, s in done), cut)
+
+
+def _next(
+    done: list[tuple[int, Stepped]],
+    before: Glimpse | None,
+    now: Glimpse,
+    start: Belief,
+    painted: Painted,
+    frame: PictureFrame,
+) -> Stepped:
+    if before is None:
+        return stepped(now.picture, start, None, painted, frame, _FIRST_WORTH)
+    last = done[-1][1]
+    expected = np.zeros(len(OWN))
+    if len(done) > 1:
+        expected = last.belief.vector[OWN] - done[-2][1].belief.vector[OWN]
+    turn: Turn | None = turn_between(before.grey, now.grey, last.belief.vector, expected, frame)
+    believed = foretold(last.belief, turn, expected)
+    return stepped(now.picture, believed, turn, painted, frame, last.worth)

@@ -1,0 +1,220 @@
+"""The cameras of a run of frames: from those that are known, forwards and backwards to the cuts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from dataclasses import field as dataclass_field
+from itertools import pairwise
+
+import numpy as np
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.model import Field
+from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Proposal
+from procc_annotator.fit.from_picture.proposing import propose_camera
+from procc_annotator.fit.on_paint.painted import Painted, painted_of
+from procc_annotator.fit.on_paint.result import fit_result
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.models import X, Z
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.through_shot.following import Followed, follow
+from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
+from procc_annotator.fit.through_shot.starting import belief_at, vector_of
+from procc_annotator.fit.through_shot.stepping import Stepped
+from procc_annotator.fit.through_shot.track import FrameState, Track, TrackedFrame
+
+Propose = Callable[[np.ndarray, Field, Sequence[KnownPosition]], Proposal]
+
+# Frames after the first of a shot, or after one that was lost, at which a camera is proposed.
+_TRIES = (0, 8, 24, 50, 100, 200, 400, 800, 1600)
+
+
+def _never_stop() -> None:
+    """Nobody wants it stopped."""
+
+
+def _tell_nobody(_: TrackedFrame) -> None:
+    """Nobody asks."""
+
+
+def track(
+    frame: ReadFrame,
+    numbers: range,
+    field: Field,
+    *,
+    anchors: Mapping[int, Camera] | None = None,
+    propose: Propose | None = None,
+    on_frame: Callable[[TrackedFrame], None] = _tell_nobody,
+    go_on: Callable[[], None] = _never_stop,
+) -> Track:
+    """The camera of every frame that can be followed from a known one, or that is found.
+
+    Between two anchors, and from one to where its shot ends, the result depends on nothing else:
+    when an anchor changes, only what lies between its neighbours has to be followed again.
+
+    Args:
+        frame: number -> (H, W, 4) BGRA; is called by another thread, one call at a time.
+        numbers: the frames, consecutive.
+        field: the elements, wherever it says they lie: paint is followed where it is painted.
+        anchors: cameras that are known, px of the pictures; those outside ``numbers`` do not count.
+        propose: finds a camera where none is known; None for `propose_camera`.
+        on_frame: told of each frame as soon as it was followed, in the order in which they are;
+            what is handed back at the end is surer, and replaces it.
+        go_on: called at least once a frame; what it raises ends everything.
+
+    Raises:
+        UsageError: an anchor is no camera of this field.
+    """
+    if not len(numbers):
+        return Track((), ())
+    size = frame(numbers[0]).shape
+    known = {n: c for n, c in sorted((anchors or {}).items()) if n in numbers}
+    work = _Work(
+        frame,
+        field,
+        painted_of(field),
+        PictureFrame((size[1], size[0])),
+        propose or _proposed,
+        on_frame,
+        go_on,
+    )
+    work.from_anchors(numbers, known)
+    for gap in _gaps(numbers, work.found):
+        work.fill(gap)
+    begins = sorted({numbers[0], *work.begins})
+    ends = [n - 1 for n in begins[1:]] + [numbers[-1]]
+    return Track(
+        tuple(work.found[n] for n in sorted(work.found)), tuple(zip(begins, ends, strict=True))
+    )
+
+
+def _proposed(picture: np.ndarray, field: Field, known: Sequence[KnownPosition]) -> Proposal:
+    return propose_camera(picture, field, known=known)
+
+
+def _gaps(numbers: range, found: Mapping[int, TrackedFrame]) -> list[range]:
+    """Runs of frames of which nothing is known yet."""
+    missing = [n for n in numbers if n not in found]
+    breaks = [i for i in range(1, len(missing)) if missing[i] != missing[i - 1] + 1]
+    bounds = [0, *breaks, len(missing)]
+    return [range(missing[a], missing[b - 1] + 1) for a, b in pairwise(bounds) if b > a]
+
+
+@dataclass(eq=False)
+class _Work:
+    """What is being followed, and what has been found."""
+
+    frame: ReadFrame
+    field: Field
+    painted: Painted
+    picture: PictureFrame
+    propose: Propose
+    on_frame: Callable[[TrackedFrame], None]
+    go_on: Callable[[], None]
+    found: dict[int, TrackedFrame] = dataclass_field(default_factory=dict)
+    begins: set[int] = dataclass_field(default_factory=set)
+
+    def from_anchors(self, numbers: range, anchors: Mapping[int, Camera]) -> None:
+        """Follow what lies around and between anchors."""
+        vectors = {n: vector_of(c, self.field, self.picture) for n, c in anchors.items()}
+        places = list(vectors)
+        if not places:
+            return
+        self._follow(range(places[0], numbers[0] - 1, -1), vectors)
+        for one, other in pairwise(places):
+            self._between(one, other, vectors)
+        self._follow(range(places[-1], numbers[-1] + 1), vectors)
+        for number, camera in anchors.items():
+            self.found[number] = _as_anchor(self.found[number], camera)
+
+    def _between(self, one: int, other: int, vectors: Mapping[int, FloatArray]) -> None:
+        forwards = self._follow(range(one, other), vectors)
+        last = forwards.numbers[-1]
+        if last < other - 1:
+            self._follow(range(other, last, -1), vectors)
+
+    def _follow(self, numbers: Sequence[int], known: Mapping[int, FloatArray]) -> Followed:
+        """Follow frames from the first of them, whose camera (11,) is known."""
+        begin = numbers[0]
+        start = belief_at(known[begin], self.field, self.painted, self.picture)
+        places = np.array(list(known))
+
+        def told(number: int, step: Stepped) -> None:
+            if number != begin:
+                distance = int(np.abs(places - number).min())
+                self.on_frame(tracked(number, step, distance, self.picture))
+
+        followed = follow(self.frame, numbers, start, self.painted, self.picture, told, self.go_on)
+        for number, step in zip(followed.numbers, followed.steps, strict=True):
+            distance = int(np.abs(places - number).min())
+            self.found[number] = tracked(number, step, distance, self.picture)
+        if followed.cut:
+            ahead = len(numbers) < 2 or numbers[1] > begin
+            self.begins.add(followed.numbers[-1] + (1 if ahead else 0))
+        return followed
+
+    def fill(self, gap: range) -> None:
+        """Find cameras in a run of frames of which nothing is known, and follow them."""
+        begin = gap[0]
+        while begin <= gap[-1]:
+            at, vector = self._found_from(begin, gap[-1])
+            if vector is None:
+                return
+            self._follow(range(at, begin - 1, -1), {at: vector})
+            onwards = self._follow(range(at, gap[-1] + 1), {at: vector})
+            for number in range(begin, at):
+                if number not in self.found:
+                    self._lose(number, "no camera was found yet")
+            begin = onwards.numbers[-1] + 1
+
+    def _found_from(self, begin: int, end: int) -> tuple[int, FloatArray | None]:
+        """The first frame for which a camera is proposed and sure, and its parameters (11,)."""
+        since, reason = begin, ""
+        known = self._position_near(begin)
+        for now in glimpses(self.frame, range(begin, end + 1)):
+            self.go_on()
+            if now.begins:
+                since, known = now.number, ()
+                self.begins.add(now.number)
+            if now.number - since in _TRIES:
+                proposal = self.propose(now.picture, self.field, known)
+                reason = proposal.reason
+                if proposal.state == SURE and proposal.fit.vector is not None:
+                    return now.number, proposal.fit.vector
+            if now.number not in self.found:
+                self._lose(now.number, reason)
+        return end, None
+
+    def _position_near(self, number: int) -> tuple[KnownPosition, ...]:
+        """Where the camera of the frame before stood, if it is of the same shot."""
+        before = self.found.get(number - 1)
+        if number in self.begins or before is None or before.fit is None:
+            return ()
+        fit = before.fit
+        if fit.vector is None or fit.covariance is None:
+            return ()
+        place = slice(X, Z + 1)
+        return (KnownPosition(fit.vector[place], fit.covariance[place, place]),)
+
+    def _lose(self, number: int, reason: str) -> None:
+        self.found[number] = TrackedFrame(number, "lost", reason, None, 0.0, None, None)
+        self.on_frame(self.found[number])
+
+
+def tracked(number: int, step: Stepped, distance: int, frame: PictureFrame) -> TrackedFrame:
+    """A frame as it is handed back."""
+    belief = step.belief
+    fit = fit_result(belief.vector, belief.covariance, frame, step.worth.error_px)
+    residual = None if step.residual_px is None else step.residual_px / frame.scale
+    state: FrameState = "bridged" if step.marks is None else "followed"
+    return TrackedFrame(number, state, step.reason, fit, step.coverage, residual, distance)
+
+
+def _as_anchor(found: TrackedFrame, camera: Camera) -> TrackedFrame:
+    """A frame whose camera was given keeps it to the digit."""
+    fit: FitResult | None = found.fit
+    if fit is not None and isinstance(camera, PinholeCamera):
+        fit = replace(fit, camera=camera)
+    return replace(found, state="anchor", reason="", fit=fit, anchor_distance=0)

@@ -1,0 +1,143 @@
+"""Frames in the order they are followed, decoded ahead, each with what is glimpsed of it."""
+
+from __future__ import annotations
+
+import queue
+import threading
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.fit.through_shot.turning import small_grey
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.image.scenes import SceneLook, cuts_among, look_difference, look_of
+
+ReadFrame = Callable[[int], PixelArray]
+
+_DECODED_AHEAD = 3
+_BACK_AT_ONCE = 24  # frames read forwards, to be handed out backwards
+_AROUND = 6  # frames to either side that a cut stands out of, see `image.scenes`
+
+
+@dataclass(frozen=True, eq=False)
+class Glimpse:
+    """A frame as it is handed out.
+
+    Attributes:
+        number: of the frame.
+        picture: (H, W, 4) BGRA.
+        grey: the picture much reduced.
+        begins: whether it comes from another camera than the one handed out before it.
+    """
+
+    number: int
+    picture: PixelArray
+    grey: PixelArray
+    begins: bool = False
+
+
+@dataclass(eq=False)
+class _Held:
+    """A frame that waits until it is known whether it begins a shot."""
+
+    number: int
+    picture: PixelArray
+    grey: PixelArray
+    look: SceneLook
+    step: float
+    lasting: float
+
+
+def glimpses(frame: ReadFrame, numbers: Sequence[int]) -> Iterator[Glimpse]:
+    """Frames in the order of their numbers, ascending or descending, decoded by a thread.
+
+    Args:
+        frame: number -> (H, W, 4) BGRA; may raise, which is passed on.
+        numbers: of consecutive frames.
+    """
+    held: deque[_Held] = deque()
+    done: deque[tuple[float, float]] = deque(maxlen=_AROUND)
+    looks: deque[SceneLook] = deque(maxlen=4)
+    for number, picture, grey, look in _decoded(frame, numbers):
+        step = look_difference(looks[-1], look) if looks else 0.0
+        past = list(looks)[-3:-1]
+        looks.append(look)
+        lasting = min((look_difference(old, look) for old in past), default=1.0)
+        if len(looks) == 4 and len(held) >= 2:  # small also where a flash begins
+            held[-2].lasting = min(held[-2].lasting, look_difference(looks[0], look))
+        held.append(_Held(number, picture, grey, look, step, lasting))
+        if len(held) > _AROUND:
+            yield _handed_out(held, done)
+    while held:
+        yield _handed_out(held, done)
+
+
+def _handed_out(held: deque[_Held], done: deque[tuple[float, float]]) -> Glimpse:
+    steps = np.array([*(s for s, _ in done), *(h.step for h in held)])
+    lasting = np.array([*(v for _, v in done), *(h.lasting for h in held)])
+    begins = bool(done) and len(done) in cuts_among(steps, lasting)
+    first = held.popleft()
+    done.append((first.step, first.lasting))
+    return Glimpse(first.number, first.picture, first.grey, begins)
+
+
+def _decoded(
+    frame: ReadFrame, numbers: Sequence[int]
+) -> Iterator[tuple[int, PixelArray, PixelArray, SceneLook]]:
+    """What a thread has read ahead, in the order asked for."""
+    ready: queue.Queue[object] = queue.Queue(maxsize=_DECODED_AHEAD)
+    stopped = threading.Event()
+
+    def hand(item: object) -> bool:
+        while not stopped.is_set():
+            try:
+                ready.put(item, timeout=0.1)
+            except queue.Full:
+                continue
+            return True
+        return False
+
+    def read() -> None:
+        try:
+            for number, picture in _in_order(frame, numbers, stopped):
+                look = look_of(picture[:, :, :3])
+                if not hand((number, picture, small_grey(picture), look)):
+                    return
+        except BaseException as failure:  # noqa: BLE001  # raised again by who waits for frames
+            hand(failure)
+        else:
+            hand(None)
+
+    thread = threading.Thread(target=read, name="frames ahead", daemon=True)
+    thread.start()
+    try:
+        while (item := ready.get()) is not None:
+            if isinstance(item, BaseException):
+                raise item
+            yield item  # type: ignore[misc]
+    finally:
+        stopped.set()
+        thread.join()
+
+
+def _in_order(
+    frame: ReadFrame, numbers: Sequence[int], stopped: threading.Event
+) -> Iterator[tuple[int, PixelArray]]:
+    """Pictures in the order of their numbers, read forwards: videos cannot be read backwards."""
+    if len(numbers) < 2 or numbers[1] > numbers[0]:
+        for number in numbers:
+            if stopped.is_set():
+                return
+            yield number, frame(number)
+        return
+    for begin in range(0, len(numbers), _BACK_AT_ONCE):
+        chunk = numbers[begin : begin + _BACK_AT_ONCE]
+        read = []
+        for number in reversed(chunk):
+            if stopped.is_set():
+                return
+            read.append((number, frame(number)))
+        while read:
+            yield read.pop()

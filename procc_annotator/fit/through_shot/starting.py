@@ -1,0 +1,64 @@
+"""What is believed of a camera that was given for a frame: where a track starts, and passes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.field.painted_middle import at_middle_of_paint
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.on_paint.belief import Belief, usual
+from procc_annotator.fit.on_paint.expected import expect
+from procc_annotator.fit.on_paint.marks import Marks, residuals
+from procc_annotator.fit.on_paint.painted import Painted
+from procc_annotator.fit.predict.sight import stretches_in_sight
+from procc_annotator.fit.solving.models import vector_from_camera
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+
+# A given camera is trusted to show every line so well, solver px; the picture can correct it.
+_GIVEN_PX = 1.0
+_POINTS = 12
+
+
+def vector_of(camera: Camera, field: Field, frame: PictureFrame) -> FloatArray:
+    """(11,) parameters of the pinhole camera that is nearest to any.
+
+    Raises:
+        UsageError: none is near it.
+    """
+    if isinstance(camera, PinholeCamera):
+        return vector_from_camera(camera, frame)
+    middle = at_middle_of_paint(field)
+    polylines = []
+    for stretch in stretches_in_sight(middle, camera, frame.size):
+        rows = np.linspace(0, len(stretch.points_px) - 1, _POINTS).round().astype(int)
+        points = [point_from_px(x, y, frame.size) for x, y in stretch.points_px[rows].tolist()]
+        polylines.append(Polyline(stretch.name, tuple(points)))
+    found = fit_camera(FrameAnnotation(tuple(polylines)), middle, model="R", size=frame.size)
+    if found.vector is None:
+        raise UsageError(
+            f"a camera that is to be followed is no camera of this field: {found.failure}"
+        )
+    return found.vector
+
+
+def belief_at(vector: FloatArray, field: Field, painted: Painted, frame: PictureFrame) -> Belief:
+    """What is believed of a frame whose camera (11,) was given: that it shows lines about right."""
+    expected = expect(vector, painted, frame, spacing_px=20.0)
+    rows = expected.rows
+    across = (expected.px * expected.normal).sum(axis=0)
+    marks = Marks(
+        painted.world[:, rows], across, expected.normal, painted.element[rows], expected.run
+    )
+    before = usual(vector, field)
+    _, by = residuals(vector[None], marks, frame.half_diagonal, len(before.information))
+    # The lines of a given camera are off together: they are worth as much as their number.
+    lines = len(np.unique(expected.run))
+    told = by[0].T @ by[0] * (lines / max(len(rows), 1)) / _GIVEN_PX**2
+    return replace(before, vector=vector, information=before.information + told)

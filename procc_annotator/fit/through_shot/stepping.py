@@ -1,0 +1,203 @@
+"""One frame further: the camera as the picture's motion foretells it, made right on paint.
+
+What is believed of the camera goes from frame to frame: the motion makes it less sure, paint surer.
+Paint is looked for only where the camera is believed to show some, so that another line is out of
+reach; where little of what should be there is found, or it would move the camera farther than the
+belief allows, the frame's paint has no say and the motion alone carries the camera on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve, weights_of
+from procc_annotator.fit.on_paint.expected import pixels_of
+from procc_annotator.fit.on_paint.looking import Look, look, shares_on_paint
+from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, Marks
+from procc_annotator.fit.on_paint.painted import Painted
+from procc_annotator.fit.on_paint.result import Worth, worth_of
+from procc_annotator.fit.solving.covariance import projected_covariance, worst_sd
+from procc_annotator.fit.solving.jacobian import Lens
+from procc_annotator.fit.solving.models import KAPPA, ROLL, X, Z
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.through_shot.turning import OWN, Turn
+from procc_annotator.image.pixels import PixelArray
+
+# What a frame may add to what is believed, standard deviations: tripods give, lenses breathe, and
+# no field is quite what it should be.
+_POSITION_M, _KAPPA, _ROLL_RAD = 0.015, 0.0005, 2e-5
+# Of a step that nothing foretells: pan, tilt, roll, logarithm of the focal length.
+_UNKNOWN_STEP = np.array([np.deg2rad(0.25), np.deg2rad(0.15), np.deg2rad(0.03), 0.01])
+_SLOWING = 0.7
+_LEAST_REACH_PX, _MOST_REACH_PX = 5.0, 20.0
+_REACH_IN_SD = 3.0
+_SURE_REACH_PX = 8.0  # beyond it what was found is looked at once more, from nearer
+_FEWEST = 15  # marks that may have a say
+_LEAST_COVERAGE, _LEAST_COVERAGE_FAR = 0.3, 0.5
+_MOST_IN_SD, _MOST_BESIDE_PX = 4.0, 4.0  # how far paint may move the camera against the belief
+_LOST_PX = 40.0  # solver px: surer than that, a camera is not lost
+_THIN = 3  # of marks that were averaged with their neighbours every third tells it all
+_KEPT = 64
+
+
+@dataclass(frozen=True, eq=False)
+class Stepped:
+    """Where a frame's camera is.
+
+    Attributes:
+        belief: after the frame.
+        marks: paint that had a say, thinned; None if none had.
+        worth: of a mark.
+        turn: from the frame before; None at the first, or where nothing tells.
+        coverage, residual_px: of what should be in sight; solver px.
+        sd_px: how surely its wireframe is known, solver px, where it is least sure.
+        reason: why paint had no say, in words; "" if it had.
+    """
+
+    belief: Belief
+    marks: Marks | None
+    worth: Worth
+    turn: Turn | None
+    coverage: float
+    residual_px: float | None
+    sd_px: float
+    reason: str = ""
+
+
+def foretold(belief: Belief, turn: Turn | None, last: FloatArray) -> Belief:
+    """What is believed of a camera one frame on.
+
+    Args:
+        belief: of the frame before.
+        turn: how the picture says it moved.
+        last: (4,) the step before, which goes on more slowly where nothing tells.
+    """
+    covariance = belief.covariance
+    vector = belief.vector.copy()
+    step = np.zeros((PARAMETERS_FREE, PARAMETERS_FREE))
+    if turn is None:
+        vector[OWN] += _SLOWING * last
+        step[OWN, OWN] = _UNKNOWN_STEP**2
+    else:
+        vector[OWN] += turn.step
+        step[np.ix_(OWN, OWN)] = turn.covariance
+    step[range(X, Z + 1), range(X, Z + 1)] += _POSITION_M**2
+    step[KAPPA, KAPPA] += _KAPPA**2
+    step[ROLL, ROLL] += _ROLL_RAD**2
+    return Belief(vector, np.asarray(np.linalg.inv(covariance + step)))
+
+
+def wireframe_sd(belief: Belief, seen: FloatArray, frame: PictureFrame) -> float:
+    """How surely places (3, n) metres in sight are known in the picture: that of nine in ten."""
+    if not seen.shape[1]:
+        return np.inf
+    few = seen[:, :: max(1, seen.shape[1] // 60)]
+    found = projected_covariance(belief.vector, None, frame.half_diagonal, belief.covariance, few.T)
+    sd = worst_sd(found)
+    sd = sd[np.isfinite(sd)]
+    return float(np.quantile(sd, 0.9)) if len(sd) else np.inf
+
+
+def stepped(
+    picture: PixelArray,
+    believed: Belief,
+    turn: Turn | None,
+    painted: Painted,
+    frame: PictureFrame,
+    worth: Worth,
+) -> Stepped:
+    """A frame's camera from what is believed of it and the paint near where that shows some.
+
+    Args:
+        picture: (H, W, 4) BGRA.
+        believed: before the frame's paint, see `foretold`.
+        turn: what went into that.
+        painted: the field's paint.
+        frame: the picture.
+        worth: of a mark in the frame before.
+    """
+    seen = look(picture, believed.vector, painted, frame, _LEAST_REACH_PX)
+    sd_px = wireframe_sd(believed, painted.world[:, seen.expected.rows], frame)
+    reach = float(np.clip(_REACH_IN_SD * sd_px + 2.0, _LEAST_REACH_PX, _MOST_REACH_PX))
+    if reach > _LEAST_REACH_PX + 1.0:
+        seen = look(picture, believed.vector, painted, frame, reach)
+    none = Stepped(believed, None, worth, turn, 0.0, None, sd_px)
+    if len(seen.marks) < _FEWEST:
+        return replace(none, reason="too little paint in sight")
+    solved, marks = _solved(seen, believed, believed.vector, frame, worth, reach)
+    if reach > _SURE_REACH_PX:
+        seen = look(picture, solved.vector, painted, frame, _LEAST_REACH_PX)
+        if len(seen.marks) < _FEWEST:
+            return replace(none, reason="too little paint in sight")
+        solved, marks = _solved(seen, believed, solved.vector, frame, worth, _LEAST_REACH_PX)
+    off = _off(solved.vector, seen.marks, frame)
+    weights = weights_of(off)
+    coverage, _ = shares_on_paint(seen, weights, painted)
+    least = _LEAST_COVERAGE_FAR if reach > _SURE_REACH_PX else _LEAST_COVERAGE
+    counted = solved.weights > COUNTS
+    none = replace(none, coverage=coverage)
+    if counted.sum() < _FEWEST / _THIN or coverage < least:
+        return replace(none, reason="too little of what should be in sight was found")
+    moved = _moved(solved.vector, believed.vector, painted, seen, frame)
+    if moved > _MOST_IN_SD * sd_px + _MOST_BESIDE_PX:
+        return replace(none, reason="the paint that was found would move the camera too far")
+    new_worth = worth_of(solved, marks)
+    information = solved.information / new_worth.information_px**2 + believed.information
+    belief = Belief(solved.vector, information)
+    return Stepped(
+        belief,
+        marks.chosen(_kept(counted)),
+        new_worth,
+        turn,
+        coverage,
+        float(np.median(np.abs(off[weights > COUNTS]))),
+        wireframe_sd(belief, painted.world[:, seen.expected.rows], frame),
+    )
+
+
+def _solved(
+    seen: Look,
+    believed: Belief,
+    start: FloatArray,
+    frame: PictureFrame,
+    worth: Worth,
+    reach_px: float,
+) -> tuple[Solved, Marks]:
+    """The camera for every third of the marks, and those."""
+    marks = seen.marks.chosen(np.arange(0, len(seen.marks), _THIN))
+    solved = solve(
+        marks,
+        believed,
+        start,
+        frame.half_diagonal,
+        error_px=worth.information_px,
+        scale_px=reach_px / 2,
+    )
+    return solved, marks
+
+
+def _off(vector: FloatArray, marks: Marks, frame: PictureFrame) -> FloatArray:
+    """(n,) solver px that marks are off from where a camera shows them."""
+    px, _ = pixels_of(Lens.of(vector[None], frame.half_diagonal), marks.world)
+    return np.asarray(marks.across - (px * marks.normal).sum(axis=0))
+
+
+def _moved(
+    vector: FloatArray, before: FloatArray, painted: Painted, seen: Look, frame: PictureFrame
+) -> float:
+    """Solver px by which most of what is in sight moved less from one camera to another."""
+    world = painted.world[:, seen.expected.rows]
+    there, _ = pixels_of(Lens.of(vector[None], frame.half_diagonal), world)
+    here, _ = pixels_of(Lens.of(before[None], frame.half_diagonal), world)
+    across = ((there - here) * seen.expected.normal).sum(axis=0)
+    return float(np.quantile(np.abs(across), 0.9))
+
+
+def _kept(counted: np.ndarray) -> np.ndarray:
+    """Rows of the marks that are kept, evenly chosen."""
+    rows = np.flatnonzero(counted)
+    if len(rows) <= _KEPT:
+        return rows
+    return np.asarray(rows[np.linspace(0, len(rows) - 1, _KEPT).round().astype(np.intp)])
