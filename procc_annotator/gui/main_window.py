@@ -131,7 +131,9 @@ class MainWindow(QMainWindow):
         self.tour = Tour(document)
         self.shot_walk = ShotWalk(document, self.canvas, self)
         self.shot_following = ShotFollowing(document, self)
-        self.stretch_accepting = StretchAccepting(document, self.ghost_tasks.accepting, self)
+        self.stretch_accepting = StretchAccepting(
+            document, lambda: self.ghost_tasks.accepting.least_support, self
+        )
         self.canvas.editor.ask_first(
             self.assistant.key, self.ghost_tasks.key, self.stretch_accepting.key
         )

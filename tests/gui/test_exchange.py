@@ -15,8 +15,8 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.set_edits import merged
 from procc_annotator.gui.state import many_edits
+from procc_annotator.gui.state.set_edits import merged
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.database.file import FILE
 from procc_annotator.session.dataset import pending_save, workspace

@@ -117,8 +117,7 @@ class ShotTrack(QObject):
     # --- inside ---
 
     def _begin_anew(self) -> None:
-        if self.source in self._store.state.sources:
-            self._sources.remove_camera_set(self._store.state.sources.index(self.source))
+        self._leave()
         self.source.clear()
         self.forget()
 
@@ -133,7 +132,14 @@ class ShotTrack(QObject):
             }
         self.source.forget(set(self.source.camera_set.frames) | set(tracked))
         self.source.camera_set = cameras = TrackedCameras(tracked)
-        if self.source in self._store.state.sources:
-            self._sources.show_source_again(self.source)
+        if self.source not in self._store.state.sources:
+            if cameras.frames:
+                self._sources.join_source(self.source, active=False)
         elif cameras.frames:
-            self._sources.join_source(self.source, active=self._store.state.active is None)
+            self._sources.show_source_again(self.source)
+        else:
+            self._leave()
+
+    def _leave(self) -> None:
+        if self.source in self._store.state.sources:
+            self._sources.remove_camera_set(self._store.state.sources.index(self.source))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
 
 from PySide6.QtCore import QObject, Signal
@@ -16,10 +17,10 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.many_edits import EditedFrames, ManyEdits
 from procc_annotator.gui.state.set_edits import edit_frame
-from procc_annotator.gui.tasks.elements.ghost_accepting import GhostAccepting
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interact.hints import counted
+from procc_annotator.session.dataset.frame_sequence import FrameSequence
 from procc_annotator.session.dataset.tracked_cameras import doubt_about
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.ghost_points import accept_all, find_points
@@ -27,6 +28,17 @@ from procc_annotator.session.strokes.ghost_points import accept_all, find_points
 _NOTHING = FrameAnnotation(())
 _ANNOTATED = "it is annotated by now"
 _EDITED = "it was edited since"
+
+
+@dataclass(frozen=True, eq=False)
+class _Sure:
+    """A frame to be annotated along its track."""
+
+    index: int
+    number: int
+    name: str
+    fit: FitResult
+    not_visible: frozenset[str]
 
 
 class StretchAccepting(QObject):
@@ -39,9 +51,11 @@ class StretchAccepting(QObject):
 
     changed = Signal()  # how far it is, or that it ended
 
-    def __init__(self, document: Document, ghosts: GhostAccepting, parent: QObject) -> None:
+    def __init__(
+        self, document: Document, least_support: Callable[[], float], parent: QObject
+    ) -> None:
         super().__init__(parent)
-        self._document, self._ghosts = document, ghosts
+        self._document, self._least_support = document, least_support
         self.marked: Callable[[], tuple[int, int] | None] = lambda: None
         self._job: Job | None = None
         self._far = (0, 0)
@@ -83,7 +97,9 @@ class StretchAccepting(QObject):
                 " left out"
             )
             return
-        work = partial(self._look, chosen, document.field, self._ghosts.least_support)
+        sequence = document.sequence.value
+        assert sequence is not None
+        work = partial(_look, sequence, chosen, document.field, self._least_support())
         self._far = (0, len(chosen))
         self._job = run_in_background(
             work, on_result=self._take, on_error=self._fail, on_progress=self._advance, owner=self
@@ -121,48 +137,28 @@ class StretchAccepting(QObject):
 
     # --- which frames -------------------------------------------------------------------------
 
-    def _chosen(self) -> dict[int, FitResult]:
-        """Index -> camera of the frames that are sure and have no annotation."""
+    def _chosen(self) -> list[_Sure]:
+        """The frames that are sure and have no annotation."""
         document, sequence = self._document, self._document.sequence.value
         workspace = document.workspace
         if sequence is None or workspace is None:
-            return {}
+            return []
         shot_track, marked = document.shot_track, self.marked()
         here = int(sequence.numbers[document.frame_index])
         stretch = shot_track.shot_of(here) if marked is None else range(marked[0], marked[1] + 1)
         annotated = document.annotated_frames.indices
-        found = {}
+        found = []
         for index, number in enumerate(sequence.numbers.tolist()):
             frame = shot_track.tracked.get(number)
             if number not in stretch or index in annotated or frame is None:
                 continue
             if frame.fit is not None and not doubt_about(frame):
-                found[index] = frame.fit
+                name = workspace.frames[index].name
+                hidden = document.review.not_visible(name)
+                found.append(_Sure(index, number, name, frame.fit, hidden))
         return found
 
     # --- points -------------------------------------------------------------------------------
-
-    def _look(
-        self, chosen: dict[int, FitResult], field: Field, least: float, control: JobControl
-    ) -> dict[int, FrameAnnotation]:
-        """In a thread: what each frame is to hold."""
-        document, sequence = self._document, self._document.sequence.value
-        workspace = document.workspace
-        assert workspace is not None
-        assert sequence is not None
-        found = {}
-        with sequence.open_pictures() as pictures:
-            for done, (index, fit) in enumerate(chosen.items()):
-                control.progress_or_stop(done, len(chosen))
-                name = workspace.frames[index].name
-                try:
-                    picture = pictures(int(sequence.numbers[index]))
-                except ImageError:
-                    continue  # told when that frame is opened
-                hidden = document.review.not_visible(name)
-                shown = field_of_frame(field, name)
-                found[index] = _annotated(picture, shown, fit, hidden, least)
-        return {index: annotation for index, annotation in found.items() if annotation.annotated}
 
     def _advance(self, done: int, total: int) -> None:
         self._far = (done, total)
@@ -250,11 +246,31 @@ def _why(outcome: EditedFrames) -> str:
     return f"; {counted(left, 'frame')} left: {', '.join(whys)}" if left else ""
 
 
-def _annotated(
-    picture: PixelArray, field: Field, fit: FitResult, hidden: frozenset[str], least: float
-) -> FrameAnnotation:
+def _look(
+    sequence: FrameSequence,
+    chosen: Sequence[_Sure],
+    field: Field,
+    least: float,
+    control: JobControl,
+) -> dict[int, FrameAnnotation]:
+    """In a thread: what each frame is to hold, by index; of those where paint was seen."""
+    found = {}
+    with sequence.open_pictures() as pictures:
+        for done, sure in enumerate(chosen):
+            control.progress_or_stop(done, len(chosen))
+            try:
+                picture = pictures(sure.number)
+            except ImageError:
+                continue  # told when that frame is opened
+            annotation = _annotated(picture, field_of_frame(field, sure.name), sure, least)
+            if annotation.annotated:
+                found[sure.index] = annotation
+    return found
+
+
+def _annotated(picture: PixelArray, field: Field, sure: _Sure, least: float) -> FrameAnnotation:
     """The elements whose paint is seen where the track shows them."""
     size = picture.shape[1], picture.shape[0]
-    ghosts = find_ghosts(_NOTHING, field, fit, without=hidden)
+    ghosts = find_ghosts(_NOTHING, field, sure.fit, without=sure.not_visible)
     found = [find_points(ghost, picture, field, size) for ghost in ghosts]
     return accept_all(_NOTHING, found, least).annotation

@@ -23,6 +23,7 @@ from procc_annotator.session.clicks.anchors import anchors_of
 from procc_annotator.session.dataset.frame_sequence import FrameSequence, SequencePictures
 from procc_annotator.session.dataset.tracked_cameras import doubt_about
 from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.origins import OriginKind
 
 
 @dataclass(frozen=True, eq=False)
@@ -209,8 +210,17 @@ class ShotFollowing(QObject):
         sequence, index = self._document.sequence.value, self._document.frame_index
         if sequence is not None and 0 <= index < len(sequence.numbers):
             number = int(sequence.numbers[index])
-            if number in self._document.shot_track.tracked:
+            if number in self._document.shot_track.tracked and not self._only_accepted():
                 self._corrected[number] = None
+
+    def _only_accepted(self) -> bool:
+        """Whether all that is annotated here was taken over along the track: that is no news."""
+        document, frame = self._document, self._document.frame
+        if frame is None or not document.annotation.annotated:
+            return False
+        return set(document.review.origin_counts(frame.name, document.annotation)) == {
+            OriginKind.ACCEPTED
+        }
 
     def _follow_corrected(self) -> None:
         """Once somebody is done with it: what lies between its neighbours is followed again."""
