@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
@@ -450,14 +450,7 @@ class DrawnShot:
 
     def write_video(self, path: Path, code: str = "mp4v") -> Path:
         """All frames as a video; its loss is the encoder's."""
-        writer = cv2.VideoWriter(
-            str(path), cv2.CAP_FFMPEG, cv2.VideoWriter.fourcc(*code), FPS, self.size
-        )
-        assert writer.isOpened(), f"this OpenCV has no encoder for {code}"
-        for number in range(len(self)):
-            writer.write(np.ascontiguousarray(self.frame(number)[..., :3]))
-        writer.release()
-        return path
+        return write_video(path, (self.frame(n) for n in range(len(self))), code)
 
     def write_pictures(self, folder: Path) -> Path:
         """All frames as PNG files ``00000.png``, ..."""
@@ -465,6 +458,21 @@ class DrawnShot:
         for number in range(len(self)):
             cv2.imwrite(str(folder / f"{number:05d}.png"), self.frame(number)[..., :3])
         return folder
+
+
+def write_video(path: Path, frames: Iterable[PixelArray], code: str = "mp4v") -> Path:
+    """Pictures, (H, W, 3 or 4) BGR, as a video."""
+    writer: cv2.VideoWriter | None = None
+    for picture in frames:
+        if writer is None:
+            size = picture.shape[1], picture.shape[0]
+            kind = cv2.VideoWriter.fourcc(*code)
+            writer = cv2.VideoWriter(str(path), cv2.CAP_FFMPEG, kind, FPS, size)
+            assert writer.isOpened(), f"this OpenCV has no encoder for {code}"
+        writer.write(np.ascontiguousarray(picture[..., :3]))
+    assert writer is not None
+    writer.release()
+    return path
 
 
 MAIN_SOCCER = (0.0, 62.0, -17.0)
@@ -486,8 +494,9 @@ def cut_shot(frames: int = 40, **choices: Any) -> DrawnShot:
     left = (Aim(-20, 0, 1600 * scale), Aim(-38, 2, 2000 * scale))
     right = (Aim(36, 4, 1900 * scale), Aim(30, -4, 1700 * scale))
     half = frames // 2
-    courses = (
-        course(MAIN_SOCCER, left, half, size, kappa=0.04),
-        course(MAIN_SOCCER, right, frames - half, size, kappa=0.04),
+    # However short, they pan no faster: a cut must stand out of the motion around it.
+    courses = tuple(
+        course(MAIN_SOCCER, aims, max(count, 50), size, kappa=0.04)[:count]
+        for aims, count in ((left, half), (right, frames - half))
     )
     return DrawnShot(stage_of("soccer"), courses, **choices)

@@ -39,6 +39,7 @@ COMMANDS = (
         "calibrate", "Fit a camera to the annotation of every frame; pictures are not looked at."
     ),
     LazyCommand("propose", "Find the cameras of pictures from the paint in them, without a click."),
+    LazyCommand("track", "Follow the cameras of a video, or of consecutive pictures."),
     LazyCommand("annotate", "Annotate pictures by the paint that given cameras lead to."),
     LazyCommand(
         "check", "Find what may be wrong with the labels of a set; pictures are not looked at."

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import deque
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import cv2
@@ -48,6 +50,27 @@ def look_difference(a: SceneLook, b: SceneLook) -> float:
 def same_scene(a: SceneLook, b: SceneLook) -> bool:
     """Whether two pictures, one right after the other, may be of one camera that moves."""
     return look_difference(a, b) < _LEAST
+
+
+def steps_of(looks: Iterable[SceneLook]) -> tuple[FloatArray, FloatArray]:
+    """How much each picture of a row differs from those around it, as `cuts_among` takes it.
+
+    Returns:
+        (N,) difference to the one before it, and (N,) least difference among pictures shortly
+        before and after.
+    """
+    recent: deque[SceneLook] = deque(maxlen=4)
+    steps: list[float] = []
+    lasting: list[float] = []
+    for look in looks:
+        past = list(recent)[1:-1]
+        steps.append(look_difference(recent[-1], look) if recent else 0.0)
+        recent.append(look)
+        # Small where a flash ends...
+        lasting.append(min((look_difference(old, look) for old in past), default=1.0))
+        if len(recent) == 4:  # ... and where it begins
+            lasting[-3] = min(lasting[-3], look_difference(recent[0], look))
+    return np.array(steps), np.array(lasting)
 
 
 def cuts_among(steps: FloatArray, lasting: FloatArray) -> list[int]:

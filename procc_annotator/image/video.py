@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import lru_cache
 from pathlib import Path
 
@@ -13,7 +12,7 @@ import numpy as np
 
 from procc_annotator.errors import ImageError
 from procc_annotator.image.pixels import PixelArray, bgra
-from procc_annotator.image.scenes import SceneLook, cuts_among, look_difference, look_of
+from procc_annotator.image.scenes import SceneLook, cuts_among, look_of, steps_of
 from procc_annotator.image.stream import (
     FloatArray,
     check_decodes,
@@ -296,29 +295,24 @@ def scene_cuts(
     """
     count = video.frame_count
     capture = open_capture(video.path)
-    looks: deque[SceneLook] = deque(maxlen=4)
-    numbers, steps, lasting = [], [], []
-    number = 0
-    while grab(capture):
-        if number % 25 == 0:
-            if cancelled():
-                break
-            if progress is not None:
-                progress(min(number, count), count)
-        pixels = retrieve(capture)
-        number = video.number_of(time_ms(capture), number)
-        if pixels is not None:
-            past_looks = list(looks)[1:-1]
-            looks.append(look_of(pixels))
-            numbers.append(number)
-            steps.append(look_difference(looks[-2], looks[-1]) if len(looks) > 1 else 0.0)
-            # Small where a flash ends...
-            lasting.append(
-                min((look_difference(past, looks[-1]) for past in past_looks), default=1.0)
-            )
-            if len(looks) == 4:  # ... and where it begins
-                lasting[-3] = min(lasting[-3], look_difference(looks[0], looks[-1]))
-        number += 1
+    numbers: list[int] = []
+
+    def looks() -> Iterator[SceneLook]:
+        number = 0
+        while grab(capture):
+            if number % 25 == 0:
+                if cancelled():
+                    return
+                if progress is not None:
+                    progress(min(number, count), count)
+            pixels = retrieve(capture)
+            number = video.number_of(time_ms(capture), number)
+            if pixels is not None:
+                numbers.append(number)
+                yield look_of(pixels)
+            number += 1
+
+    steps, lasting = steps_of(looks())
     if progress is not None and not cancelled():
         progress(count, count)
-    return [numbers[i] for i in cuts_among(np.array(steps), np.array(lasting))] if steps else [0]
+    return [numbers[i] for i in cuts_among(steps, lasting)] if numbers else [0]

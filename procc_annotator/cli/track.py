@@ -1,0 +1,256 @@
+"""``procc-annotator track``: the camera of every frame of a video."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.console import progress_bar, stdout_console
+from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.fit.from_picture.proposal import SURE
+from procc_annotator.fit.from_picture.proposing import propose_camera
+from procc_annotator.fit.through_shot.following_shot import track as follow_shot
+from procc_annotator.image.decode import decode_bgra
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.source import open_source
+from procc_annotator.report.targets import Interrupted, is_archive
+from procc_annotator.report.tracks import (
+    TABLE_FILE,
+    TrackTable,
+    gaps_of,
+    gaps_table,
+    read_table,
+    shots_table,
+    summary_words,
+    write_tracks,
+)
+from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.shots import find_shots
+from procc_annotator.session.runs.track_anchors import Anchors
+from procc_annotator.session.runs.track_run import ShotToFollow, TrackRun
+from procc_annotator.words import count_of
+
+HELP = """\
+SOURCE is a video, whose frames are named as the window names them (match_000123), or a folder of
+consecutive pictures. It is cut into its shots; in each the camera is followed forwards and
+backwards from the frames whose camera is known: annotated ones (--annotations) and those of files
+(--cameras). The track passes through them. Where none is known, one is found in the picture, as
+propose does.
+
+OUT gets camera_FRAME.json for every frame that is followed, SoccerNet JSON in px of the picture,
+and track.csv, a row a frame: shot (its first frame), state (anchor; followed on paint; bridged by
+the picture's motion, where too little paint is seen; lost), the reason, coverage (share of the
+visible model on paint), residual in px, standard deviations, frames to the nearest anchor.
+
+Cameras are written as they come, and once more when their shot is done, refined over all of it; its
+rows come with that. A run that was interrupted is started again to go on: shots whose frames all
+have a row are not followed again, unless --overwrite.
+
+--from FRAME follows only the shot of that frame (its name or number), in both directions.
+
+Exit code: 0; 1 if some pictures, annotations or cameras were unreadable (listed); 2 if there was
+nothing to do. A frame that is lost is no error.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator track match.mp4 tracked/
+  procc-annotator track match.mp4 tracked/ --annotations match_frames/ --from match_000123
+"""
+
+Source = Annotated[Path, typer.Argument(help="Video, or folder of consecutive pictures.")]
+Out = Annotated[Path, typer.Argument(help="Folder to write the cameras to.")]
+Annotations = Annotated[
+    Path | None,
+    typer.Option(
+        "--annotations",
+        metavar="DIR",
+        show_default=False,
+        help="Folder of annotations: the frames that have one are anchors.",
+    ),
+]
+Cameras = Annotated[
+    Path | None,
+    typer.Option(
+        "--cameras",
+        metavar="PATH",
+        show_default=False,
+        help="Folder, zip or file of cameras: the frames that have one are anchors.",
+    ),
+]
+From = Annotated[
+    str | None,
+    typer.Option(
+        "--from", metavar="FRAME", show_default=False, help="Follow only the shot of this frame."
+    ),
+]
+Workers = Annotated[
+    int, typer.Option("--workers", min=1, metavar="N", help="Processes that share the shots.")
+]
+Overwrite = Annotated[
+    bool, typer.Option("--overwrite", help="Follow again what OUT has a track of.")
+]
+
+
+def track(
+    source: Source,
+    out: Out,
+    annotations: Annotations = None,
+    cameras: Cameras = None,
+    begin: From = None,
+    field: options.FieldName = None,
+    lines: options.Lines = None,
+    camera_format: options.CameraFormat = "auto",
+    camera_size: options.CameraSize = None,
+    workers: Workers = 1,
+    overwrite: Overwrite = False,
+) -> None:
+    for given in (annotations, cameras):
+        if given is not None and not given.exists():
+            raise UsageError(f"{given}: does not exist")
+    shown = chosen_field(field, source, lines=lines)
+    pictures = open_pictures(source, annotations)
+    datasets.report_remarks(pictures.notices)
+    start = None if begin is None else _number_of(begin, pictures)
+    _check_out(out, [annotations, cameras], overwrite=overwrite)
+    names = tuple(frame.name for frame in pictures.frames)
+    table = TrackTable(names) if overwrite else read_table(out, names)
+    size = options.shown_size(camera_size)
+    anchors = _anchors(pictures, shown, annotations, cameras, camera_format, size)
+    shots = _shots(pictures, anchors, start, shown)
+    run = TrackRun([s for s in shots if not table.has_all(s.frames)], shown, follow_shot)
+    kept = len(shots) - run.total
+    try:
+        with make_executor(workers) as executor, progress_bar("following") as progress:
+            run.executor = executor
+            write_tracks(run, out, table, progress)
+    except Interrupted as stopped:
+        raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
+    raise typer.Exit(_report(table, anchors, kept, out))
+
+
+def _number_of(text: str, pictures: PictureSource) -> int:
+    """The number of a frame that is told by its name, or by its number.
+
+    Raises:
+        UsageError: there is none.
+    """
+    for number, frame in enumerate(pictures.frames):
+        if frame.name == text:
+            return number
+    if text.isascii() and text.isdigit() and int(text) < len(pictures.frames):
+        return int(text)
+    last = len(pictures.frames) - 1
+    raise UsageError(
+        f"--from {text}: there is no such frame (they are called"
+        f" {pictures.frames[0].name} to {pictures.frames[-1].name}, numbers 0 to {last})"
+    )
+
+
+def _check_out(out: Path, inputs: Sequence[Path | None], *, overwrite: bool) -> None:
+    """Fail before the work.
+
+    Raises:
+        UsageError: OUT is no folder, holds annotations or what is read, or cameras that are not of
+            a track.
+    """
+    if is_archive(out) or (out.exists() and not out.is_dir()):
+        raise UsageError(f"{out}: a folder is needed")
+    for given in inputs:
+        if given is not None:
+            with open_source(given) as source:
+                outputs.check_folder_apart(out, [source])
+    if not out.is_dir():
+        return
+    outputs.check_no_annotations(out)
+    foreign = not (out / TABLE_FILE).exists() and any(True for _ in out.glob("camera_*.json"))
+    if foreign and not overwrite:
+        raise UsageError(
+            f"{out}: holds cameras but no {TABLE_FILE}; choose another place, or --overwrite to"
+            " replace them"
+        )
+
+
+def _anchors(
+    pictures: PictureSource,
+    field: Field,
+    annotations: Path | None,
+    cameras: Path | None,
+    camera_format: str,
+    camera_size: tuple[int, int] | None,
+) -> Anchors:
+    found = Anchors()
+    if annotations is not None:
+        found.add_annotated(pictures.frames, field)
+    if cameras is not None:
+        with CameraCollection.open(cameras, camera_format) as collection:
+            datasets.report_remarks(collection.notices)
+            found.add_cameras(pictures.frames, collection, camera_size)
+    datasets.report_remarks(found.remarks)
+    if (annotations is not None or cameras is not None) and not found.cameras:
+        where = " and ".join(str(given) for given in (annotations, cameras) if given is not None)
+        typer.echo(f"note: no frame here has a camera in {where}", err=True)
+    return found
+
+
+def _shots(
+    pictures: PictureSource, anchors: Anchors, start: int | None, field: Field
+) -> list[ShotToFollow]:
+    """The shots to follow.
+
+    Raises:
+        UsageError: the one shot that is asked for has no camera to begin with.
+    """
+    with progress_bar("looking for cuts") as progress:
+        ranges = find_shots(pictures, progress)
+    if start is not None:
+        ranges = [own for own in ranges if start in own]
+        if not any(number in ranges[0] for number in anchors.cameras):
+            _propose_for(pictures.frames[start], start, anchors, field)
+    return [
+        ShotToFollow(
+            own[0],
+            pictures.frames[own[0] : own[-1] + 1],
+            {n: camera for n, camera in anchors.cameras.items() if n in own},
+        )
+        for own in ranges
+    ]
+
+
+def _propose_for(frame: Frame, number: int, anchors: Anchors, field: Field) -> None:
+    proposal = propose_camera(decode_bgra(frame.image_path), field)
+    if proposal.state != SURE or proposal.fit.camera is None:
+        raise UsageError(
+            f"--from {frame.name}: no camera is known there, and none was found: {proposal.reason}"
+        )
+    anchors.cameras[number] = proposal.fit.camera
+
+
+def _what_is_there(stopped: Interrupted, out: Path) -> str:
+    """What an interrupted run left, and how to go on."""
+    return (
+        f"{stopped.written} of {count_of(stopped.total, 'frame')} are in {out}/{TABLE_FILE}; run it"
+        " again to go on with the shot that was not done"
+    )
+
+
+def _report(table: TrackTable, anchors: Anchors, kept: int, out: Path) -> int:
+    """Print what was found; returns the exit code."""
+    console = stdout_console()
+    console.print(shots_table(table))
+    if gaps := gaps_of(table):
+        console.print(gaps_table(gaps))
+    if kept:
+        typer.echo(f"followed before: {count_of(kept, 'shot')} (--overwrite follows them again)")
+    typer.echo(f"{summary_words(table)}; written to {out}, with {TABLE_FILE}")
+    return datasets.report_unreadable([*anchors.errors, *table.errors])

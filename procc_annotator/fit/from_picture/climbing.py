@@ -1,0 +1,136 @@
+"""Many cameras at once led to where their lines lie on the picture's paint, and judged there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.fit.from_picture.field_lines import FieldLines
+from procc_annotator.fit.from_picture.in_view import in_view
+from procc_annotator.fit.from_picture.pulls import Pulls, lines_to_paint, paint_to_lines
+from procc_annotator.fit.from_picture.seen_paint import NearestPaint, SeenPaint
+from procc_annotator.fit.solving.models import FREE, Z
+from procc_annotator.fit.solving.observations import FloatArray
+from procc_annotator.fit.solving.solver import Prior
+
+# How far a step may lead: rad, metres, shares.
+_LONGEST = np.array([0.15, 0.1, 0.03, 8.0, 8.0, 5.0, 0.15, 0.05])
+_LOWEST_M = 1.0
+_REACH = 4.0  # times the scale: farther paint is another line's
+_WORTH = 40.0  # independent places that all of a picture's paint is worth
+_SOFTER = 2.0  # times the scale: what a place's error is taken for
+_DAMPING = 1.02
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What a search goes by.
+
+    Attributes:
+        lines: of the field.
+        paint: of the picture.
+        near: its maps.
+        prior: of cameras, (1, 8) means and inverse standard deviations.
+    """
+
+    lines: FieldLines
+    paint: SeenPaint
+    near: NearestPaint
+    prior: Prior
+
+    def unlikeliness(self, vectors: FloatArray) -> FloatArray:
+        """(B,) half the squared deviations from where cameras are expected; lens left out."""
+        free = FREE["P"]
+        mean, inverse = self.prior.mean[:, :free], self.prior.inverse_sd[:, :free]
+        return np.asarray((((vectors[:, :free] - mean) * inverse) ** 2).sum(axis=1) / 2)
+
+
+def climb(
+    scene: Scene,
+    vectors: FloatArray,
+    scales_px: Sequence[float],
+    *,
+    places: int,
+    paint: int = 0,
+    model: str = "P",
+) -> FloatArray:
+    """Lead cameras to the paint, one step for each scale.
+
+    Args:
+        scene: field and picture.
+        vectors: (B, 11) where they are.
+        scales_px: solver px; paint farther off counts less and less.
+        places: so many on the lines of each camera.
+        paint: so many places of the paint are pulled to lines as well.
+        model: P or R.
+
+    Returns:
+        (B, 11).
+    """
+    free = FREE[model]
+    vectors = vectors.copy()
+    half_height = scene.paint.half_height
+    chosen = in_view(vectors, scene.lines.coarse, half_height, places).places
+    some = scene.paint.some(paint)
+    mean, inverse = scene.prior.mean[:, :free], scene.prior.inverse_sd[:, :free]
+    diagonal = np.arange(free)
+    for scale in scales_px:
+        pulls = lines_to_paint(vectors, chosen, scene.lines.coarse, scene.paint, scene.near, free)
+        normal, gradient = _normal_of(pulls, scale)
+        if len(some):
+            pulls = paint_to_lines(vectors, some, scene.lines, scene.paint, free)
+            more = _normal_of(pulls, scale)
+            normal, gradient = normal + more[0], gradient + more[1]
+        gradient -= (vectors[:, :free] - mean) * inverse**2
+        normal[:, diagonal, diagonal] += inverse**2 + 1e-9
+        normal[:, diagonal, diagonal] *= _DAMPING
+        step = np.linalg.solve(normal, gradient[:, :, None])[:, :, 0]
+        step /= np.maximum(np.abs(step / _LONGEST[:free]).max(axis=1), 1.0)[:, None]
+        vectors[:, :free] += step
+        vectors[:, Z] = np.minimum(vectors[:, Z], -_LOWEST_M)
+    return vectors
+
+
+def _normal_of(pulls: Pulls, scale: float) -> tuple[FloatArray, FloatArray]:
+    counted = pulls.known & (pulls.away < _REACH * scale)
+    off = np.where(counted, pulls.off, 0.0)
+    weight = counted / (1 + (off / scale) ** 2) ** 2
+    weight *= _WORTH / off.shape[1] * (_SOFTER / scale) ** 2
+    weighted = pulls.by * weight[:, None]
+    normal = weighted @ pulls.by.transpose(0, 2, 1)
+    return normal, (weighted @ off[:, :, None])[:, :, 0]
+
+
+@dataclass(frozen=True, eq=False)
+class Agreement:
+    """How well B cameras and a picture agree.
+
+    Attributes:
+        coverage: (B,) share of the lines in sight that lie on paint.
+        explained: (B,) share of the paint on the ground that lies on lines.
+    """
+
+    coverage: FloatArray
+    explained: FloatArray
+
+    @property
+    def both(self) -> FloatArray:
+        """(B,) their harmonic mean: 1 only if nothing is missing on either side."""
+        total = self.coverage + self.explained
+        return 2 * self.coverage * self.explained / np.maximum(total, 1e-6)
+
+
+def agreement(
+    scene: Scene, vectors: FloatArray, within_px: float, *, places: int, paint: int
+) -> Agreement:
+    """Judge cameras (B, 11) by so many places on lines, and of the paint."""
+    chosen = in_view(vectors, scene.lines.coarse, scene.paint.half_height, places).places
+    pulls = lines_to_paint(vectors, chosen, scene.lines.coarse, scene.paint, scene.near, 0)
+    on_paint = pulls.known & (np.abs(pulls.off) < within_px) & (pulls.away < 3 * within_px)
+    coverage = on_paint.sum(axis=1) / np.maximum(pulls.in_view.sum(axis=1), 1)
+    some = scene.paint.some(paint)
+    pulls = paint_to_lines(vectors, some, scene.lines, scene.paint, 0)
+    explained = (pulls.known & (np.abs(pulls.off) < within_px)).mean(axis=1)
+    return Agreement(coverage, explained)

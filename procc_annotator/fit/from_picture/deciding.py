@@ -1,0 +1,70 @@
+"""Whether the best camera of a search may be relied on, and why, in words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.from_picture.proposal import NONE, SURE, UNSURE, State
+from procc_annotator.fit.result import FitResult
+
+# Below, what was found is no camera of this picture.
+_LEAST_BOTH = 0.4
+_SURE_COVERAGE, _SURE_EXPLAINED, _SURE_MARGIN = 0.75, 0.85, 0.08
+_MOST_UNLIKELY = 6.0
+_SURE_LINES = 4
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """What speaks for and against a camera.
+
+    Attributes:
+        fit: the camera.
+        coverage, explained: see `Proposal`.
+        margin: see `Proposal`.
+        unlikeliness: half the squared deviations from where cameras are expected.
+        elements: how many of the field were found on paint.
+    """
+
+    fit: FitResult
+    coverage: float
+    explained: float
+    margin: float
+    unlikeliness: float
+    elements: int
+
+    @property
+    def both(self) -> float:
+        """Harmonic mean of coverage and explained."""
+        total = self.coverage + self.explained
+        return 2 * self.coverage * self.explained / total if total else 0.0
+
+
+def decide(seen: Evidence) -> tuple[State, str]:
+    """Whether a camera is sure, unsure or none, and why, in a sentence."""
+    shares = (
+        f"{100 * seen.coverage:.0f} % of the lines in sight lie on paint, which explains"
+        f" {100 * seen.explained:.0f} % of the paint on the ground"
+    )
+    if seen.fit.camera is None:
+        return NONE, str(seen.fit.failure)
+    if seen.both < _LEAST_BOTH:
+        return NONE, f"no camera suits the paint in this picture: of the best one {shares}"
+    doubt = _doubt(seen)
+    return (UNSURE, f"{doubt} ({shares})") if doubt else (SURE, shares)
+
+
+def _doubt(seen: Evidence) -> str:
+    if seen.margin < _SURE_MARGIN:
+        return "another camera that shows other lines suits the picture nearly as well"
+    if seen.coverage < _SURE_COVERAGE:
+        return "lines are missing that should be in sight"
+    if seen.explained < _SURE_EXPLAINED:
+        return "there is paint where the field has none"
+    if seen.unlikeliness > _MOST_UNLIKELY:
+        return "cameras hardly stand there"
+    if seen.elements < _SURE_LINES:
+        return "too few lines are in sight to tell"
+    open_ = hardly_determined(seen.fit)
+    return f"the lines in sight leave the camera open: {open_}" if open_ else ""

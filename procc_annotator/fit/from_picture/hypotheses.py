@@ -1,0 +1,138 @@
+"""Cameras that a picture may have been taken with, all of them, and how well each one suits it.
+
+Where their lines appear is worked out once for a field and a shape of picture; what remains for a
+picture is to look up how near its paint is there.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.fit.from_picture.field_lines import FieldLines
+from procc_annotator.fit.from_picture.in_view import in_view
+from procc_annotator.fit.from_picture.seen_paint import (
+    NearestPaint,
+    SeenPaint,
+    cells_of,
+    directions_of,
+    shape_of,
+)
+from procc_annotator.fit.solving.models import CENTRE, LOG_FOCAL, PAN, PARAMETERS, TILT
+from procc_annotator.fit.solving.observations import REFERENCE_WIDTH, FloatArray
+from procc_annotator.fit.solving.surroundings import Surroundings
+
+CELL_PX = 4
+_PLACES = 48  # of the lines, a camera
+_STEP_PX = 48.0  # between the places neighbouring cameras look at
+_LEAST_IN_VIEW_PX = 350.0
+# Widths of the view where the usual camera sees the field's centre, of half the field's length.
+_WIDTHS = np.geomspace(0.34, 1.9, 9)
+_ALONG = (-0.5, -0.25, 0.0, 0.25, 0.5)  # places along the side, of half its length
+_HEIGHTS, _HIGHER = 6, 1.15
+_NEAR, _FAR = 0.75, 1.5  # of the usual distance from the side
+# A place of a line counts 1 so near to paint, less beyond, and against the camera farther off.
+_NEAR_PX, _FAR_PX, _AGAINST = 12.0, 45.0, 0.5
+_RIM_CELLS = 5
+_AT_ONCE = 8000
+
+
+@dataclass(frozen=True, eq=False)
+class Hypotheses:
+    """B cameras of one shape of picture.
+
+    Attributes:
+        vectors: (B, 11) parameters.
+        cells: (B, K) in the maps of paint, flat.
+        length_px: (B,) of their lines in sight, solver px.
+    """
+
+    vectors: FloatArray
+    cells: NDArray[np.int32]
+    length_px: FloatArray
+
+    def scores(self, near: NearestPaint, paint: SeenPaint) -> FloatArray:
+        """(B,) solver px of lines on paint, less those beside it."""
+        shape = near.away.shape[1:]
+        value = np.clip((_FAR_PX - near.away) / (_FAR_PX - _NEAR_PX), 0, 1)
+        value = value * (1 + _AGAINST) - _AGAINST
+        ground = cv2.resize(paint.ground, shape[::-1], interpolation=cv2.INTER_NEAREST)
+        rim = cv2.dilate(ground, np.ones((_RIM_CELLS, _RIM_CELLS), np.uint8)) > 0
+        table = np.rint(np.where(rim, value, -_AGAINST) * 100).astype(np.int8).ravel()
+        found = [
+            table[self.cells[first : first + _AT_ONCE]].sum(axis=1, dtype=np.int32)
+            for first in range(0, len(self.cells), _AT_ONCE)
+        ]
+        return np.asarray(np.concatenate(found) / (100 * _PLACES) * self.length_px)
+
+
+@lru_cache(maxsize=4)
+def anywhere(lines: FieldLines, half_height: float) -> Hypotheses:
+    """Cameras wherever the field's file says that they stand; pictures so many solver px high."""
+    return _from(_usual_places(lines.around), lines, half_height)
+
+
+@lru_cache(maxsize=16)
+def at_places(
+    lines: FieldLines, half_height: float, places: tuple[tuple[float, float, float], ...]
+) -> Hypotheses:
+    """Cameras at places (metres) where they are known to stand."""
+    return _from(np.array(places), lines, half_height)
+
+
+def _from(places: FloatArray, lines: FieldLines, half_height: float) -> Hypotheses:
+    vectors = np.concatenate([_looking(place, lines.around, half_height) for place in places])
+    shown = in_view(vectors, lines.coarsest, half_height, _PLACES)
+    kept = shown.length_px > _LEAST_IN_VIEW_PX
+    column, row = cells_of(shown.points[kept], half_height, CELL_PX)
+    height, width = shape_of(half_height, CELL_PX)
+    cells = (directions_of(shown.angles[kept]) * height + row) * width + column
+    return Hypotheses(vectors[kept], cells.astype(np.int32), shown.length_px[kept])
+
+
+def _usual_places(around: Surroundings) -> FloatArray:
+    """(P, 3) metres, on the main camera's side."""
+    found = []
+    low, _, high = around.height
+    steepest = math.atan2(high, around.half_width + 0.6 * around.distance[1])
+    for along in _ALONG:
+        for share in (1.0,) if along else (_NEAR, _FAR):
+            reach = around.half_width + share * around.distance[1]
+            for angle in np.geomspace(math.atan2(low, reach), steepest, _HEIGHTS):
+                height = reach * math.tan(angle)
+                if height <= _HIGHER * high:
+                    found.append((along * around.half_length, reach, -height))
+    return np.array(found)
+
+
+def _looking(place: FloatArray, around: Surroundings, half_height: float) -> FloatArray:
+    """(B, 11) cameras at a place (3,) that look at all of the field, with all focal lengths."""
+    corners = np.array([(x, y) for x in (-1, 1) for y in (-1, 1)], dtype=float)
+    toward = corners * (around.half_length, around.half_width) - place[:2]
+    pans = np.arctan2(toward[:, 0], -toward[:, 1])
+    downs = np.arctan2(-place[2], np.hypot(*toward.T))
+    found = []
+    for width in _WIDTHS * around.half_length:
+        focal = REFERENCE_WIDTH * float(np.linalg.norm(place)) / width
+        step = _STEP_PX / focal
+        pan, down = (
+            one.ravel()
+            for one in np.meshgrid(
+                np.arange(pans.min(), pans.max() + step, step),
+                np.arange(downs.min() - 0.3 * half_height / focal, downs.max() + step, step),
+            )
+        )
+        away = -place[2] / np.tan(np.maximum(down, 1e-3))
+        x, y = place[0] + away * np.sin(pan), place[1] - away * np.cos(pan)
+        # What looks past the field shows little of it.
+        kept = (np.abs(x) < 1.02 * around.half_length) & (np.abs(y) < 1.15 * around.half_width)
+        vectors = np.zeros((int(kept.sum()), len(PARAMETERS)))
+        vectors[:, PAN], vectors[:, TILT] = pan[kept], math.pi / 2 - down[kept]
+        vectors[:, CENTRE], vectors[:, LOG_FOCAL] = place, math.log(focal)
+        found.append(vectors)
+    return np.concatenate(found)

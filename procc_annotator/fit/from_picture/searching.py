@@ -1,0 +1,123 @@
+"""The search for cameras that explain a picture's paint: from all to the few best ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.fit.from_picture.climbing import Agreement, Scene, agreement, climb
+from procc_annotator.fit.from_picture.hypotheses import CELL_PX, Hypotheses
+from procc_annotator.fit.from_picture.in_view import apart_px
+from procc_annotator.fit.from_picture.seen_paint import NearestPaint
+from procc_annotator.fit.solving.observations import FloatArray, IntArray
+
+
+@dataclass(frozen=True)
+class Stage:
+    """One round: those that are left climb, and the best of them go on.
+
+    Attributes:
+        scales_px: see `climb`.
+        places, paint: what they climb by.
+        within_px: what counts as on paint, to judge them.
+        judged: how many places on lines, and of the paint, judge them.
+        unlikely: what unlikeliness costs.
+        kept: how many go on.
+        apart_px: so far apart at least; 0 for any.
+        model: P or R.
+        rounds: how often the places in sight are chosen anew.
+    """
+
+    scales_px: Sequence[float]
+    places: int
+    paint: int
+    within_px: float
+    judged: tuple[int, int]
+    unlikely: float
+    kept: int
+    apart_px: float = 0.0
+    model: str = "P"
+    rounds: int = 1
+
+
+FIRST = 1200
+STAGES = (
+    Stage((30, 24, 16), 48, 0, 8.0, (80, 150), 0.02, 150),
+    Stage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 25, 6.0),
+    Stage((7, 6, 5, 4), 120, 150, 3.0, (240, 800), 0.005, 12, 12.0, "R", 4),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """The cameras that were found, the best first.
+
+    Attributes:
+        vectors: (B, 11).
+        scores: (B,) agreement less what their unlikeliness costs.
+        agreement: of each.
+    """
+
+    vectors: FloatArray
+    scores: FloatArray
+    agreement: Agreement
+
+    def chosen(self, rows: IntArray) -> Found:
+        """Some of them."""
+        both = Agreement(self.agreement.coverage[rows], self.agreement.explained[rows])
+        return Found(self.vectors[rows], self.scores[rows], both)
+
+
+def search(
+    scene: Scene,
+    hypotheses: Hypotheses,
+    go_on: Callable[[], None],
+    stages: Sequence[Stage] = STAGES,
+    first: int = FIRST,
+) -> Found:
+    """The best cameras of all hypotheses, led to the paint."""
+    scores = hypotheses.scores(NearestPaint.of(scene.paint, CELL_PX), scene.paint)
+    count = min(first, len(scores))
+    best = np.argpartition(-scores, count - 1)[:count]
+    found = Found(hypotheses.vectors[best], scores[best], Agreement(scores[best], scores[best]))
+    for stage in stages:
+        go_on()
+        found = _round(scene, found.vectors, stage)
+    return found
+
+
+def _round(scene: Scene, vectors: FloatArray, stage: Stage) -> Found:
+    for _ in range(stage.rounds):
+        vectors = climb(
+            scene,
+            vectors,
+            stage.scales_px,
+            places=stage.places,
+            paint=stage.paint,
+            model=stage.model,
+        )
+    found = judged(scene, vectors, stage)
+    order = np.argsort(-found.scores, kind="stable")
+    if not stage.apart_px:
+        return found.chosen(order[: stage.kept])
+    return found.chosen(_distinct(scene, vectors, order, stage))
+
+
+def judged(scene: Scene, vectors: FloatArray, stage: Stage = STAGES[-1]) -> Found:
+    """Cameras (B, 11) with what they are worth, in their order."""
+    found = agreement(
+        scene, vectors, stage.within_px, places=stage.judged[0], paint=stage.judged[1]
+    )
+    return Found(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors), found)
+
+
+def _distinct(scene: Scene, vectors: FloatArray, order: IntArray, stage: Stage) -> IntArray:
+    """The first ones that show lines at other places than those before them."""
+    kept: list[int] = []
+    while len(order) and len(kept) < stage.kept:
+        kept.append(int(order[0]))
+        away = apart_px(vectors[order[0]], vectors[order], scene.lines, scene.paint.half_height)
+        order = order[1:][away[1:] > stage.apart_px]
+    return np.array(kept, dtype=np.intp)

@@ -1,0 +1,122 @@
+"""The paint of a picture as a search goes by it: maps of the nearest paint of like direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.field.appearance import ANY, DARKER, LIGHTER, LINE
+from procc_annotator.field.model import Field
+from procc_annotator.fit.solving.observations import (
+    REFERENCE_WIDTH,
+    FloatArray,
+    IntArray,
+    PictureFrame,
+)
+from procc_annotator.image.paint_map import paint_map
+from procc_annotator.image.pixels import PixelArray
+
+DIRECTIONS = 12
+LIKE_RAD = np.radians(20.0)  # directions that may be those of one line
+_FAR_PX = 1e3
+HALF_WIDTH = REFERENCE_WIDTH / 2
+
+
+@dataclass(frozen=True, eq=False)
+class SeenPaint:
+    """N places of paint, solver px.
+
+    Attributes:
+        frame: the picture.
+        points: (2, N).
+        along: (N,) rad, direction.
+        on_ground: (n,) which of them lie well inside the ground.
+        ground: (h, 320) 1 where the ground is.
+    """
+
+    frame: PictureFrame
+    points: FloatArray
+    along: FloatArray
+    on_ground: IntArray
+    ground: NDArray[np.uint8]
+
+    @property
+    def half_height(self) -> float:
+        """Of the picture, solver px."""
+        return self.frame.size[1] * self.frame.scale / 2
+
+    def some(self, count: int) -> IntArray:
+        """At most so many of the places on the ground, evenly chosen."""
+        every = len(self.on_ground) / max(count, 1)
+        if every <= 1:
+            return self.on_ground
+        return self.on_ground[(np.arange(count) * every).astype(np.intp)]
+
+
+def see_paint(picture: PixelArray, field: Field) -> SeenPaint:
+    """The paint of a picture (H, W, 4) BGRA, of the tones a field's lines have."""
+    tones = {e.appearance.tone for e in field.elements if e.appearance.kind == LINE}
+    light, dark = bool(tones & {LIGHTER, ANY}), bool(tones & {DARKER, ANY})
+    found = paint_map(picture, light=light, dark=dark)
+    frame = PictureFrame(found.size)
+    points = (found.points - np.array(frame.centre_px)[:, None]) * frame.scale
+    return SeenPaint(frame, points, found.along, np.flatnonzero(found.on_ground), found.ground)
+
+
+@dataclass(frozen=True, eq=False)
+class NearestPaint:
+    """For each of some directions and each cell of the picture the nearest paint that runs so.
+
+    Attributes:
+        cell: solver px.
+        away: (DIRECTIONS, h, w) solver px to it.
+        place: (DIRECTIONS, h, w) index of that place; -1 where nothing runs so.
+    """
+
+    cell: int
+    away: NDArray[np.float32]
+    place: NDArray[np.int32]
+
+    @classmethod
+    def of(cls, paint: SeenPaint, cell: int) -> NearestPaint:
+        """Maps with cells of so many solver px."""
+        height, width = shape_of(paint.half_height, cell)
+        column, row = cells_of(paint.points, paint.half_height, cell)
+        away = np.full((DIRECTIONS, height, width), _FAR_PX, dtype=np.float32)
+        place = np.full((DIRECTIONS, height, width), -1, dtype=np.int32)
+        for direction in range(DIRECTIONS):
+            turn = paint.along - direction * np.pi / DIRECTIONS
+            turn = np.abs(np.mod(turn + np.pi / 2, np.pi) - np.pi / 2)
+            own = np.flatnonzero(turn < LIKE_RAD)
+            if not len(own):
+                continue
+            free = np.ones((height, width), dtype=np.uint8)
+            free[row[own], column[own]] = 0
+            far, labels = cv2.distanceTransformWithLabels(
+                free, cv2.DIST_L2, 3, labelType=cv2.DIST_LABEL_PIXEL
+            )
+            of_label = np.zeros(int(labels.max()) + 1, dtype=np.int32)
+            of_label[labels[row[own], column[own]]] = own
+            away[direction], place[direction] = far * cell, of_label[labels]
+        return cls(cell, away, place)
+
+
+def shape_of(half_height: float, cell: int) -> tuple[int, int]:
+    """(rows, columns) of maps whose cells have so many solver px."""
+    return int(np.ceil(2 * half_height / cell)), REFERENCE_WIDTH // cell
+
+
+def cells_of(points: FloatArray, half_height: float, cell: int) -> tuple[IntArray, IntArray]:
+    """Column and row of points (..., 2, N), solver px; the nearest inside the picture."""
+    rows, columns = shape_of(half_height, cell)
+    column = ((points[..., 0, :] + HALF_WIDTH) / cell).clip(0, columns - 1)
+    row = ((points[..., 1, :] + half_height) / cell).clip(0, rows - 1)
+    return column.astype(np.intp), row.astype(np.intp)
+
+
+def directions_of(angles: FloatArray) -> IntArray:
+    """Which of the directions of the maps angles (rad) are."""
+    return np.mod(np.rint(angles * (DIRECTIONS / np.pi)).astype(np.intp), DIRECTIONS)

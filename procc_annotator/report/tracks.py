@@ -1,0 +1,298 @@
+"""Tracked cameras as files as they come, what is said of them as CSV and on the terminal."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass, field
+from itertools import groupby
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+import numpy as np
+from rich.table import Table
+
+from procc_annotator.errors import InputError, SaveError
+from procc_annotator.fit.through_shot.track import TrackedFrame
+from procc_annotator.io.atomic import remove, write_atomic
+from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
+from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, csv_bytes, deviation_cells
+from procc_annotator.report.targets import Interrupted, make_folder
+from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.runs.calibration_run import camera_file
+from procc_annotator.session.runs.track_run import FollowedShot, TrackRun
+from procc_annotator.words import count_of
+
+TABLE_FILE = "track.csv"
+COLUMNS = (
+    "frame", "shot", "state", "reason", "coverage", "residual_px", *DEVIATION_COLUMNS,
+    "anchor_distance", "width", "height", "camera",
+)  # fmt: skip
+STATES = ("anchor", "followed", "bridged", "lost")
+_SHOWN = 20
+_WRITERS = 4  # most of writing is waiting for the disk
+_WAITING = 200  # files
+
+Row = Mapping[str, str]
+Progress = Callable[[int, int], None]
+
+
+@dataclass
+class TrackTable:
+    """What is known of the frames of a source: a row each, as in the file.
+
+    Attributes:
+        names: of all frames, in order.
+        rows: of those that are done, by name.
+        errors: why pictures cannot be used, one line each.
+    """
+
+    names: tuple[str, ...]
+    rows: dict[str, Row] = field(default_factory=dict)
+    errors: list[str] = field(default_factory=list)
+
+    def has_all(self, frames: Iterable[Frame]) -> bool:
+        """Whether all of these are done."""
+        return all(frame.name in self.rows for frame in frames)
+
+    def in_order(self) -> list[Row]:
+        """The rows in the order of the frames."""
+        return [self.rows[name] for name in self.names if name in self.rows]
+
+    def encoded(self) -> bytes:
+        """As a CSV file."""
+        return csv_bytes([COLUMNS, *([row[c] for c in COLUMNS] for row in self.in_order())])
+
+
+def read_table(out: Path, names: tuple[str, ...]) -> TrackTable:
+    """The table that an earlier run left in a folder, as far as it is of these frames.
+
+    Raises:
+        InputError: it is none of ours.
+    """
+    table = TrackTable(names)
+    path = out / TABLE_FILE
+    if not path.exists():
+        return table
+    lines = csv_cells(path)
+    if not lines or tuple(lines[0][1]) != COLUMNS:
+        why = "is no table of a track"
+        raise InputError(path, why, advice="move it away, or --overwrite to replace it")
+    ours = set(names)
+    for _, cells in lines[1:]:
+        row = dict(zip(COLUMNS, cells, strict=False))
+        if len(row) == len(COLUMNS) and (name := formula_text(row["frame"])) in ours:
+            table.rows[name] = row
+    return table
+
+
+def write_tracks(run: TrackRun, out: Path, table: TrackTable, progress: Progress) -> None:
+    """Follow all shots of a run and write what comes of it.
+
+    Cameras are written as frames are followed; those of a shot once more when it is done, refined
+    over all of it, and only then its rows. So a table that was left by a run that was stopped says
+    which shots need not be followed again. Every file appears in one step, whole.
+
+    Args:
+        run: over the shots.
+        out: folder; made if needed.
+        table: filled; may hold shots that were done before.
+        progress: called with frames done and their count.
+
+    Raises:
+        SaveError: writing failed.
+        Interrupted: in place of a KeyboardInterrupt: so many frames of shots that are done.
+    """
+    make_folder(out)
+    names = table.names
+    seen = 0
+
+    def followed(one: TrackedFrame) -> None:
+        nonlocal seen
+        seen += 1
+        progress(min(seen, run.frame_count), run.frame_count)
+        writing.write(names[one.number], one)
+
+    told = run.tell(followed)
+    done = 0
+    try:
+        with _Writing(out) as writing:
+            for shot in run:
+                for one in shot.tracked:
+                    writing.write(names[one.number], one)
+                writing.finish()
+                _add_rows(shot, table)
+                write_atomic(out / TABLE_FILE, table.encoded())
+                done += len(shot.frames)
+                seen = max(seen, done) if told else done
+                progress(seen, run.frame_count)
+    except KeyboardInterrupt:
+        raise Interrupted(done, run.frame_count) from None
+
+
+class _Writing:
+    """Writes cameras behind whoever follows them; one of a frame after the other."""
+
+    def __init__(self, out: Path) -> None:
+        self._out = out
+        self._pool = ThreadPoolExecutor(_WRITERS, thread_name_prefix="writing cameras")
+        self._last: dict[str, Future[None]] = {}
+
+    def write(self, name: str, one: TrackedFrame) -> None:
+        """Write a frame's camera; without one remove that of an earlier run.
+
+        Raises:
+            SaveError: an earlier one could not be written.
+        """
+        before = self._last.pop(name, None)
+        if len(self._last) >= _WAITING:
+            self.finish()
+        if before is not None:
+            before.result()
+        self._last[name] = self._pool.submit(self._write, name, one)
+
+    def finish(self) -> None:
+        """Wait until all is written.
+
+        Raises:
+            SaveError: something could not be.
+        """
+        waiting, self._last = self._last, {}
+        for future in waiting.values():
+            future.result()
+
+    def _write(self, name: str, one: TrackedFrame) -> None:
+        if one.fit is None or one.fit.camera is None:
+            path = self._out / f"camera_{name}.json"
+            try:
+                if path.exists():
+                    remove(path)
+            except OSError as error:
+                raise SaveError(f"{path}: could not be removed: {error.strerror}") from error
+            return
+        file_name, data = camera_file(name, one.fit)
+        write_atomic(self._out / file_name, data)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._pool.shutdown(cancel_futures=kind is not None)
+
+
+def _add_rows(shot: FollowedShot, table: TrackTable) -> None:
+    begin = shot.frames[0].name
+    for frame, one in zip(shot.frames, shot.tracked, strict=True):
+        if one.number in shot.begins:
+            begin = frame.name
+        table.rows[frame.name] = _row(frame.name, begin, one)
+    table.errors += (shot.damaged or {}).values()
+
+
+def _row(name: str, begin: str, one: TrackedFrame) -> Row:
+    fit = one.fit
+    has_camera = fit is not None and fit.camera is not None
+    cells: list[Any] = [
+        no_formula(name),
+        no_formula(begin),
+        one.state,
+        no_formula(one.reason),
+        round(one.coverage, 4),
+        "" if one.residual_px is None else round(one.residual_px, 3),
+        *deviation_cells(fit.deviations if fit is not None else None),
+        "" if one.anchor_distance is None else one.anchor_distance,
+        *(fit.size if fit is not None else ("", "")),
+        no_formula(f"camera_{name}.json") if has_camera else "",
+    ]
+    return dict(zip(COLUMNS, map(str, cells), strict=True))
+
+
+# --- what is said of it -------------------------------------------------------------------------
+
+
+def shots_table(table: TrackTable) -> Table:
+    """A row a shot: its frames by state, and how well the paint agrees, median."""
+    rows = table.in_order()
+    shots = [list(own) for _, own in groupby(rows, key=lambda row: row["shot"])]
+    shown = Table(
+        title=f"{count_of(len(rows), 'frame')} in {count_of(len(shots), 'shot')}",
+        title_justify="left",
+    )
+    shown.add_column("from")
+    shown.add_column("to")
+    for heading in ("frames", *STATES, "coverage %", "residual px"):
+        shown.add_column(heading, justify="right")
+    for own in shots[:_SHOWN]:
+        states = Counter(row["state"] for row in own)
+        coverage = [100 * float(row["coverage"]) for row in own if row["state"] != "lost"]
+        residuals = [float(row["residual_px"]) for row in own if row["residual_px"]]
+        shown.add_row(
+            formula_text(own[0]["frame"]),
+            formula_text(own[-1]["frame"]),
+            str(len(own)),
+            *(str(states[state]) for state in STATES),
+            f"{np.median(coverage):.0f}" if coverage else "–",
+            f"{np.median(residuals):.2f}" if residuals else "–",
+        )
+    if (more := len(shots) - _SHOWN) > 0:
+        shown.add_row("...", f"{more} more")
+    return shown
+
+
+@dataclass(frozen=True)
+class Gap:
+    """Frames one after the other that have no camera, or one carried over from others.
+
+    Attributes:
+        first, last: names.
+        frames: how many.
+        state: of the first.
+        reason: of the first.
+    """
+
+    first: str
+    last: str
+    frames: int
+    state: str
+    reason: str
+
+
+def gaps_of(table: TrackTable) -> list[Gap]:
+    """The stretches that were not followed on paint."""
+    found = []
+    for (state, _), own in groupby(table.in_order(), key=lambda row: (row["state"], row["shot"])):
+        rows: Sequence[Row] = list(own)
+        if state in ("bridged", "lost"):
+            ends = formula_text(rows[0]["frame"]), formula_text(rows[-1]["frame"])
+            found.append(Gap(*ends, len(rows), state, formula_text(rows[0]["reason"])))
+    return found
+
+
+def gaps_table(gaps: Sequence[Gap]) -> Table:
+    """Gaps, the first ones of many."""
+    shown = Table(title=count_of(len(gaps), "gap"), title_justify="left")
+    for heading in ("from", "to", "frames", "", "why"):
+        shown.add_column(heading, justify="right" if heading == "frames" else "left")
+    for gap in gaps[:_SHOWN]:
+        shown.add_row(gap.first, gap.last, str(gap.frames), gap.state, gap.reason)
+    if (more := len(gaps) - _SHOWN) > 0:
+        shown.add_row("...", f"{more} more in {TABLE_FILE}")
+    return shown
+
+
+def summary_words(table: TrackTable) -> str:
+    """``430 of 436 frames have a camera (2 anchors, 420 followed, 8 bridged), 6 are lost``."""
+    states = Counter(row["state"] for row in table.rows.values())
+    anchors = count_of(states["anchor"], "anchor")
+    have = sum(states[state] for state in STATES[:3])
+    return (
+        f"{have} of {count_of(len(table.rows), 'frame')} have a camera ({anchors},"
+        f" {states['followed']} followed, {states['bridged']} bridged), {states['lost']} lost"
+    )

@@ -1,0 +1,95 @@
+"""Frames whose camera is known before a track begins: from annotations and from camera files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import ElementProjections
+from procc_annotator.errors import CameraError, InputError
+from procc_annotator.field.landmarks import field_of_frame
+from procc_annotator.field.model import Field
+from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.image.decode import read_size
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
+from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.dataset.pending_save import bytes_of
+
+
+@dataclass
+class Anchors:
+    """Cameras that are known.
+
+    Attributes:
+        cameras: by number of the frame, px of the pictures.
+        annotated: how many of them are fits to an annotation.
+        remarks: annotated frames that give no camera, and why, one line each.
+        errors: annotations, pictures and cameras that cannot be used, one line each.
+    """
+
+    cameras: dict[int, Camera] = field(default_factory=dict)
+    annotated: int = 0
+    remarks: list[str] = field(default_factory=list)
+    errors: list[str] = field(default_factory=list)
+
+    def add_cameras(
+        self,
+        frames: Sequence[Frame],
+        collection: CameraCollection,
+        camera_size: tuple[int, int] | None,
+    ) -> None:
+        """Add the cameras of files; an anchor that is there already stays.
+
+        Args:
+            frames: by number.
+            collection: of cameras.
+            camera_size: (width, height) their pixels belong to, where that is known better.
+        """
+        for number, frame in enumerate(frames):
+            if number in self.cameras or frame.name not in collection.frames:
+                continue
+            try:
+                loaded = collection.read(frame.name)
+                size = read_size(frame.image_path)
+            except (CameraError, InputError) as error:
+                self.errors.append(str(error))
+                continue
+            own = camera_size or loaded.size or OFFICIAL_SIZE
+            camera, _ = fit_to_size(loaded, size, own)
+            if isinstance(camera, ElementProjections):
+                self.errors.append(f"{collection.display(frame.name)}: holds no camera to follow")
+            else:
+                self.cameras[number] = camera
+
+    def add_annotated(self, frames: Sequence[Frame], field: Field) -> None:
+        """Add a fit to every annotated frame that gives a camera to rely on.
+
+        Args:
+            frames: by number, with the files their annotations are in.
+            field: the elements, metres.
+        """
+        for number, frame in enumerate(frames):
+            path = frame.annotation_path
+            try:
+                data = bytes_of(path)
+                if data is None:
+                    continue
+                annotation = read_annotation(data, path=str(path), field=field)
+                if not annotation.annotated:
+                    continue
+                size = read_size(frame.image_path)
+            except InputError as error:
+                self.errors.append(str(error))
+                continue
+            fit = fit_camera(annotation, field_of_frame(field, frame.name), model="R", size=size)
+            why = fit.failure if fit.camera is None else hardly_determined(fit)
+            if fit.camera is None or why:
+                self.remarks.append(f"{frame.name}: its annotation is no anchor: {why}")
+                continue
+            self.cameras[number] = fit.camera
+            self.annotated += 1

@@ -1,0 +1,184 @@
+"""Follow the cameras of a video or of consecutive pictures, shot by shot: here or in processes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.errors import ImageError
+from procc_annotator.field.model import Field
+from procc_annotator.fit.through_shot.track import Track, TrackedFrame
+from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.runs.execution.executor import InProcess
+from procc_annotator.session.runs.set_run import SetRun
+
+OnFrame = Callable[[TrackedFrame], None]
+
+
+class Follow(Protocol):
+    """Follows a camera, as `track` does; survives the trip to a worker."""
+
+    def __call__(
+        self,
+        frame: Callable[[int], PixelArray],
+        numbers: range,
+        field: Field,
+        *,
+        anchors: Mapping[int, Camera],
+        on_frame: OnFrame,
+    ) -> Track: ...
+
+
+@dataclass(frozen=True, eq=False)
+class ShotToFollow:
+    """A shot on its way to a worker.
+
+    Attributes:
+        first: number of its first frame.
+        frames: all of them.
+        anchors: cameras that are known, by number; px of the pictures.
+    """
+
+    first: int
+    frames: tuple[Frame, ...]
+    anchors: Mapping[int, Camera]
+
+    @property
+    def name(self) -> str:
+        """Its first and last frame."""
+        if len(self.frames) == 1:
+            return self.frames[0].name
+        return f"{self.frames[0].name} to {self.frames[-1].name}"
+
+    @property
+    def numbers(self) -> range:
+        """Of its frames."""
+        return range(self.first, self.first + len(self.frames))
+
+
+@dataclass(frozen=True, eq=False)
+class FollowedShot:
+    """What became of a shot.
+
+    Attributes:
+        first: number of its first frame.
+        frames: by name, in their order.
+        tracked: what became of each.
+        begins: numbers at which, on a closer look, another shot began.
+        damaged: number -> why a picture cannot be used.
+    """
+
+    first: int
+    frames: tuple[Frame, ...]
+    tracked: tuple[TrackedFrame, ...]
+    begins: tuple[int, ...] = ()
+    damaged: Mapping[int, str] | None = None
+
+
+def tell_nobody(_: TrackedFrame) -> None:
+    """Nobody asks."""
+
+
+@dataclass(frozen=True, eq=False)
+class FollowShots:
+    """Follows shots one by one.
+
+    Attributes:
+        field: the elements, metres.
+        follow: follows one.
+        on_frame: told of frames as they are followed, in this process only.
+    """
+
+    field: Field
+    follow: Follow
+    on_frame: OnFrame = tell_nobody
+
+    def __call__(self, chunk: Sequence[ShotToFollow]) -> tuple[list[FollowedShot], None]:
+        return [self._follow(shot) for shot in chunk], None
+
+    def _follow(self, shot: ShotToFollow) -> FollowedShot:
+        pictures = _Pictures(shot)
+        anchors = {n: camera for n, camera in shot.anchors.items() if n in shot.numbers}
+        found = self.follow(
+            pictures.frame, shot.numbers, self.field, anchors=anchors, on_frame=self.on_frame
+        )
+        tracked = tuple(
+            _unseen(one, pictures.damaged[one.number]) if one.number in pictures.damaged else one
+            for one in found.frames
+        )
+        begins = tuple(first for first, _ in found.shots if first != shot.first)
+        return FollowedShot(shot.first, shot.frames, tracked, begins, pictures.damaged)
+
+
+class _Pictures:
+    """The pictures of a shot by number; those that cannot be used are black, and remembered."""
+
+    def __init__(self, shot: ShotToFollow) -> None:
+        self.damaged: dict[int, str] = {}
+        self._shot = shot
+        self._shape: tuple[int, ...] | None = None
+
+    def frame(self, number: int) -> PixelArray:
+        path = self._shot.frames[number - self._shot.first].image_path
+        try:
+            picture = decode_bgra(path)
+        except ImageError as error:
+            self.damaged[number] = str(error)
+            return self._black()
+        if self._shape is None:
+            self._shape = picture.shape
+        if picture.shape != self._shape:
+            height, width = self._shape[:2]
+            self.damaged[number] = f"{path}: is not {width}x{height} px as the first of its shot"
+            return self._black()
+        return picture
+
+    def _black(self) -> PixelArray:
+        if self._shape is None:
+            self._shape = self._first_readable()
+        black = np.zeros(self._shape, dtype=np.uint8)
+        black[..., 3] = 255
+        return black
+
+    def _first_readable(self) -> tuple[int, ...]:
+        for frame in self._shot.frames:
+            try:
+                return decode_bgra(frame.image_path).shape
+            except ImageError:
+                continue
+        return (90, 160, 4)  # nothing of it will be seen
+
+
+def _unseen(one: TrackedFrame, why: str) -> TrackedFrame:
+    return replace(
+        one, state="lost", reason=why, fit=None, coverage=0.0, residual_px=None,
+        anchor_distance=None,
+    )  # fmt: skip
+
+
+class TrackRun(SetRun[ShotToFollow, FollowedShot, None]):
+    """One pass over shots; iterate it once."""
+
+    chunk = 1
+    task: FollowShots
+
+    def __init__(self, shots: Sequence[ShotToFollow], field: Field, follow: Follow) -> None:
+        super().__init__(shots, FollowShots(field, follow))
+
+    @property
+    def frame_count(self) -> int:
+        """Frames of all shots."""
+        return sum(len(shot.frames) for shot in self.frames)
+
+    def tell(self, on_frame: OnFrame) -> bool:
+        """Have frames told as they are followed; whether they are, which other processes cannot."""
+        here = isinstance(self.executor, InProcess)
+        if here:
+            self.task = replace(self.task, on_frame=on_frame)
+        return here

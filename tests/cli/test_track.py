@@ -1,0 +1,239 @@
+"""``procc-annotator track``: the cameras of a drawn shot whose cameras are known."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.cli import track as command
+from procc_annotator.fit.through_shot.track import Track, TrackedFrame
+from procc_annotator.image.decode import decode_bgra
+from procc_annotator.io.camera_files.cameras import read_camera_file
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from tests.drawn_shots import DrawnShot, cut_shot, write_video
+
+SIZE = (640, 360)
+FRAMES, CUT = 24, 12
+ANCHORS = (2, 20)
+
+
+@pytest.fixture(scope="module")
+def shot() -> DrawnShot:
+    return cut_shot(FRAMES, size=SIZE)
+
+
+@pytest.fixture(scope="module")
+def pictures(shot: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = shot.write_pictures(tmp_path_factory.mktemp("drawn") / "match")
+    for path in folder.iterdir():
+        path.rename(path.with_name(f"match_0{path.name}"))
+    return folder
+
+
+@pytest.fixture(scope="module")
+def video(pictures: Path) -> Path:
+    path = pictures.parent / "match.mp4"
+    return write_video(path, (decode_bgra(picture) for picture in sorted(pictures.iterdir())))
+
+
+def name_of(number: int) -> str:
+    return f"match_{number:06d}"
+
+
+def write_cameras(shot: DrawnShot, folder: Path, numbers: tuple[int, ...] = ANCHORS) -> Path:
+    folder.mkdir(exist_ok=True)
+    size = {"image_width": SIZE[0], "image_height": SIZE[1]}
+    for number in numbers:
+        content = write_camera(shot.cameras[number], size)
+        (folder / f"camera_{name_of(number)}.json").write_bytes(content)
+    return folder
+
+
+@pytest.fixture
+def cameras(shot: DrawnShot, tmp_path: Path) -> Path:
+    return write_cameras(shot, tmp_path / "cameras")
+
+
+def table(out: Path) -> list[dict[str, str]]:
+    with (out / "track.csv").open(newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+
+def camera_in(out: Path, number: int) -> PinholeCamera:
+    path = out / f"camera_{name_of(number)}.json"
+    camera = read_camera_file(path.read_bytes(), path=path.name).camera
+    assert isinstance(camera, PinholeCamera)
+    return camera
+
+
+def test_every_frame_of_both_shots(cli, shot, video, cameras, tmp_path) -> None:
+    out = tmp_path / "out"
+    done = cli("track", video, out, "--cameras", cameras)
+    assert done.exit_code == 0, done.output
+    assert f"{FRAMES} of {FRAMES} frames have a camera (2 anchors, 22 followed" in done.stdout
+    assert f"{FRAMES} frames in 2 shots" in done.stdout
+    rows = table(out)
+    assert [row["frame"] for row in rows] == [name_of(n) for n in range(FRAMES)]
+    assert [row["shot"] for row in rows] == [name_of(0)] * CUT + [name_of(CUT)] * (FRAMES - CUT)
+    assert [row["state"] for row in rows].count("anchor") == 2
+    assert rows[0]["anchor_distance"] == "2"
+    assert float(rows[0]["sd_pan_degrees"]) > 0
+    assert sorted(files(out)) == [
+        *(f"camera_{name_of(n)}.json" for n in range(FRAMES)), "track.csv",
+    ]  # fmt: skip
+    for number, true in enumerate(shot.cameras):
+        found = camera_in(out, number)
+        px = math.hypot(found.pan_rad - true.pan_rad, found.tilt_rad - true.tilt_rad)
+        assert px * true.focal_px[0] < 2.0
+    for number in ANCHORS:  # to the digit
+        assert camera_in(out, number).position_world == shot.cameras[number].position_world
+
+
+def test_the_same_in_two_processes_and_from_pictures(cli, pictures, cameras, tmp_path) -> None:
+    for workers in (1, 2):
+        arguments = ("--cameras", cameras, "--workers", workers)
+        done = cli("track", pictures, tmp_path / f"by {workers}", *arguments)
+        assert done.exit_code == 0, done.output
+    assert files(tmp_path / "by 1") == files(tmp_path / "by 2")
+    assert [row["shot"] for row in table(tmp_path / "by 1")].count(name_of(CUT)) == FRAMES - CUT
+
+
+def test_annotated_frames_are_anchors(cli, shot, video, tmp_path) -> None:
+    true = write_cameras(shot, tmp_path / "true")
+    marked = tmp_path / "marked"
+    assert cli("annotate", video, marked, "--cameras", true).exit_code == 0
+    done = cli("track", video, tmp_path / "out", "--annotations", marked)
+    assert done.exit_code == 0, done.output
+    assert "(2 anchors, 22 followed" in done.stdout
+
+
+def test_only_the_shot_of_a_frame(cli, video, cameras, tmp_path) -> None:
+    for frame in ("14", name_of(14)):
+        out = tmp_path / frame
+        done = cli("track", video, out, "--cameras", cameras, "--from", frame)
+        assert done.exit_code == 0, done.output
+        assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(CUT, FRAMES)]
+
+
+def lost(number: int, reason: str) -> TrackedFrame:
+    return TrackedFrame(number, "lost", reason, None, 0.0, None, None)
+
+
+def nothing_found(frame, numbers, field, *, anchors, on_frame) -> Track:
+    """Looks at every picture and finds no camera."""
+    found = []
+    for number in numbers:
+        dark = np.asarray(frame(number))[..., :3].max() == 0
+        found.append(lost(number, "dark" if dark else "nothing to see"))
+        on_frame(found[-1])
+    return Track(tuple(found), ((numbers[0], numbers[-1]),))
+
+
+def test_lost_frames_are_gaps_without_a_camera(cli, video, monkeypatch, tmp_path) -> None:
+    monkeypatch.setattr(command, "follow_shot", nothing_found)
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "track.csv").write_text("")
+    (out / f"camera_{name_of(3)}.json").write_text("{}")  # of an earlier track
+    done = cli("track", video, out, "--overwrite")
+    assert done.exit_code == 0, done.output
+    assert "2 gaps" in done.stdout
+    assert "nothing to see" in done.stdout
+    assert list(files(out)) == ["track.csv"]
+    assert {row["camera"] for row in table(out)} == {""}
+
+
+def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_path) -> None:
+    monkeypatch.setattr(command, "follow_shot", nothing_found)
+    match = tmp_path / "match"
+    shutil.copytree(pictures, match)
+    (match / "match_000000.png").write_bytes(b"no picture")
+    small = np.zeros((90, 160, 3), np.uint8)
+    cv2.imwrite(str(match / "match_000003.png"), small)
+    done = cli("track", match, tmp_path / "out")
+    assert done.exit_code == 1
+    assert len(done.stderr.splitlines()) == 2
+    assert "is not 640x360 px" in done.stderr
+    rows = table(tmp_path / "out")
+    assert len(rows) == FRAMES
+    assert "cannot be decoded" in rows[0]["reason"]
+
+
+def test_a_run_that_was_stopped_goes_on(cli, video, cameras, monkeypatch, tmp_path) -> None:
+    whole, out = tmp_path / "whole", tmp_path / "out"
+    arguments = ("--cameras", cameras)
+    assert cli("track", video, whole, *arguments).exit_code == 0
+    followed = command.follow_shot
+
+    def stopped(frame, numbers, *rest, **options) -> Track:
+        if numbers[0] == CUT:
+            raise KeyboardInterrupt
+        return followed(frame, numbers, *rest, **options)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(command, "follow_shot", stopped)
+        done = cli("track", video, out, *arguments)
+    assert done.exit_code == 130
+    assert f"interrupted: {CUT} of {FRAMES} frames are in {out}/track.csv" in done.stderr
+    assert len(table(out)) == CUT
+    again = cli("track", video, out, *arguments)
+    assert "followed before: 1 shot" in again.stdout
+    assert files(out) == files(whole)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL")
+def test_a_kill_leaves_whole_files(video, cameras, tmp_path) -> None:
+    out = tmp_path / "out"
+    arguments = ["track", video, out, "--cameras", cameras]
+    running = subprocess.Popen(
+        [sys.executable, "-m", "procc_annotator", *map(str, arguments)],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    while running.poll() is None and not any(out.glob("camera_*.json")):
+        try:
+            running.wait(0.02)
+        except subprocess.TimeoutExpired:
+            continue
+    running.send_signal(signal.SIGKILL)
+    running.wait()
+    written = list(out.glob("camera_*.json"))
+    assert written
+    for path in written:
+        assert len(json.loads(path.read_text())["position_meters"]) == 3
+
+
+def test_what_makes_no_sense(cli, video, cameras, tmp_path) -> None:
+    out = tmp_path / "out"
+    (tmp_path / "broken.mp4").write_bytes(video.read_bytes()[:2000])
+    (tmp_path / "other.mp4").write_text("no video")
+    for wrong, said in (
+        ((tmp_path / "nowhere.mp4", out), "does not exist"),
+        ((tmp_path / "broken.mp4", out), "cannot be opened as a video"),
+        ((tmp_path / "other.mp4", out), "expected a video"),
+        ((video, out, "--from", "99"), "there is no such frame"),
+        ((video, out, "--cameras", tmp_path / "no"), "does not exist"),
+        ((video, cameras, "--cameras", cameras), "write to another folder"),
+        ((video, cameras), "holds cameras but no track.csv"),
+        ((video, tmp_path / "out.zip"), "a folder is needed"),
+        ((cameras, out), "no picture in"),
+    ):
+        done = cli("track", *wrong)
+        assert done.exit_code == 2, done.output
+        assert said in done.stderr
+    assert not out.exists()
