@@ -292,16 +292,17 @@ class Latest:
         *,
         urgent: bool = False,
         at_once: bool = False,
+        wait_ms: int | None = None,
     ) -> None:
         """Nothing is begun yet.
 
         Args:
-            owner, urgent, at_once: as for `run_in_background`.
+            owner, urgent, at_once, wait_ms: as for `run_in_background`.
             failed: hears why it came to nothing, unless a piece of work has somebody else told.
         """
         self._owner = owner
         self._failed = failed
-        self._urgent, self._at_once = urgent, at_once
+        self._urgent, self._at_once, self._wait_ms = urgent, at_once, wait_ms
         self._job: Job | None = None
 
     @property
@@ -327,6 +328,7 @@ class Latest:
             owner=self._owner,
             urgent=self._urgent,
             at_once=self._at_once,
+            wait_ms=self._wait_ms,
         )
 
     def cancel(self) -> bool:

@@ -9,7 +9,7 @@ from collections import deque
 import cv2
 import numpy as np
 
-from procc_annotator.image.pixels import PixelArray
+from procc_annotator.image.pixels import PixelArray, new_pixels
 
 Size = tuple[int, int]
 
@@ -29,7 +29,9 @@ def reduced(pixels: PixelArray, size: Size) -> PixelArray:
     if factor > 1:
         inner = pixels.shape[1] // factor, pixels.shape[0] // factor
         small = np.asarray(cv2.resize(pixels, inner, interpolation=cv2.INTER_AREA), dtype=np.uint8)
-    return np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_LINEAR), dtype=np.uint8)
+    made = new_pixels(*size)
+    cv2.resize(small, size, dst=made, interpolation=cv2.INTER_LINEAR)
+    return made
 
 
 class ReducedPictures:

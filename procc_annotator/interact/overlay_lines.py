@@ -14,6 +14,7 @@ from procc_annotator.field.paint import painted_class
 from procc_annotator.fit.projected_ellipse import PictureEllipse
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_shapes import (
+    NO_LINE,
     Draft,
     Drawn,
     DrawnLine,
@@ -131,10 +132,15 @@ def strokes_by_status(drawn: Drawn, verdict: Verdicts) -> Iterable[Strokes]:
 
 def strokes_by_class(drawn: Drawn, field: Field) -> Iterable[Strokes]:
     """Annotated polylines in the colours of their classes."""
-    width = tones.ANNOTATION_WIDTH
-    for element in field.elements:
-        yield _class_strokes(drawn.line(element.name), element.colour)
-    rest = [drawn.segments(n) for n in drawn.names() if n not in field.index]
+    width, rest = tones.ANNOTATION_WIDTH, []
+    by_class = [_class_strokes(NO_LINE, element.colour) for element in field.elements]
+    for name in drawn.names():
+        i = field.index.get(name)
+        if i is None:
+            rest.append(drawn.segments(name))
+        else:
+            by_class[i] = _class_strokes(drawn.line(name), by_class[i].colour)
+    yield from by_class
     yield Strokes(joined(rest), tones.UNKNOWN_CLASS, width, tones.UNKNOWN_CLASS_DASH, "annotation")
 
 

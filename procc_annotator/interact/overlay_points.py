@@ -11,6 +11,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_shapes import (
+    NO_LINE,
     Draft,
     Drawn,
     DrawnLine,
@@ -39,10 +40,11 @@ def plain_marks(
     """Points without a verdict, as handles in the colour of their lines."""
     rest = [] if hidden else [n for n in drawn.names() if n not in verdict.status]
     if by_class:
-        shown = frozenset(rest)
-        for element in field.elements:
-            line = drawn.line(element.name if element.name in shown else None)
-            yield _class_marks(line, element.colour)
+        marks = [_class_marks(NO_LINE, element.colour) for element in field.elements]
+        for name in rest:
+            if (i := field.index.get(name)) is not None:
+                marks[i] = _class_marks(drawn.line(name), marks[i].colour)
+        yield from marks
         rest = [n for n in rest if n not in field.index]
     points = joined_points([drawn.points(n) for n in rest])
     yield Marks(points, "handle", tones.UNKNOWN_CLASS, tones.HANDLE_SIZE)

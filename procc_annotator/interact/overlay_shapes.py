@@ -129,7 +129,7 @@ class DrawnLine:
         return np.concatenate((self.points[:-1], self.points[1:]), axis=1)
 
 
-_NO_LINE = DrawnLine(None, NO_POINTS)
+NO_LINE = DrawnLine(None, NO_POINTS)
 
 
 class Drawn:
@@ -143,7 +143,7 @@ class Drawn:
         self._lines: dict[str, DrawnLine] = {}
         for polyline in annotation.polylines:
             if polyline.points:
-                line = known.get(polyline.class_name, _NO_LINE)
+                line = known.get(polyline.class_name, NO_LINE)
                 if line.polyline is not polyline:
                     line = _drawn_line(polyline, picture_size)
                 self._lines[polyline.class_name] = line
@@ -163,7 +163,7 @@ class Drawn:
         return self._lines
 
     def line(self, class_name: str | None) -> DrawnLine:
-        return self._lines.get(class_name or "", _NO_LINE)
+        return self._lines.get(class_name or "", NO_LINE)
 
     def points(self, class_name: str | None) -> FloatArray:
         return self.line(class_name).points

@@ -44,7 +44,7 @@ class OverlayItem(QGraphicsItem):
         self._still = StillOverlay()
         self.side: QRectF | None = None  # of the viewport, in points; None: all of it
         self._area = QRectF()
-        self._labels_at_edges = QRectF()
+        self._painted_at: tuple[tuple[Labels, ...], QTransform, QRectF] | None = None
 
     def set_area(self, area: QRectF) -> None:
         """Where anything may be painted (points may lie outside the picture)."""
@@ -91,27 +91,18 @@ class OverlayItem(QGraphicsItem):
         if scene is None or not scene.views():
             return
         view = scene.views()[0]
-        before = self._labels_at_edges
-        now = self._at_edges(view.viewportTransform(), self._room(view.viewport().size()))
-        self._labels_at_edges = now
-        self.update((before | now) & self._area)
+        before = QRectF() if self._painted_at is None else _at_edges(*self._painted_at)
+        world, room = view.viewportTransform(), self._room(view.viewport().size())
+        self._painted_at = self._labels, world, room
+        self.update((before | _at_edges(*self._painted_at)) & self._area)
 
     def _room(self, viewport: QSize) -> QRectF:
         """What can be seen of this item, in points of the viewport."""
         return self.side if self.side is not None else QRectF(QPointF(), QSizeF(viewport))
 
-    def _at_edges(self, world: QTransform, room: QRectF) -> QRectF:
-        """Where texts are, scene coordinates, that have or may not have room beside their points on
-        the usual side."""
-        area = QRectF()
-        for labels in (*self.ghosts.labels, *self.overlay.labels):
-            for place, text in zip(labels.positions.tolist(), labels.texts, strict=True):
-                at = world.map(QPointF(place[0] + 0.5, place[1] + 0.5))
-                reach = len(text) * _LETTER + 20
-                high, low = at.y() - _ABOVE < room.top(), at.y() + _BELOW > room.bottom()
-                if at.x() + reach > room.right() or (low if labels.below else high):
-                    area |= _reach_of_label(place, text, 1.0 / world.m11())
-        return area
+    @property
+    def _labels(self) -> tuple[Labels, ...]:
+        return *self.ghosts.labels, *self.overlay.labels
 
     def boundingRect(self) -> QRectF:
         return self._area
@@ -136,7 +127,7 @@ class OverlayItem(QGraphicsItem):
     def _paint(self, painter: QPainter, world: QTransform, clip: QRectF, room: QSize) -> None:
         scale, offset = world.m11(), (world.dx(), world.dy())
         seen = self._room(room)
-        self._labels_at_edges = self._at_edges(world, seen)
+        self._painted_at = self._labels, QTransform(world), seen
         for layer in self.layers:
             if layer is self.ghosts or layer is self.wireframes:
                 still = self._still_ghosts if layer is self.ghosts else self._still
@@ -173,9 +164,9 @@ def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
     point = 1.0 / scale
     areas: list[QRectF] = []
     looked_at: set[tuple[int, int]] = set()  # lines of several looks, one over the other
-    groups = zip_longest(old.strokes, new.strokes), zip_longest(old.marks, new.marks)
-    for was, now in chain.from_iterable(groups):
-        if was is not now and (_seen(was) or _seen(now)):
+    groups = chain(zip_longest(old.strokes, new.strokes), zip_longest(old.marks, new.marks))
+    for was, now in [(was, now) for was, now in groups if was is not now]:
+        if _seen(was) or _seen(now):
             rows, others, same_look = _rows(was), _rows(now), _look(was) == _look(now)
             pair = id(rows), id(others)
             if not same_look or pair not in looked_at:
@@ -244,6 +235,20 @@ def _whole_area(overlay: Overlay, scale: float) -> QRectF:
     for labels in overlay.labels:
         for place, text in _texts(labels):
             area |= _reach_of_label(place, text, point)
+    return area
+
+
+def _at_edges(groups: tuple[Labels, ...], world: QTransform, room: QRectF) -> QRectF:
+    """Where texts are, scene coordinates, that have or may not have room beside their points on the
+    usual side; ``room`` is what can be seen of them, in points of the viewport."""
+    area = QRectF()
+    for labels in groups:
+        for place, text in zip(labels.positions.tolist(), labels.texts, strict=True):
+            at = world.map(QPointF(place[0] + 0.5, place[1] + 0.5))
+            reach = len(text) * _LETTER + 20
+            high, low = at.y() - _ABOVE < room.top(), at.y() + _BELOW > room.bottom()
+            if at.x() + reach > room.right() or (low if labels.below else high):
+                area |= _reach_of_label(place, text, 1.0 / world.m11())
     return area
 
 

@@ -40,7 +40,8 @@ class FrameWalk(QObject):
         self._store, self._signals, self._cache = store, signals, cache
         self._editing, self._auditing = editing, auditing
         self._second, self._outside = second, outside
-        self._whole = Latest(self, self._fail_whole, at_once=True)  # picture, after half its size
+        # The whole picture, once half its size was painted: who walks on before spares it.
+        self._whole = Latest(self, self._fail_whole, at_once=True, wait_ms=0)
         self._bringing = Latest(self, self._say, at_once=True)  # the picture of a frame to come to
         self._aim = -1  # the frame that is come to once its picture is there
 

@@ -11,11 +11,13 @@ from typing import Any, Protocol, TypeVar
 from weakref import WeakMethod
 
 import shiboken6
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.gui.state.state import State, same
 
 T = TypeVar("T")
+
+_CARRIED = frozenset({"preview"})  # what becomes another thing with every move of a held mouse
 
 
 class _Reach(Protocol):
@@ -33,6 +35,10 @@ class _Watch:
         self._select = select
         self._reach: _Reach = WeakMethod(then) if ismethod(then) else lambda: then
         self._selected = select(state)
+
+    def differs(self, state: State) -> bool:
+        """Whether they are to be called."""
+        return not same(self._select(state), self._selected)
 
     def tell(self, state: State) -> bool:
         """Call them if need be; False once they are gone and would have been called."""
@@ -52,7 +58,7 @@ class Store(QObject):
 
     A change that is made while another one is told is there at once, but told after that one: every
     listener sees every step, and all see them in the same order. Who watches is told once of all
-    steps that follow from one another.
+    steps that follow from one another; of what a hand carries, after that was painted.
     """
 
     changed = Signal(object, object)  # the state before, the state after
@@ -65,6 +71,9 @@ class Store(QObject):
         self._telling = False
         self._begun: State | None = None  # what changes together with what is there now
         self._watches: list[_Watch] = []
+        self._only_carried = True  # nothing else that those who watch were not told of
+        self._after_paint = QTimer(self, singleShot=True, interval=0)
+        self._after_paint.timeout.connect(self._tell_of_carried)
 
     @property
     def state(self) -> State:
@@ -100,6 +109,7 @@ class Store(QObject):
         other = {k: v for k, v in changes.items() if not same(v, getattr(before, k))}
         if not other:
             return
+        self._only_carried = self._only_carried and other.keys() <= _CARRIED
         if self._begun is None:
             self._steps.append((before, replace(before, **other)))
             self._state = self._steps[-1][1]
@@ -135,11 +145,25 @@ class Store(QObject):
             self._tell_steps()
 
     def _tell_steps(self) -> None:
+        changed = bool(self._steps)
         while self._steps:
             self.changed.emit(*self._steps.popleft())
+        if not self._only_carried:
+            self._tell_watches()
+        elif changed:
+            self._after_paint.start()
+
+    def _tell_of_carried(self) -> None:
+        self._only_carried = False
+        if not self.busy:  # or they are about to be told
+            self._tell()
+
+    def _tell_watches(self) -> None:
+        self._after_paint.stop()
+        self._only_carried = True
         with ExitStack() as each:
             each.callback(self._tell_of_more)
-            for watch in reversed(self._watches):
+            for watch in reversed([w for w in self._watches if w.differs(self._state)]):
                 each.callback(self._tell_watch, watch)
 
     def _tell_watch(self, watch: _Watch) -> None:
