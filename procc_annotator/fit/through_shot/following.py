@@ -34,6 +34,11 @@ class Followed:
     steps: tuple[Stepped, ...]
     cut: bool
 
+    def until(self, number: int) -> Followed:
+        """The first of them, up to a frame and with it."""
+        count = self.numbers.index(number) + 1
+        return Followed(self.numbers[:count], self.steps[:count], False)
+
 
 def follow(
     frame: ReadFrame,
