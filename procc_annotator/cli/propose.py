@@ -45,8 +45,8 @@ coverage (share of the visible model on paint), explained (share of the paint on
 residual in px, margin (how much better than the next camera), standard deviations, seconds.
 
 --known CAMERAS tells where cameras stand: cameras of other frames of the match, or positions.csv of
-calibrate --shared-position. A known position makes it faster and surer. Positions on which three or
-more sure frames agree are taken for known when the others are looked at once more.
+calibrate --shared-position. A known position makes it faster and surer. A position on which three
+frames or more agree, two of them sure, is known when those that are not sure are looked at again.
 
 Exit code: 0; 1 if some pictures were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is no error.

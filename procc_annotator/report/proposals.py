@@ -41,7 +41,7 @@ class Proposals:
 
     Attributes:
         frames: in their order.
-        positions: on which sure frames agreed.
+        positions: on which frames agreed.
         stale: cameras of earlier runs for these frames that belong to no proposal of this one.
     """
 
@@ -195,7 +195,7 @@ def summary_words(found: Proposals) -> str:
 
 
 def positions_words(found: Proposals) -> str:
-    """Where sure frames agree that cameras stand, and what came of it; empty where they do not."""
+    """Where frames agree that cameras stand, and what came of it; empty where they do not."""
     if not found.positions:
         return ""
     places = "; ".join(
@@ -204,4 +204,4 @@ def positions_words(found: Proposals) -> str:
     gained = sum(one.from_agreement for one in found.frames)
     positions = count_of(len(found.positions), "position")
     became = count_of(gained, "more frame is", "more frames are")
-    return f"sure frames agree on {positions} ({places}); with that {became} sure"
+    return f"frames agree on {positions} ({places}); with that {became} sure"
