@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 from rich.table import Table
 
+from procc_annotator.errors import SaveError
 from procc_annotator.fit.from_picture.proposal import NONE, STATES, SURE, UNSURE, KnownPosition
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.atomic import remove, write_atomic
 from procc_annotator.io.csv_text import no_formula
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, csv_bytes, deviation_cells
 from procc_annotator.report.targets import Interrupted, make_folder
@@ -42,12 +43,10 @@ class Proposals:
     Attributes:
         frames: in their order.
         positions: on which frames agreed.
-        stale: cameras of earlier runs for these frames that belong to no proposal of this one.
     """
 
     frames: list[Proposed] = field(default_factory=list)
     positions: tuple[KnownPosition, ...] = ()
-    stale: list[str] = field(default_factory=list)
 
     @property
     def errors(self) -> list[str]:
@@ -98,8 +97,9 @@ def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposal
     for one in frames:
         if not one.is_sure and _has_camera(one):
             written.add(_write_camera(one, out))
+    _remove_older(out, run.names, written)
     write_atomic(out / TABLE_FILE, csv_bytes([_COLUMNS, *map(_row, frames)]))
-    return Proposals(frames, positions, _stale(out, run.names, written))
+    return Proposals(frames, positions)
 
 
 def _has_camera(one: Proposed) -> bool:
@@ -123,9 +123,17 @@ def _write_camera(one: Proposed, out: Path) -> str:
     return _file_of(one)
 
 
-def _stale(out: Path, names: Iterable[str], written: set[str]) -> list[str]:
-    files = (f"{folder}camera_{n}.json" for n in names for folder in ("", f"{UNSURE_FOLDER}/"))
-    return [file for file in files if file not in written and (out / file).exists()]
+def _remove_older(out: Path, names: Iterable[str], written: set[str]) -> None:
+    """Remove cameras of these frames from before: one that was sure then may be unsure now."""
+    for name in names:
+        for file in (f"camera_{name}.json", f"{UNSURE_FOLDER}/camera_{name}.json"):
+            path = out / file
+            if file in written or not path.exists():
+                continue
+            try:
+                remove(path)
+            except OSError as error:
+                raise SaveError(f"{path}: could not be removed: {error.strerror}") from error
 
 
 def _row(one: Proposed) -> list[Any]:
