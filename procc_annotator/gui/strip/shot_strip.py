@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Protocol
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, SignalInstance
 from PySide6.QtGui import (
     QHelpEvent,
     QMouseEvent,
@@ -26,6 +27,17 @@ _WHEEL_STEP = 1.25
 _SIDE = 8  # px beside the frames
 
 
+class StripTask(Protocol):
+    """Work on a stretch of frames."""
+
+    changed: SignalInstance  # how far it is
+    marked: Callable[[], tuple[int, int] | None]
+
+    def words(self) -> str:
+        """How far it is; "" while it does nothing."""
+        ...
+
+
 class ShotStrip(QWidget):
     """Paints a `StripContent`; a click or a drag goes to frames, the wheel zooms.
 
@@ -33,8 +45,6 @@ class ShotStrip(QWidget):
         content: what is shown.
         axis: which frames are in sight; None while there are none.
     """
-
-    stretchMarked = Signal()
 
     def __init__(self, document: Document) -> None:
         super().__init__()
@@ -48,13 +58,20 @@ class ShotStrip(QWidget):
         self._aim: int | None = None  # the number under a hand that drags
         self._mark_from: int | None = None
         self.stretch: tuple[int, int] | None = None  # numbers, first and last, marked by hand
-        self.progress: Callable[[], str] = str
+        self._tasks: tuple[StripTask, ...] = ()
         self._refresher = Refresher(self, self._follow)
         self._refresher.follow(
             document.store,
             lambda s: (s.workspace, s.frame_index, s.blind, s.committed),
             self.content.changed,
         )
+
+    def show_tasks(self, *tasks: StripTask) -> None:
+        """Say how far these are, and tell them which stretch is marked."""
+        self._tasks = tasks
+        for task in tasks:
+            task.marked = lambda: self.stretch
+            task.changed.connect(self.update)
 
     # --- what is shown ----------------------------------------------------------------------
 
@@ -104,7 +121,7 @@ class ShotStrip(QWidget):
             colours=self.palette(),
             number=self.number,
             stretch=self.stretch,
-            words=(words, self.progress()),
+            words=(words, next(filter(None, (task.words() for task in self._tasks)), "")),
         )
         painter.end()
 
@@ -136,7 +153,6 @@ class ShotStrip(QWidget):
         if self.axis is not None and self.stretch is not None:
             self.stretch = None
             self.update()
-            self.stretchMarked.emit()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if self.axis is None:
@@ -187,4 +203,3 @@ class ShotStrip(QWidget):
         assert self._mark_from is not None
         self.stretch = min(self._mark_from, number), max(self._mark_from, number)
         self.update()
-        self.stretchMarked.emit()
