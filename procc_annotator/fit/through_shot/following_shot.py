@@ -136,11 +136,9 @@ class _Work:
         for one, other in pairwise(places):
             forwards, backwards = self._between(one, other, given)
             runs.append(forwards)
-            if backwards is not None:
-                if backwards.numbers[-1] > forwards.numbers[-1] + 1:  # a cut, or some are lost
-                    self._keep(runs, given)
-                    runs = []
-                runs.append(backwards)
+            if backwards is not None:  # a cut, some are lost, or both ways disagree
+                self._keep(runs, given)
+                runs = [backwards]
         runs.append(self._follow(range(places[-1], numbers[-1] + 1), given))
         self._keep(runs, given)
         for number, camera in anchors.items():

@@ -23,7 +23,9 @@ from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.turning import OWN, Turn
 
 SHARED = np.array([X, X + 1, Z, KAPPA])
-_ROUNDS = 6
+# Marks count by these scales, solver px, from round to round: at first each frame's camera is off
+# by what the frames' positions differ by.
+_SCALES_PX = (16.0, 8.0, 4.0, 2.0, 1.5, 1.5, 1.5, 1.5)
 _SETTLED = 1e-3  # standard deviations of the shared parameters
 _AT_ONCE = 128  # frames whose marks are projected together
 # Of a step that nothing foretells, standard deviations: pan, tilt, roll, logarithm of the focal
@@ -60,15 +62,15 @@ def smoothed(chain: Chain, field: Field, frame: PictureFrame) -> Chain:
     vectors[:, SHARED] = np.average(vectors[:, SHARED], axis=0, weights=weights)
     middle = vectors[len(vectors) // 2]
     before = usual(middle, field)
-    for _ in range(_ROUNDS):
-        normal = _normal(chain, data, vectors, before, frame)
+    for scale in _SCALES_PX:
+        normal = _normal(chain, data, vectors, before, frame, scale)
         found = solve_normal(normal)
         step = found.shared[:, 0]
         vectors[:, OWN] += found.own[:, :, 0]
         vectors[:, SHARED] += step
         np.clip(vectors[:, KAPPA], LEAST_KAPPA, _MOST_KAPPA, out=vectors[:, KAPPA])
         sd = np.sqrt(np.diag(found.shared_covariance))
-        if (np.abs(step) < _SETTLED * sd).all():
+        if scale == _SCALES_PX[-1] and (np.abs(step) < _SETTLED * sd).all():
             break
     covariances = _covariances(found, _beside(data, vectors, normal, frame))
     steps = tuple(
@@ -96,10 +98,15 @@ def _data_of(steps: tuple[Stepped, ...]) -> _Data:
 
 
 def _normal(
-    chain: Chain, data: _Data, vectors: FloatArray, before: Belief, frame: PictureFrame
+    chain: Chain,
+    data: _Data,
+    vectors: FloatArray,
+    before: Belief,
+    frame: PictureFrame,
+    scale_px: float,
 ) -> Normal:
     """The normal equations at K cameras (K, 11)."""
-    information, pull = _of_marks(data, vectors, frame)
+    information, pull = _of_marks(data, vectors, frame, scale_px)
     for place, belief in chain.given.items():
         information[place] += belief.information
         pull[place] += belief.information @ (belief.vector - vectors[place])[:PARAMETERS_FREE]
@@ -134,7 +141,7 @@ def _in_parts(count: int) -> Iterator[slice]:
 
 
 def _seen(
-    data: _Data, rows: slice, vectors: FloatArray, frame: PictureFrame
+    data: _Data, rows: slice, vectors: FloatArray, frame: PictureFrame, scale_px: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Of the marks of b frames: (b, 8, m) derivatives of where they appear, across; (b, m) solver
     px they are off; (b, m) what they count."""
@@ -147,18 +154,18 @@ def _seen(
     px, _, by = project(lens, world, np.zeros_like(world), PARAMETERS_FREE)
     off = data.across[rows] - (px * data.normal[rows]).sum(axis=1)
     across = (by * data.normal[rows][:, None]).sum(axis=2)
-    return across, off, data.trust[rows] * weights_of(off)
+    return across, off, data.trust[rows] * weights_of(off, scale_px)
 
 
 def _of_marks(
-    data: _Data, vectors: FloatArray, frame: PictureFrame
+    data: _Data, vectors: FloatArray, frame: PictureFrame, scale_px: float
 ) -> tuple[FloatArray, FloatArray]:
     """(K, 8, 8) information of the marks, and (K, 8) how they pull."""
     count = len(vectors)
     information = np.zeros((count, PARAMETERS_FREE, PARAMETERS_FREE))
     pull = np.zeros((count, PARAMETERS_FREE))
     for rows in _in_parts(count):
-        across, off, trust = _seen(data, rows, vectors, frame)
+        across, off, trust = _seen(data, rows, vectors, frame, scale_px)
         weighted = across * trust[:, None]
         information[rows] = weighted @ across.transpose(0, 2, 1)
         pull[rows] = (weighted @ off[:, :, None])[:, :, 0]
@@ -173,7 +180,7 @@ def _beside(data: _Data, vectors: FloatArray, normal: Normal, frame: PictureFram
     pulls = np.zeros((count, PARAMETERS_FREE, elements))
     squares = counted = 0.0
     for rows in _in_parts(count):
-        across, off, trust = _seen(data, rows, vectors, frame)
+        across, off, trust = _seen(data, rows, vectors, frame, _SCALES_PX[-1])
         weighted = across * trust[:, None]
         of = (data.element[rows][:, :, None] == np.arange(elements)) & (trust > 0)[:, :, None]
         pulls[rows] = weighted @ of

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve, weights_of
-from procc_annotator.fit.on_paint.expected import expect, pixels_of
-from procc_annotator.fit.on_paint.looking import Look, look, shares_on_paint
+from procc_annotator.fit.on_paint.expected import Expected, expect, pixels_of
+from procc_annotator.fit.on_paint.looking import SPACING_PX, Look, look, look_at, shares_on_paint
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, Marks
 from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.on_paint.result import Worth, worth_of
@@ -120,11 +120,10 @@ def stepped(
         frame: the picture.
         worth: of a mark in the frame before.
     """
-    seen = look(picture, believed.vector, painted, frame, _LEAST_REACH_PX)
-    sd_px = wireframe_sd(believed, painted.world[:, seen.expected.rows], frame)
+    expected = expect(believed.vector, painted, frame, SPACING_PX)
+    sd_px = wireframe_sd(believed, painted.world[:, expected.rows], frame)
     reach = float(np.clip(_REACH_IN_SD * sd_px + 2.0, _LEAST_REACH_PX, _MOST_REACH_PX))
-    if reach > _LEAST_REACH_PX + 1.0:
-        seen = look(picture, believed.vector, painted, frame, reach)
+    seen = look_at(picture, expected, painted, frame, reach)
     none = Stepped(believed, None, worth, turn, 0.0, None, sd_px)
     if len(seen.marks) < _FEWEST:
         return replace(none, reason="too little paint in sight")
@@ -142,7 +141,7 @@ def stepped(
     none = replace(none, coverage=coverage)
     if counted.sum() < _FEWEST / _THIN or coverage < least:
         return replace(none, reason="too little of what should be in sight was found")
-    moved = wireframe_apart(solved.vector, believed.vector, painted, frame)
+    moved = _apart(expected, solved.vector, painted, frame)
     if moved > _MOST_IN_SD * sd_px + _MOST_BESIDE_PX:
         return replace(none, reason="the paint that was found would move the camera too far")
     new_worth = worth_of(solved, marks)
@@ -193,7 +192,10 @@ def wireframe_apart(
 ) -> float:
     """Solver px by which nine in ten places in sight of a camera (11,) are less off, across, in
     another one's picture."""
-    expected = expect(one, painted, frame, _APART_SPACING_PX)
+    return _apart(expect(one, painted, frame, _APART_SPACING_PX), other, painted, frame)
+
+
+def _apart(expected: Expected, other: FloatArray, painted: Painted, frame: PictureFrame) -> float:
     if not len(expected.rows):
         return np.inf
     there, _ = pixels_of(Lens.of(other[None], frame.half_diagonal), painted.world[:, expected.rows])
