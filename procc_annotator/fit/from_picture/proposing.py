@@ -37,8 +37,9 @@ from procc_annotator.image.pixels import PixelArray
 
 _CELL_PX = 2
 _FEWEST = 60  # places of paint
-_REFINED, _REACHES_PX = 5, (8.0, 4.0, 4.0)
-_CLIMB, _CLIMB_OTHER = 1000, 600  # cameras, of the main side and of each other one
+_REFINED, _REFINED_KNOWN, _REACHES_PX = 5, 3, (8.0, 4.0, 4.0)
+# Cameras that climb: of the main side, of each other one, at a known position.
+_CLIMB, _CLIMB_OTHER, _CLIMB_KNOWN = 1000, 600, 250
 _WITHIN_PX, _JUDGED = 3.0, 800
 _OTHER_PX = 15.0  # farther apart, two cameras show something else
 _ON_PAINT = 0.5  # of an element in sight, for it to be found
@@ -166,8 +167,9 @@ def _best(
     else:
         x, y, z = place.position_m.tolist()
         scene = Scene(lines, paint, near, _prior_at(place, lines))
-        hypotheses = [(at_places(lines, half_height, ((x, y, z),)), _CLIMB)]
-    vectors = search(scene, hypotheses, go_on).vectors[:_REFINED]
+        hypotheses = [(at_places(lines, half_height, ((x, y, z),)), _CLIMB_KNOWN)]
+    most = _REFINED if place is None else _REFINED_KNOWN
+    vectors = search(scene, hypotheses, go_on).vectors[:most]
     if place is None and _half_turn(field):
         # Labels are those of a camera on the main side.
         vectors = np.where(vectors[:, [Y]] < 0, half_turned(vectors), vectors)
