@@ -42,6 +42,7 @@ class Stage:
     rounds: int = 1
 
 
+_GO_ON = 4  # of so many at most one goes on
 STAGES = (
     Stage((30, 24, 16), 48, 0, 8.0, (80, 150), 0.02, 150),
     Stage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 25, 6.0),
@@ -99,9 +100,10 @@ def _round(scene: Scene, vectors: FloatArray, stage: Stage) -> Found:
         )
     found = judged(scene, vectors, stage)
     order = np.argsort(-found.scores, kind="stable")
+    most = min(stage.kept, max(len(order) // _GO_ON, 1))
     if not stage.apart_px:
-        return found.chosen(order[: stage.kept])
-    return found.chosen(_distinct(scene, vectors, order, stage))
+        return found.chosen(order[:most])
+    return found.chosen(_distinct(scene, vectors, order, stage.apart_px, most))
 
 
 def judged(scene: Scene, vectors: FloatArray, stage: Stage = STAGES[-1]) -> Found:
@@ -112,11 +114,13 @@ def judged(scene: Scene, vectors: FloatArray, stage: Stage = STAGES[-1]) -> Foun
     return Found(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors), found)
 
 
-def _distinct(scene: Scene, vectors: FloatArray, order: IntArray, stage: Stage) -> IntArray:
-    """The first ones that show lines at other places than those before them."""
+def _distinct(
+    scene: Scene, vectors: FloatArray, order: IntArray, apart: float, most: int
+) -> IntArray:
+    """The first ones that show lines so many solver px from where those before them do."""
     kept: list[int] = []
-    while len(order) and len(kept) < stage.kept:
+    while len(order) and len(kept) < most:
         kept.append(int(order[0]))
         away = apart_px(vectors[order[0]], vectors[order], scene.lines, scene.paint.half_height)
-        order = order[1:][away[1:] > stage.apart_px]
+        order = order[1:][away[1:] > apart]
     return np.array(kept, dtype=np.intp)

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from procc_annotator.annotation import FloatArray
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.load import load_field
 from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
-from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.decode import PixelArray, decode_bgra
 from tests.drawn_shots import PICTURE_SIZE, Stage, draw, looking_at, stage_of
 
 MAIN = (2.0, 68.0, -16.0)
@@ -83,8 +83,10 @@ def test_a_wrong_known_position_is_not_sure() -> None:
     assert propose_camera(_drawn()[1], _stage().field, known=[known]).state != "sure"
 
 
-def test_a_picture_of_another_sport_is_not_sure() -> None:
-    assert propose_camera(_drawn()[1], load_field("ice_hockey_nhl")).state != "sure"
+@pytest.mark.parametrize("sport", ["volleyball", "ice_hockey"])
+def test_a_picture_of_another_sport_is_not_sure(sport: str, sample_data: Path) -> None:
+    picture = decode_bgra(sample_data / sport / "00001.jpg")
+    assert propose_camera(picture, _stage().field).state != "sure"
 
 
 def test_a_picture_without_paint_has_no_camera() -> None:
