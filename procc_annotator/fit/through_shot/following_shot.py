@@ -186,6 +186,8 @@ class _Work:
         for number, step in zip(chain.numbers, chain.steps, strict=True):
             distance = int(np.abs(places - number).min())
             self.found[number] = tracked(number, step, distance, self.picture)
+        # What looked like a cut and could be followed across is none: a banner that slid in.
+        self.begins -= set(chain.numbers[1:])
 
     def fill(self, gap: range) -> None:
         """Find cameras in a run of frames of which nothing is known, and follow them."""
