@@ -11,6 +11,7 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
+    QPixmap,
     QResizeEvent,
     QWheelEvent,
 )
@@ -20,7 +21,7 @@ from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.content import StripContent
-from procc_annotator.gui.strip.painting import Rows, paint_strip, rows_of
+from procc_annotator.gui.strip.painting import Rows, paint_frames, paint_here, rows_of
 from procc_annotator.gui.strip.words import words_of
 
 _WHEEL_STEP = 1.25
@@ -59,6 +60,9 @@ class ShotStrip(QWidget):
         self._mark_from: int | None = None
         self.stretch: tuple[int, int] | None = None  # numbers, first and last, marked by hand
         self._tasks: tuple[StripTask, ...] = ()
+        self._painted: QPixmap | None = None
+        self._painted_of: tuple[object, ...] = ()
+        self.content.changed.connect(self._paint_anew)
         self._refresher = Refresher(self, self._follow)
         self._refresher.follow(
             document.store,
@@ -112,18 +116,36 @@ class ShotStrip(QWidget):
             return
         painter = QPainter(self)
         area = QRectF(_SIDE, 0, self._room(), self.height())
-        words = words_of(self._document, self.content, self.number)
-        paint_strip(
+        painter.drawPixmap(0, 0, self._frames_painted(self.axis, area))
+        far = next(filter(None, (task.words() for task in self._tasks)), "")
+        paint_here(
             painter,
-            self.content,
             self.axis,
             area,
             colours=self.palette(),
             number=self.number,
-            stretch=self.stretch,
-            words=(words, next(filter(None, (task.words() for task in self._tasks)), "")),
+            words=(words_of(self._document, self.content, self.number), far),
         )
         painter.end()
+
+    def _frames_painted(self, axis: Axis, area: QRectF) -> QPixmap:
+        """All but what changes from frame to frame, painted anew where it changed."""
+        ratio = self.devicePixelRatioF()
+        of = (axis, self.size(), ratio, self.stretch, self.content.hidden, self.palette())
+        if self._painted is None or self._painted_of != of:
+            self._painted_of = of
+            self._painted = QPixmap(self.size() * ratio)
+            self._painted.setDevicePixelRatio(ratio)
+            painter = QPainter(self._painted)
+            painter.setFont(self.font())
+            paint_frames(
+                painter, self.content, axis, area, colours=self.palette(), stretch=self.stretch
+            )
+            painter.end()
+        return self._painted
+
+    def _paint_anew(self) -> None:
+        self._painted = None
 
     # --- hands ------------------------------------------------------------------------------
 
@@ -184,6 +206,7 @@ class ShotStrip(QWidget):
             )
             return True
         if event.type() == QEvent.Type.FontChange:
+            self._paint_anew()
             self.updateGeometry()
         return super().event(event)
 
