@@ -5,9 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from procc_annotator.api import evaluate, fit_camera, load_annotation
+    from procc_annotator.api import evaluate, fit_camera, load_annotation, propose_camera, track
 
-__all__ = ["__version__", "evaluate", "fit_camera", "load_annotation"]
+__all__ = [
+    "__version__",
+    "evaluate",
+    "fit_camera",
+    "load_annotation",
+    "propose_camera",
+    "track",
+]
 __version__ = "0.1.0"
 
 

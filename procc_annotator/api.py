@@ -1,4 +1,5 @@
-"""The front door for other programs: read an annotation, fit a camera to it, score a camera.
+"""The front door for other programs: read an annotation, fit a camera to it, find one in a picture,
+follow it through a shot, score it.
 
 Importing `procc_annotator` is cheap; these functions and what they need are loaded when they are
 first asked for. Nothing here needs Qt or a display. A request that makes no sense is a
@@ -10,10 +11,12 @@ from __future__ import annotations
 
 import operator
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.camera.base import Camera
@@ -23,7 +26,14 @@ from procc_annotator.errors import AnnotationError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.fit import fitting
+from procc_annotator.fit.from_picture import proposing
+from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
 from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.through_shot import following_shot
+from procc_annotator.fit.through_shot.track import Track, TrackedFrame
+from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.pixels import PixelArray, bgra
+from procc_annotator.image.video import open_shared
 from procc_annotator.io.annotation_files.annotation_formats import find_annotations
 from procc_annotator.io.annotation_files.exchange import Reading
 from procc_annotator.io.collections import CAMERA_PREFIX
@@ -181,6 +191,99 @@ def evaluate(
     used, at = _camera_at(camera, None if size is None else _size(size))
     setup = EvaluationSetup(_field(field), at, protocol, allow_mirrored, off_plane)
     return score_to_read(measure(_annotation(annotation), used, setup), threshold)
+
+
+def propose_camera(
+    picture: PixelArray | str | Path,
+    field: Field | str | None = None,
+    *,
+    known: Sequence[KnownPosition] = (),
+) -> Proposal:
+    """Find the camera of a picture from the paint in it, without a click.
+
+    Args:
+        picture: a picture's file; or its pixels, (H, W, 3) or (H, W, 4) uint8, BGR as OpenCV reads
+            them.
+        field: the elements, metres; or a field's name, see `load_field`; the usual one (SoccerNet's
+            classes, nominal size) if None.
+        known: where its camera may be known to stand (`KnownPosition`: metres and covariance), as
+            on the tripod of other frames; that is faster and surer.
+
+    Returns:
+        ``state`` (``sure``, ``unsure`` or ``none``), the ``reason`` in words, and ``fit``: the
+        camera in px of the picture with its standard deviations; its ``camera`` is None if there is
+        none. ``coverage`` is the share of the visible model found on paint, ``explained`` the share
+        of the paint that the model explains, ``margin`` how much better it is than the
+        ``runner_up``, each 0 to 1. Rely on those that are sure only.
+
+    Raises:
+        UsageError: an argument of another kind.
+        ImageError: the file cannot be read.
+        FieldError: no such field.
+    """
+    pixels = decode_bgra(_path(picture)) if isinstance(picture, str | Path) else _pixels(picture)
+    return proposing.propose_camera(pixels, _field(field), known=known)
+
+
+def track(
+    frames: Sequence[PixelArray] | str | Path,
+    field: Field | str | None = None,
+    *,
+    anchors: Mapping[int, Camera] | None = None,
+    on_frame: Callable[[TrackedFrame], None] | None = None,
+) -> Track:
+    """Follow the camera through a video or through consecutive pictures.
+
+    Cuts end a shot; where no camera is known in one, it is found in the picture, as
+    `propose_camera` does.
+
+    Args:
+        frames: a video's file; or pictures of one size, each as `propose_camera` takes its pixels.
+            Of a sequence only one picture at a time is asked for, perhaps more than once, and by
+            another thread.
+        field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
+        anchors: cameras that are known, by number of the frame (0 is the first), px of the
+            pictures. The track passes through them.
+        on_frame: told of each frame as soon as it was followed; what is returned at the end is
+            surer. What it raises ends the work.
+
+    Returns:
+        ``frames``, one a picture: ``number``, ``state`` (``anchor``, ``followed``, ``bridged`` by
+        the picture's motion, ``lost``), the ``reason`` in words, ``fit`` with the camera in px of
+        the picture and its standard deviations (None if lost), ``coverage``, ``residual_px``,
+        ``anchor_distance`` in frames; and ``shots``, the first and last number of each.
+
+    Raises:
+        UsageError: an argument of another kind.
+        ImageError: a picture or the video cannot be read.
+        FieldError: no such field.
+    """
+    if isinstance(frames, str | Path):
+        video = open_shared(Path(frames))
+        count, frame = video.frame_count, video.frame
+    else:
+        count, frame = _length(frames), lambda number: _pixels(frames[number])
+    known = dict(anchors or {})
+    for number, camera in known.items():
+        _check_camera(camera, f"anchors[{number}]")
+    told = on_frame or (lambda _: None)
+    return following_shot.track(frame, range(count), _field(field), anchors=known, on_frame=told)
+
+
+def _length(frames: object) -> int:
+    if isinstance(frames, Sequence):
+        return len(frames)
+    raise UsageError(f"expected a video's path or a sequence of pictures, found {_kind(frames)}")
+
+
+def _pixels(picture: object) -> PixelArray:
+    right = isinstance(picture, np.ndarray) and picture.dtype == np.uint8 and picture.ndim == 3
+    if not isinstance(picture, np.ndarray) or not right or picture.shape[2] not in (3, 4):
+        raise UsageError(
+            "expected a picture: the path of one, or (H, W, 3) or (H, W, 4) uint8 pixels, found"
+            f" {_kind(picture)}"
+        )
+    return bgra(picture) if picture.shape[2] == 3 else picture
 
 
 def _camera_at(

@@ -32,7 +32,7 @@ from procc_annotator.session.dataset.picture_source import open_pictures
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.known_positions import read_positions
 from procc_annotator.session.runs.proposal_run import ProposalRun
-from procc_annotator.words import count_of, first_of
+from procc_annotator.words import count_of
 
 HELP = """\
 DATASET is a folder of pictures, one picture, or a video, whose frames are named as the window names
@@ -45,8 +45,8 @@ coverage (share of the visible model on paint), explained (share of the paint on
 residual in px, margin (how much better than the next camera), standard deviations, seconds.
 
 --known CAMERAS tells where cameras stand: cameras of other frames of the match, or positions.csv of
-calibrate --shared-position. A known position makes it faster and surer. Positions on which three or
-more sure frames agree are taken for known when the others are looked at once more.
+calibrate --shared-position. A known position makes it faster and surer. A position on which three
+frames or more agree, two of them sure, is known when those that are not sure are looked at again.
 
 Exit code: 0; 1 if some pictures were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is no error.
@@ -194,10 +194,4 @@ def _report(found: Proposals, annotated: int, out: Path) -> int:
     if annotated:
         typer.echo(f"passed over: {count_of(annotated, 'annotated frame')} (--all)")
     typer.echo(f"{summary_words(found)}; written to {out}, with {TABLE_FILE}")
-    if found.stale:
-        typer.echo(
-            f"note: {out} holds {count_of(len(found.stale), 'other camera')} of these frames, not"
-            f" written now and not touched: {first_of(found.stale)}",
-            err=True,
-        )
     return datasets.report_unreadable(found.errors)

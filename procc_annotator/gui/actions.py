@@ -163,7 +163,17 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Show the first picture", args=(0,)),
     _spec("Frame", "last_frame", "Last frame", "Ctrl+End", "tour.go_last",
           "Show the last picture"),
-    _spec("Frame/Shot", "ten_on", "Ten frames on", "Shift+PgDown", "shot_walk.step",
+    _spec("Frame/Shot", "follow_shot", "Follow the shot", "T", "shot_following.toggle",
+          "Find the cameras of all frames of this shot, from this one in both directions; once"
+          " more stops"),
+    _spec("Frame/Shot", "accept_stretch", "Accept the stretch",
+          "Ctrl+Shift+Return Ctrl+Shift+Enter", "stretch_accepting.accept",
+          "Annotate the frames of the shot, or of the stretch marked on the strip, along their"
+          " track; doubtful frames and annotated ones are left out"),
+    _spec("Frame/Shot", "take_back_stretch", "Take back the accepted stretch", "",
+          "stretch_accepting.take_back",
+          "Frames that were accepted last and not edited since are as they were before"),
+    _spec("Frame/Shot", "ten_on", "-Ten frames on", "Shift+PgDown", "shot_walk.step",
           "Go ten frames on", args=(10,), repeat=True),
     _spec("Frame/Shot", "ten_back", "Ten frames back", "Shift+PgUp", "shot_walk.step",
           "Go ten frames back", args=(-10,), repeat=True),

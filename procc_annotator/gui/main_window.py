@@ -64,6 +64,8 @@ from procc_annotator.gui.tasks.review.tour import Tour
 from procc_annotator.gui.tasks.review.triage import Triage
 from procc_annotator.gui.tasks.review.versions_command import Versions
 from procc_annotator.gui.tasks.review.worst_first import WorstFirst
+from procc_annotator.gui.tasks.shot.accepting import StretchAccepting
+from procc_annotator.gui.tasks.shot.following import ShotFollowing
 from procc_annotator.gui.tasks.shot.walking import ShotWalk
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
@@ -126,9 +128,15 @@ class MainWindow(QMainWindow):
         self.element_edits = ElementEdits(document)
         self.assistant = Assistant(document, self)
         self.ghost_tasks = GhostTasks(document, self.canvas, self.settings, self)
-        self.canvas.editor.ask_first(self.assistant.key, self.ghost_tasks.key)
         self.tour = Tour(document)
         self.shot_walk = ShotWalk(document, self.canvas, self)
+        self.shot_following = ShotFollowing(document, self)
+        self.stretch_accepting = StretchAccepting(
+            document, lambda: self.ghost_tasks.accepting.least_support, self
+        )
+        self.canvas.editor.ask_first(
+            self.assistant.key, self.ghost_tasks.key, self.stretch_accepting.key
+        )
         self.triage = Triage(document, self)
         self.worst_first = WorstFirst(document, self)
         self.fit_saving = FitSaving(document)
@@ -162,6 +170,7 @@ class MainWindow(QMainWindow):
         column.setSpacing(0)
         column.addWidget(self.pages)
         self.strip = ShotStrip(self.document)
+        self.strip.show_tasks(self.shot_following, self.stretch_accepting)
         self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip)
         column.addWidget(self.strip)
         bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
@@ -399,5 +408,6 @@ class MainWindow(QMainWindow):
                 return
         self._remembering.write_down()
         self.importer.stop()
+        self.stretch_accepting.stop()
         self.document.close()
         event.accept()

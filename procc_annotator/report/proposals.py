@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 from rich.table import Table
 
+from procc_annotator.errors import SaveError
 from procc_annotator.fit.from_picture.proposal import NONE, STATES, SURE, UNSURE, KnownPosition
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.atomic import remove, write_atomic
 from procc_annotator.io.csv_text import no_formula
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, csv_bytes, deviation_cells
 from procc_annotator.report.targets import Interrupted, make_folder
@@ -41,13 +42,11 @@ class Proposals:
 
     Attributes:
         frames: in their order.
-        positions: on which sure frames agreed.
-        stale: cameras of earlier runs for these frames that belong to no proposal of this one.
+        positions: on which frames agreed.
     """
 
     frames: list[Proposed] = field(default_factory=list)
     positions: tuple[KnownPosition, ...] = ()
-    stale: list[str] = field(default_factory=list)
 
     @property
     def errors(self) -> list[str]:
@@ -98,8 +97,9 @@ def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposal
     for one in frames:
         if not one.is_sure and _has_camera(one):
             written.add(_write_camera(one, out))
+    _remove_older(out, run.names, written)
     write_atomic(out / TABLE_FILE, csv_bytes([_COLUMNS, *map(_row, frames)]))
-    return Proposals(frames, positions, _stale(out, run.names, written))
+    return Proposals(frames, positions)
 
 
 def _has_camera(one: Proposed) -> bool:
@@ -123,9 +123,17 @@ def _write_camera(one: Proposed, out: Path) -> str:
     return _file_of(one)
 
 
-def _stale(out: Path, names: Iterable[str], written: set[str]) -> list[str]:
-    files = (f"{folder}camera_{n}.json" for n in names for folder in ("", f"{UNSURE_FOLDER}/"))
-    return [file for file in files if file not in written and (out / file).exists()]
+def _remove_older(out: Path, names: Iterable[str], written: set[str]) -> None:
+    """Remove cameras of these frames from before: one that was sure then may be unsure now."""
+    for name in names:
+        for file in (f"camera_{name}.json", f"{UNSURE_FOLDER}/camera_{name}.json"):
+            path = out / file
+            if file in written or not path.exists():
+                continue
+            try:
+                remove(path)
+            except OSError as error:
+                raise SaveError(f"{path}: could not be removed: {error.strerror}") from error
 
 
 def _row(one: Proposed) -> list[Any]:
@@ -195,7 +203,7 @@ def summary_words(found: Proposals) -> str:
 
 
 def positions_words(found: Proposals) -> str:
-    """Where sure frames agree that cameras stand, and what came of it; empty where they do not."""
+    """Where frames agree that cameras stand, and what came of it; empty where they do not."""
     if not found.positions:
         return ""
     places = "; ".join(
@@ -204,4 +212,4 @@ def positions_words(found: Proposals) -> str:
     gained = sum(one.from_agreement for one in found.frames)
     positions = count_of(len(found.positions), "position")
     became = count_of(gained, "more frame is", "more frames are")
-    return f"sure frames agree on {positions} ({places}); with that {became} sure"
+    return f"frames agree on {positions} ({places}); with that {became} sure"

@@ -15,8 +15,8 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state import many_edits
 from procc_annotator.gui.state.set_edits import merged
-from procc_annotator.gui.tasks.files import importing
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.database.file import FILE
 from procc_annotator.session.dataset import pending_save, workspace
@@ -261,7 +261,7 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
     foreign: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(importing, "_TOGETHER", 1)
+    monkeypatch.setattr(many_edits, "_TOGETHER", 1)
     window = make_window(annotated)
     window.document.go_to(2)
     window.importer.ask()

@@ -18,6 +18,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
+from tests.drawn_shots import soccer_shot
 
 SAMPLES = Path(__file__).parents[2] / "sample_data"
 FRAME = SAMPLES / "00002.json"
@@ -198,3 +199,43 @@ def test_a_few_points_far_outside_are_no_pixels() -> None:
     first = annotation.polylines[0]
     far = replace(first, points=(*first.points, Point(-3.0, 0.5), Point(4.0, 2.5)))
     assert fit_camera(annotation.with_polyline(far)).failure is None
+
+
+def test_a_camera_is_found_in_a_picture_and_followed() -> None:
+    shot = soccer_shot(100, size=(640, 360))
+    pictures = [shot.frame(n)[..., :3] for n in range(3)]
+    followed: list[int] = []
+    found = procc_annotator.track(
+        pictures,
+        "soccer",
+        anchors={1: shot.cameras[1]},
+        on_frame=lambda f: followed.append(f.number),
+    )
+    assert [frame.state for frame in found.frames] == ["followed", "anchor", "followed"]
+    assert found.shots == ((0, 2),)
+    assert set(followed) >= {0, 2}
+    for frame, true in zip(found.frames, shot.cameras, strict=False):
+        assert frame.fit is not None
+        assert isinstance(frame.fit.camera, PinholeCamera)
+        assert abs(frame.fit.camera.pan_rad - true.pan_rad) * true.focal_px[0] < 1.5
+    proposal = procc_annotator.propose_camera(pictures[0])
+    assert proposal.state in ("sure", "unsure")
+    assert proposal.reason
+    assert proposal.fit.size == (640, 360)
+
+
+def test_pictures_that_are_none(tmp_path) -> None:
+    for wrong in (np.zeros((4, 4)), np.zeros((4, 4, 3)), None, 7):
+        with pytest.raises(UsageError, match="expected a picture"):
+            procc_annotator.propose_camera(wrong)  # type: ignore[arg-type]
+    with pytest.raises(ProccError, match=r"no\.jpg"):
+        procc_annotator.propose_camera(tmp_path / "no.jpg")
+    with pytest.raises(ProccError, match=r"no\.mp4"):
+        procc_annotator.track(tmp_path / "no.mp4")
+    with pytest.raises(UsageError, match="video's path or a sequence"):
+        procc_annotator.track(5)  # type: ignore[arg-type]
+    picture = np.zeros((90, 160, 3), np.uint8)
+    with pytest.raises(UsageError, match=r"anchors\[0\]: expected a camera"):
+        procc_annotator.track([picture], anchors={0: "camera"})  # type: ignore[dict-item]
+    assert procc_annotator.propose_camera(picture).state == "none"
+    assert procc_annotator.track([]).frames == ()

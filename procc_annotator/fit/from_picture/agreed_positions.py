@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
@@ -18,22 +19,30 @@ from procc_annotator.fit.together.tripod import usual_of
 
 # What is known of the position of a camera that no other one agrees with, metres.
 _ALONE_SD_M = 1.0
+_LEAST_SURE = 2
 
 
-def positions_of_fits(fits: Sequence[FitResult], field: Field) -> tuple[KnownPosition, ...]:
-    """The positions that several fits agree on, the one with most of them first.
+def positions_of_fits(
+    sure: Sequence[FitResult], field: Field, others: Sequence[FitResult] = ()
+) -> tuple[KnownPosition, ...]:
+    """The positions that three or more fits agree on, the one with most of them first.
+
+    Frames of one shot can make the same mistake; so two of those that agree must be sure.
 
     Args:
-        fits: with or without a camera.
+        sure: fits to rely on.
         field: the elements.
+        others: fits that may be wrong.
     """
-    known = [fit for fit in fits if fit.vector is not None and fit.covariance is not None]
-    known = [fit for fit in known if isinstance(fit.camera, PinholeCamera)]
+    known = [fit for fit in (*sure, *others) if fit.vector is not None]
+    known = [fit for fit in known if fit.covariance is not None]
     if not known:
         return ()
     vectors = np.array([fit.vector for fit in known])
     covariances = np.array([fit.covariance[CENTRE, CENTRE] for fit in known])  # type: ignore[index]
-    return _agreed(vectors, covariances, field)
+    relied_on = {id(fit) for fit in sure}
+    is_sure = np.array([id(fit) in relied_on for fit in known])
+    return _agreed(vectors, covariances, field, is_sure)
 
 
 def positions_of_cameras(
@@ -48,7 +57,7 @@ def positions_of_cameras(
     if not cameras:
         return ()
     vectors = np.array([vector_from_camera(c, PictureFrame(size)) for c, size in cameras])
-    agreed = _agreed(vectors, np.zeros((len(vectors), 3, 3)), field)
+    agreed = _agreed(vectors, np.zeros((len(vectors), 3, 3)), field, np.ones(len(vectors), bool))
     if agreed:
         return agreed
     alone = np.eye(3) * _ALONE_SD_M**2
@@ -56,10 +65,11 @@ def positions_of_cameras(
 
 
 def _agreed(
-    vectors: FloatArray, covariances: FloatArray, field: Field
+    vectors: FloatArray, covariances: FloatArray, field: Field, is_sure: NDArray[np.bool_]
 ) -> tuple[KnownPosition, ...]:
     places = find_places(vectors[:, CENTRE], covariances, surroundings_of(field).reach)
     return tuple(
         KnownPosition(place.position, place.covariance, usual_of(vectors[place.members]))
         for place in places
+        if is_sure[place.members].sum() >= _LEAST_SURE
     )

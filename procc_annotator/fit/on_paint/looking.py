@@ -42,7 +42,17 @@ def look(
     spacing_px: float = SPACING_PX,
 ) -> Look:
     """Look for paint beside where a camera (11,) shows it, so many solver px to either side."""
-    expected = expect(vector, painted, frame, spacing_px)
+    return look_at(picture, expect(vector, painted, frame, spacing_px), painted, frame, reach_px)
+
+
+def look_at(
+    picture: PixelArray,
+    expected: Expected,
+    painted: Painted,
+    frame: PictureFrame,
+    reach_px: float,
+) -> Look:
+    """Look for paint beside expected places, so many solver px to either side."""
     offsets = offsets_of(picture, expected, painted, frame, reach_px)
     found = np.flatnonzero(offsets.found)
     normal = expected.normal[:, found]

@@ -95,7 +95,8 @@ def _cuts(
 def _responses(cuts: PixelArray, tone: IntArray, element: IntArray) -> Values:
     """(n, m) how much a band of its width, in the middle, stands out from both flanks."""
     # White paint is light in all colours, coloured paint dark in one of them.
-    values = cuts.min(axis=2).astype(np.float32)
+    lowest = np.minimum(np.minimum(cuts[..., 0], cuts[..., 1]), cuts[..., 2])
+    values = lowest.astype(np.float32)
     known = _standing_out(values * np.where(tone < 0, -1, 1).astype(np.float32)[:, None])
     unknown = np.flatnonzero(tone == 0)
     if len(unknown):

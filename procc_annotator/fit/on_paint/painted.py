@@ -19,7 +19,6 @@ from procc_annotator.field.geometry import (
 )
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.paint import normal_of_paint
-from procc_annotator.field.painted_middle import at_middle_of_paint
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
 # Between two places, of half the field's length; curves turn by this much at most.
@@ -55,12 +54,13 @@ class Painted:
 
 
 def painted_of(field: Field) -> Painted:
-    """The places of a field's paint, each element in the middle of its paint.
+    """The places of a field's paint.
 
     Args:
-        field: any, wherever it says that its elements lie.
+        field: its elements are taken for the middle of their paint, as they are where clicks are
+            put there: whoever wants them where they are painted asks for ``lines = middle``.
     """
-    return _painted(at_middle_of_paint(field).elements)
+    return _painted(field.elements)
 
 
 @lru_cache(maxsize=8)

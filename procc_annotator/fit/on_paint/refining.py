@@ -54,7 +54,7 @@ def refine_on_paint(
 
     Args:
         picture: (H, W, 4) BGRA.
-        field: the elements, wherever it says they lie: paint is expected where it is painted.
+        field: the elements, taken for the middle of their paint, see `painted_of`.
         camera: nearly right: in px of the picture, or (11,) parameters of `fit.solving.models`.
         belief: what is known of the camera besides; None for what is known of any.
         reaches_px: how far off to look for paint, solver px (960 across the picture), one after

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -18,6 +19,10 @@ from procc_annotator.fit.through_shot.turning import OWN, Turn, turn_between
 _FIRST_WORTH = Worth(0.4, 5.0)
 _LOST_PX = 40.0  # solver px: who knows no better where lines are has lost them
 _SAME_CAMERA = 0.5  # coverage from which on a picture that looks different is no cut
+# So different looks a picture of which nothing can be followed if it comes from another camera: at
+# least, and against the frames before it.
+_OTHER_CAMERA, _TIMES_USUAL, _BEFORE = 0.015, 2.5, 12
+_BLIND = 8  # frames that a flash or a hand before the lens may last
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,6 +38,11 @@ class Followed:
     numbers: tuple[int, ...]
     steps: tuple[Stepped, ...]
     cut: bool
+
+    def until(self, number: int) -> Followed:
+        """The first of them, up to a frame and with it."""
+        count = self.numbers.index(number) + 1
+        return Followed(self.numbers[:count], self.steps[:count], False)
 
 
 def follow(
@@ -57,21 +67,34 @@ def follow(
     """
     done: list[tuple[int, Stepped]] = []
     before: Glimpse | None = None
-    cut = False
+    unlike: deque[float] = deque(maxlen=_BEFORE)
+    cut, broken = False, 0  # for certain; frames since it seemed so, without paint
     for now in glimpses(frame, numbers):
         go_on()
         step = _next(done, before, now, start, painted, picture_frame)
         if now.begins and (step.marks is None or step.coverage < _SAME_CAMERA):
             cut = True
             break
-        if step.marks is None and step.sd_px > _LOST_PX and before is not None:
+        if step.marks is not None:
+            broken = 0
+        elif broken or (step.turn is None and _breaks(now, unlike)):
+            broken += 1
+        unlike.append(now.unlike)
+        if broken > _BLIND or (step.marks is None and step.sd_px > _LOST_PX and done):
             break
         done.append((now.number, step))
         on_step(now.number, step)
         before = now
+    cut = cut or broken > 0
     while len(done) > 1 and done[-1][1].marks is None and (cut or done[-1][1].turn is None):
         done.pop()  # nothing confirmed what was guessed
     return Followed(tuple(n for n, _ in done), tuple(s for _, s in done), cut)
+
+
+def _breaks(now: Glimpse, before: Sequence[float]) -> bool:
+    """Whether a frame differs from the one before it as those before it did not."""
+    usual = float(np.median(before)) if before else 0.0
+    return now.unlike > max(_OTHER_CAMERA, _TIMES_USUAL * usual)
 
 
 def _next(

@@ -14,21 +14,27 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
+from procc_annotator.fit.on_paint.belief import Belief
 from procc_annotator.fit.on_paint.painted import Painted, painted_of
 from procc_annotator.fit.on_paint.result import fit_result
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import X, Z
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.through_shot.chain import chain_of
 from procc_annotator.fit.through_shot.following import Followed, follow
 from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
+from procc_annotator.fit.through_shot.smoothing import smoothed
 from procc_annotator.fit.through_shot.starting import belief_at, vector_of
-from procc_annotator.fit.through_shot.stepping import Stepped
+from procc_annotator.fit.through_shot.stepping import Stepped, wireframe_apart
 from procc_annotator.fit.through_shot.track import FrameState, Track, TrackedFrame
 
 Propose = Callable[[np.ndarray, Field, Sequence[KnownPosition]], Proposal]
 
 # Frames after the first of a shot, or after one that was lost, at which a camera is proposed.
 _TRIES = (0, 8, 24, 50, 100, 200, 400, 800, 1600)
+
+# What was followed from one anchor to the next may be so far off there, solver px, to be believed.
+_ARRIVED_PX = 6.0
 
 
 def _never_stop() -> None:
@@ -51,13 +57,13 @@ def track(
 ) -> Track:
     """The camera of every frame that can be followed from a known one, or that is found.
 
-    Between two anchors, and from one to where its shot ends, the result depends on nothing else:
-    when an anchor changes, only what lies between its neighbours has to be followed again.
+    What lies between two anchors is followed from them alone: when an anchor changes, only what
+    lies between its neighbours has to be followed again.
 
     Args:
         frame: number -> (H, W, 4) BGRA; is called by another thread, one call at a time.
         numbers: the frames, consecutive.
-        field: the elements, wherever it says they lie: paint is followed where it is painted.
+        field: the elements, taken for the middle of their paint, see `painted_of`.
         anchors: cameras that are known, px of the pictures; those outside ``numbers`` do not count.
         propose: finds a camera where none is known; None for `propose_camera`.
         on_frame: told of each frame as soon as it was followed, in the order in which they are;
@@ -119,41 +125,67 @@ class _Work:
     def from_anchors(self, numbers: range, anchors: Mapping[int, Camera]) -> None:
         """Follow what lies around and between anchors."""
         vectors = {n: vector_of(c, self.field, self.picture) for n, c in anchors.items()}
-        places = list(vectors)
+        given = {
+            n: belief_at(vector, self.field, self.painted, self.picture)
+            for n, vector in vectors.items()
+        }
+        places = list(given)
         if not places:
             return
-        self._follow(range(places[0], numbers[0] - 1, -1), vectors)
+        runs = [self._follow(range(places[0], numbers[0] - 1, -1), given)]
         for one, other in pairwise(places):
-            self._between(one, other, vectors)
-        self._follow(range(places[-1], numbers[-1] + 1), vectors)
+            forwards, backwards = self._between(one, other, given)
+            runs.append(forwards)
+            if backwards is not None:  # a cut, some are lost, or both ways disagree
+                self._keep(runs, given)
+                runs = [backwards]
+        runs.append(self._follow(range(places[-1], numbers[-1] + 1), given))
+        self._keep(runs, given)
         for number, camera in anchors.items():
             self.found[number] = _as_anchor(self.found[number], camera)
+            self.on_frame(self.found[number])
 
-    def _between(self, one: int, other: int, vectors: Mapping[int, FloatArray]) -> None:
-        forwards = self._follow(range(one, other), vectors)
+    def _between(
+        self, one: int, other: int, given: Mapping[int, Belief]
+    ) -> tuple[Followed, Followed | None]:
+        """Follow what lies between two anchors from the first one, and from the second one what
+        cannot be followed from there."""
+        near = {n: given[n] for n in (one, other)}
+        forwards = self._follow(range(one, other + 1), near)
         last = forwards.numbers[-1]
-        if last < other - 1:
-            self._follow(range(other, last, -1), vectors)
+        if last == other:
+            arrived = forwards.steps[-1].belief.vector
+            away = wireframe_apart(arrived, given[other].vector, self.painted, self.picture)
+            if away <= _ARRIVED_PX:
+                return forwards, None
+            last = (one + other) // 2
+            forwards = forwards.until(last)
+        return forwards, self._follow(range(other, last, -1), near)
 
-    def _follow(self, numbers: Sequence[int], known: Mapping[int, FloatArray]) -> Followed:
-        """Follow frames from the first of them, whose camera (11,) is known."""
-        begin = numbers[0]
-        start = belief_at(known[begin], self.field, self.painted, self.picture)
-        places = np.array(list(known))
+    def _follow(self, numbers: Sequence[int], given: Mapping[int, Belief]) -> Followed:
+        """Follow frames from the first of them, whose camera was given."""
+        begin, places = numbers[0], np.array(list(given))
 
         def told(number: int, step: Stepped) -> None:
-            if number != begin:
+            if number not in given:
                 distance = int(np.abs(places - number).min())
                 self.on_frame(tracked(number, step, distance, self.picture))
 
-        followed = follow(self.frame, numbers, start, self.painted, self.picture, told, self.go_on)
-        for number, step in zip(followed.numbers, followed.steps, strict=True):
-            distance = int(np.abs(places - number).min())
-            self.found[number] = tracked(number, step, distance, self.picture)
+        followed = follow(
+            self.frame, numbers, given[begin], self.painted, self.picture, told, self.go_on
+        )
         if followed.cut:
             ahead = len(numbers) < 2 or numbers[1] > begin
             self.begins.add(followed.numbers[-1] + (1 if ahead else 0))
         return followed
+
+    def _keep(self, runs: Sequence[Followed], given: Mapping[int, Belief]) -> None:
+        """Smooth together what was followed, and keep it."""
+        chain = smoothed(chain_of(runs, given), self.field, self.picture)
+        places = np.array(list(given))
+        for number, step in zip(chain.numbers, chain.steps, strict=True):
+            distance = int(np.abs(places - number).min())
+            self.found[number] = tracked(number, step, distance, self.picture)
 
     def fill(self, gap: range) -> None:
         """Find cameras in a run of frames of which nothing is known, and follow them."""
@@ -162,8 +194,10 @@ class _Work:
             at, vector = self._found_from(begin, gap[-1])
             if vector is None:
                 return
-            self._follow(range(at, begin - 1, -1), {at: vector})
-            onwards = self._follow(range(at, gap[-1] + 1), {at: vector})
+            given = {at: belief_at(vector, self.field, self.painted, self.picture)}
+            back = self._follow(range(at, begin - 1, -1), given)
+            onwards = self._follow(range(at, gap[-1] + 1), given)
+            self._keep([back, onwards], given)
             for number in range(begin, at):
                 if number not in self.found:
                     self._lose(number, "no camera was found yet")

@@ -11,7 +11,6 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.field.painted_middle import at_middle_of_paint
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.on_paint.belief import Belief, usual
 from procc_annotator.fit.on_paint.expected import expect
@@ -34,13 +33,12 @@ def vector_of(camera: Camera, field: Field, frame: PictureFrame) -> FloatArray:
     """
     if isinstance(camera, PinholeCamera):
         return vector_from_camera(camera, frame)
-    middle = at_middle_of_paint(field)
     polylines = []
-    for stretch in stretches_in_sight(middle, camera, frame.size):
+    for stretch in stretches_in_sight(field, camera, frame.size):
         rows = np.linspace(0, len(stretch.points_px) - 1, _POINTS).round().astype(int)
         points = [point_from_px(x, y, frame.size) for x, y in stretch.points_px[rows].tolist()]
         polylines.append(Polyline(stretch.name, tuple(points)))
-    found = fit_camera(FrameAnnotation(tuple(polylines)), middle, model="R", size=frame.size)
+    found = fit_camera(FrameAnnotation(tuple(polylines)), field, model="R", size=frame.size)
     if found.vector is None:
         raise UsageError(
             f"a camera that is to be followed is no camera of this field: {found.failure}"

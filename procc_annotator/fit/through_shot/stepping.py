@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve, weights_of
-from procc_annotator.fit.on_paint.expected import pixels_of
-from procc_annotator.fit.on_paint.looking import Look, look, shares_on_paint
+from procc_annotator.fit.on_paint.expected import Expected, expect, pixels_of
+from procc_annotator.fit.on_paint.looking import SPACING_PX, Look, look, look_at, shares_on_paint
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, Marks
 from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.on_paint.result import Worth, worth_of
@@ -37,7 +37,7 @@ _SURE_REACH_PX = 8.0  # beyond it what was found is looked at once more, from ne
 _FEWEST = 15  # marks that may have a say
 _LEAST_COVERAGE, _LEAST_COVERAGE_FAR = 0.3, 0.5
 _MOST_IN_SD, _MOST_BESIDE_PX = 4.0, 4.0  # how far paint may move the camera against the belief
-_LOST_PX = 40.0  # solver px: surer than that, a camera is not lost
+_APART_SPACING_PX = 20.0
 _THIN = 3  # of marks that were averaged with their neighbours every third tells it all
 _KEPT = 64
 
@@ -50,6 +50,7 @@ class Stepped:
         belief: after the frame.
         marks: paint that had a say, thinned; None if none had.
         worth: of a mark.
+        standing_for: how many marks each that was kept stands for.
         turn: from the frame before; None at the first, or where nothing tells.
         coverage, residual_px: of what should be in sight; solver px.
         sd_px: how surely its wireframe is known, solver px, where it is least sure.
@@ -64,6 +65,7 @@ class Stepped:
     residual_px: float | None
     sd_px: float
     reason: str = ""
+    standing_for: float = 1.0
 
 
 def foretold(belief: Belief, turn: Turn | None, last: FloatArray) -> Belief:
@@ -118,11 +120,10 @@ def stepped(
         frame: the picture.
         worth: of a mark in the frame before.
     """
-    seen = look(picture, believed.vector, painted, frame, _LEAST_REACH_PX)
-    sd_px = wireframe_sd(believed, painted.world[:, seen.expected.rows], frame)
+    expected = expect(believed.vector, painted, frame, SPACING_PX)
+    sd_px = wireframe_sd(believed, painted.world[:, expected.rows], frame)
     reach = float(np.clip(_REACH_IN_SD * sd_px + 2.0, _LEAST_REACH_PX, _MOST_REACH_PX))
-    if reach > _LEAST_REACH_PX + 1.0:
-        seen = look(picture, believed.vector, painted, frame, reach)
+    seen = look_at(picture, expected, painted, frame, reach)
     none = Stepped(believed, None, worth, turn, 0.0, None, sd_px)
     if len(seen.marks) < _FEWEST:
         return replace(none, reason="too little paint in sight")
@@ -140,20 +141,22 @@ def stepped(
     none = replace(none, coverage=coverage)
     if counted.sum() < _FEWEST / _THIN or coverage < least:
         return replace(none, reason="too little of what should be in sight was found")
-    moved = _moved(solved.vector, believed.vector, painted, seen, frame)
+    moved = _apart(expected, solved.vector, painted, frame)
     if moved > _MOST_IN_SD * sd_px + _MOST_BESIDE_PX:
         return replace(none, reason="the paint that was found would move the camera too far")
     new_worth = worth_of(solved, marks)
     information = solved.information / new_worth.information_px**2 + believed.information
     belief = Belief(solved.vector, information)
+    kept = _kept(counted)
     return Stepped(
         belief,
-        marks.chosen(_kept(counted)),
+        marks.chosen(kept),
         new_worth,
         turn,
         coverage,
         float(np.median(np.abs(off[weights > COUNTS]))),
         wireframe_sd(belief, painted.world[:, seen.expected.rows], frame),
+        standing_for=float(counted.sum()) / len(kept),
     )
 
 
@@ -184,14 +187,19 @@ def _off(vector: FloatArray, marks: Marks, frame: PictureFrame) -> FloatArray:
     return np.asarray(marks.across - (px * marks.normal).sum(axis=0))
 
 
-def _moved(
-    vector: FloatArray, before: FloatArray, painted: Painted, seen: Look, frame: PictureFrame
+def wireframe_apart(
+    one: FloatArray, other: FloatArray, painted: Painted, frame: PictureFrame
 ) -> float:
-    """Solver px by which most of what is in sight moved less from one camera to another."""
-    world = painted.world[:, seen.expected.rows]
-    there, _ = pixels_of(Lens.of(vector[None], frame.half_diagonal), world)
-    here, _ = pixels_of(Lens.of(before[None], frame.half_diagonal), world)
-    across = ((there - here) * seen.expected.normal).sum(axis=0)
+    """Solver px by which nine in ten places in sight of a camera (11,) are less off, across, in
+    another one's picture."""
+    return _apart(expect(one, painted, frame, _APART_SPACING_PX), other, painted, frame)
+
+
+def _apart(expected: Expected, other: FloatArray, painted: Painted, frame: PictureFrame) -> float:
+    if not len(expected.rows):
+        return np.inf
+    there, _ = pixels_of(Lens.of(other[None], frame.half_diagonal), painted.world[:, expected.rows])
+    across = ((there - expected.px) * expected.normal).sum(axis=0)
     return float(np.quantile(np.abs(across), 0.9))
 
 

@@ -25,7 +25,7 @@ _WINDOW = (15, 15)
 _LEVELS = 3
 _FEWEST = 16
 _LEAST_SHARE = 0.3  # of the corners that could be followed, for a motion to be believed
-_SCALES_PX = (12.0, 4.0, 1.5, 1.5)  # of the robust steps, solver px
+_SCALES_PX = (12.0, 6.0, 3.0, 1.5, 1.5, 1.5)  # of the robust steps, solver px
 # Standard deviations of what changes in a frame before anything is seen of it; and of what one
 # followed corner is off by at least.
 _ROLL_SD, _LOG_FOCAL_SD = np.deg2rad(0.05), 0.03
@@ -112,20 +112,14 @@ def _agreed(
     prior = np.diag([0.0, 0.0, _ROLL_SD**-2, _LOG_FOCAL_SD**-2])
     step = expected.copy()
     begin = step * [1, 1, 0, 1]
-    error = 1.0
     for scale in _SCALES_PX:
-        for _ in range(3):
-            shown, by = _shown(rays, vector, step, frame)
-            off = seen - shown
-            weights = (1 / (1 + (off * off).sum(axis=0) / scale**2)) ** 2
-            weighted = by * weights
-            normal = np.einsum("aij,bij->ab", weighted, by)
-            gradient = np.einsum("aij,ij->a", weighted, off)
-            information = normal / error**2 + prior
-            change = np.linalg.solve(
-                information + 1e-9 * np.eye(4), gradient / error**2 - prior @ (step - begin)
-            )
-            step = step + change
+        shown, by = _shown(rays, vector, step, frame)
+        off = seen - shown
+        weights = (1 / (1 + (off * off).sum(axis=0) / scale**2)) ** 2
+        rows = (by * weights).reshape(len(OWN), -1)
+        normal = rows @ by.reshape(len(OWN), -1).T
+        gradient = rows @ off.reshape(-1) - prior @ (step - begin)
+        step = step + np.linalg.solve(normal + prior + 1e-9 * np.eye(len(OWN)), gradient)
     counted = weights > 0.25
     if counted.sum() < max(_FEWEST, _LEAST_SHARE * len(weights)):
         return None

@@ -13,6 +13,7 @@ import numpy as np
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from procc_annotator.session.dataset.camera_set import CameraSet, FrameCameras
 from procc_annotator.session.dataset.fitted_cameras import FIT_NAME
+from procc_annotator.session.dataset.tracked_cameras import TRACK_NAME
 from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit
 
 
@@ -130,8 +131,9 @@ def free_colour(sources: Sequence[CameraSource]) -> str:
 
 
 def free_name(wanted: str, sources: Sequence[CameraSource]) -> str:
-    """A name nobody has: as wanted, or with a number behind it. The fit's is never free."""
-    taken = {FIT_NAME, *(source.name for source in sources)}
+    """A name nobody has: as wanted, or with a number behind it. The fit's and the track's are
+    never free."""
+    taken = {FIT_NAME, TRACK_NAME, *(source.name for source in sources)}
     name, number = wanted, 1
     while name in taken:
         number += 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from enum import StrEnum
 
@@ -11,6 +12,9 @@ from procc_annotator.gui.state.editing import Editing
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import OriginKind
+
+# Given what a frame holds: what it is to hold, or why it is to stay as it is.
+Change = Callable[[FrameAnnotation], FrameAnnotation | str]
 
 
 class LeftAlone(StrEnum):
@@ -29,20 +33,22 @@ def why_left_alone(
     return LeftAlone.ANNOTATED if before.annotated and not replacing else None
 
 
-def import_into_frame(
-    store: Store, editing: Editing, index: int, incoming: FrameAnnotation, *, replacing: bool
+def edit_frame(
+    store: Store, editing: Editing, index: int, change: Change, label: str, kind: OriginKind
 ) -> str:
-    """Replace what is annotated in a frame; undo and versions keep what was there.
+    """Change what is annotated in a frame; undo and versions keep what was there.
 
-    Unconfirmed elements of other classes stay, and so do further entries of the file. The frame is
-    locked then: whoever calls this saves it and gives it back (``editing.presence.give_back``).
+    The frame is locked then: whoever calls this saves it and gives it back
+    (``editing.presence.give_back``).
 
     Args:
-        replacing: also in a frame that is annotated, by its file as it is once the lock is taken.
+        change: given what the frame holds once the lock is taken; what it is to hold, or why it is
+            to stay as it is.
+        label: of the step in its history.
+        kind: how new points came to be.
 
     Returns:
-        Why the frame was left as it was, not locked (a `LeftAlone` when there is nothing to do);
-        empty when it was not.
+        Why the frame was left as it was, not locked; empty when it was not.
     """
     workspace = store.state.workspace
     assert workspace is not None
@@ -56,28 +62,38 @@ def import_into_frame(
         if holder is not None:
             return f"{holder.author or 'somebody'} is editing it"
     put = _put_on_screen if here else _put_elsewhere
-    why = put(workspace, editing, index, incoming, replacing)
+    why = put(workspace, editing, index, change, label, kind)
     if why:
         editing.presence.give_back(name)
     return why
 
 
 def _put_on_screen(
-    workspace: Workspace, editing: Editing, index: int, incoming: FrameAnnotation, replacing: bool
+    workspace: Workspace,
+    editing: Editing,
+    index: int,
+    change: Change,
+    label: str,
+    kind: OriginKind,
 ) -> str:
     editing.look_at_frame()
     held = workspace.state(index)
     if held.error is not None:
         return str(held.error)
-    before = held.history.current
-    if (why := why_left_alone(before, incoming, replacing=replacing)) is not None:
-        return why
-    editing.commit_edit("import", merged(before, incoming), OriginKind.FILE)
+    after = change(held.history.current)
+    if isinstance(after, str):
+        return after
+    editing.commit_edit(label, after, kind)
     return ""
 
 
 def _put_elsewhere(
-    workspace: Workspace, editing: Editing, index: int, incoming: FrameAnnotation, replacing: bool
+    workspace: Workspace,
+    editing: Editing,
+    index: int,
+    change: Change,
+    label: str,
+    kind: OriginKind,
 ) -> str:
     workspace.look_again(index)
     if workspace.state(index).error is None:
@@ -91,13 +107,29 @@ def _put_elsewhere(
     if held.error is not None:
         return str(held.error)
     before = held.history.current
-    if (why := why_left_alone(before, incoming, replacing=replacing)) is not None:
-        return why
-    after = merged(before, incoming)
-    if workspace.edit(index, "import", after):
-        editing.review.note_edit(name, before, after, OriginKind.FILE)
+    after = change(before)
+    if isinstance(after, str):
+        return after
+    if workspace.edit(index, label, after):
+        editing.review.note_edit(name, before, after, kind)
         editing.review.touched(name, before, after)
     return ""
+
+
+def imported(incoming: FrameAnnotation, *, replacing: bool) -> Change:
+    """What an import makes of a frame.
+
+    Unconfirmed elements of other classes stay, and so do further entries of the file.
+
+    Args:
+        replacing: also in a frame that is annotated.
+    """
+
+    def change(before: FrameAnnotation) -> FrameAnnotation | str:
+        why = why_left_alone(before, incoming, replacing=replacing)
+        return merged(before, incoming) if why is None else why
+
+    return change
 
 
 def merged(before: FrameAnnotation, incoming: FrameAnnotation) -> FrameAnnotation:

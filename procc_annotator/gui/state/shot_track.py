@@ -66,18 +66,49 @@ class ShotTrack(QObject):
         self._show()
         self.changed.emit()
 
-    def take(self, track: Track) -> None:
-        """A shot was followed to its end: what was known of its frames before goes."""
+    def take(self, track: Track, *, is_shot: bool = False) -> None:
+        """Frames were followed to their end: what was known of them before goes.
+
+        Args:
+            is_shot: whether they end where another camera's picture begins.
+        """
         if not track.frames:
             return
         first, last = track.frames[0].number, track.frames[-1].number
-        begins = {begin for begin, _ in track.shots}
-        kept = {cut for cut in self.cuts if not first < cut <= last}
-        others = {n: frame for n, frame in self.tracked.items() if not first <= n <= last}
-        found = others | {frame.number: frame for frame in track.frames}
+        cuts = {cut for cut in self.cuts if not first < cut <= last}
+        cuts |= {begin for begin, _ in track.shots[1:]}
         sequence = self._sequence.value
-        least = sequence.first if sequence is not None else 0
-        self.replace(found, {cut for cut in kept | begins if cut > least})
+        if is_shot and sequence is not None:
+            cuts |= {end for end in (first, last + 1) if sequence.first < end <= sequence.last}
+        others = {n: frame for n, frame in self.tracked.items() if not first <= n <= last}
+        self.replace(others | {frame.number: frame for frame in track.frames}, cuts)
+
+    def keep(self) -> None:
+        """No more frames are to come; those that came are what is known."""
+        self.replace(self.tracked, self.cuts)
+
+    def between_anchors(self, number: int) -> range | None:
+        """The frames around one from the anchor before it to the one after it, or to where the
+        shot ends; None where it was not followed."""
+        if number not in self.tracked:
+            return None
+        ends = []
+        for step in (-1, 1):
+            at = number
+            while at + step in self.tracked and max(at, at + step) not in self.cuts:
+                at += step
+                if self.tracked[at].state == "anchor":
+                    break
+            ends.append(at)
+        return range(ends[0], ends[1] + 1)
+
+    def shot_of(self, number: int) -> range:
+        """The frames of the sequence around one, up to the cuts that are known."""
+        sequence = self._sequence.value
+        first = sequence.first if sequence is not None else number
+        past = sequence.last + 1 if sequence is not None else number + 1
+        first = max((cut for cut in self.cuts if cut <= number), default=first)
+        return range(first, min((cut for cut in self.cuts if cut > number), default=past))
 
     def forget(self) -> None:
         """Nothing is known any more."""
@@ -86,8 +117,7 @@ class ShotTrack(QObject):
     # --- inside ---
 
     def _begin_anew(self) -> None:
-        if self.source in self._store.state.sources:
-            self._sources.remove_camera_set(self._store.state.sources.index(self.source))
+        self._leave()
         self.source.clear()
         self.forget()
 
@@ -102,7 +132,14 @@ class ShotTrack(QObject):
             }
         self.source.forget(set(self.source.camera_set.frames) | set(tracked))
         self.source.camera_set = cameras = TrackedCameras(tracked)
-        if self.source in self._store.state.sources:
-            self._sources.show_source_again(self.source)
+        if self.source not in self._store.state.sources:
+            if cameras.frames:
+                self._sources.join_source(self.source, active=False)
         elif cameras.frames:
-            self._sources.join_source(self.source, active=self._store.state.active is None)
+            self._sources.show_source_again(self.source)
+        else:
+            self._leave()
+
+    def _leave(self) -> None:
+        if self.source in self._store.state.sources:
+            self._sources.remove_camera_set(self._store.state.sources.index(self.source))

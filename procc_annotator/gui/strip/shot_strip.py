@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Protocol
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, SignalInstance
 from PySide6.QtGui import (
     QHelpEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
+    QPixmap,
     QResizeEvent,
     QWheelEvent,
 )
@@ -19,11 +21,22 @@ from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.content import StripContent
-from procc_annotator.gui.strip.painting import Rows, paint_strip, rows_of
+from procc_annotator.gui.strip.painting import Rows, paint_frames, paint_here, rows_of
 from procc_annotator.gui.strip.words import words_of
 
 _WHEEL_STEP = 1.25
 _SIDE = 8  # px beside the frames
+
+
+class StripTask(Protocol):
+    """Work on a stretch of frames."""
+
+    changed: SignalInstance  # how far it is
+    marked: Callable[[], tuple[int, int] | None]
+
+    def words(self) -> str:
+        """How far it is; "" while it does nothing."""
+        ...
 
 
 class ShotStrip(QWidget):
@@ -33,8 +46,6 @@ class ShotStrip(QWidget):
         content: what is shown.
         axis: which frames are in sight; None while there are none.
     """
-
-    stretchMarked = Signal()
 
     def __init__(self, document: Document) -> None:
         super().__init__()
@@ -48,13 +59,23 @@ class ShotStrip(QWidget):
         self._aim: int | None = None  # the number under a hand that drags
         self._mark_from: int | None = None
         self.stretch: tuple[int, int] | None = None  # numbers, first and last, marked by hand
-        self.progress: Callable[[], str] = str
+        self._tasks: tuple[StripTask, ...] = ()
+        self._painted: QPixmap | None = None
+        self._painted_of: tuple[object, ...] = ()
+        self.content.changed.connect(self._paint_anew)
         self._refresher = Refresher(self, self._follow)
         self._refresher.follow(
             document.store,
             lambda s: (s.workspace, s.frame_index, s.blind, s.committed),
             self.content.changed,
         )
+
+    def show_tasks(self, *tasks: StripTask) -> None:
+        """Say how far these are, and tell them which stretch is marked."""
+        self._tasks = tasks
+        for task in tasks:
+            task.marked = lambda: self.stretch
+            task.changed.connect(self.update)
 
     # --- what is shown ----------------------------------------------------------------------
 
@@ -95,18 +116,36 @@ class ShotStrip(QWidget):
             return
         painter = QPainter(self)
         area = QRectF(_SIDE, 0, self._room(), self.height())
-        words = words_of(self._document, self.content, self.number)
-        paint_strip(
+        painter.drawPixmap(0, 0, self._frames_painted(self.axis, area))
+        far = next(filter(None, (task.words() for task in self._tasks)), "")
+        paint_here(
             painter,
-            self.content,
             self.axis,
             area,
             colours=self.palette(),
             number=self.number,
-            stretch=self.stretch,
-            words=(words, self.progress()),
+            words=(words_of(self._document, self.content, self.number), far),
         )
         painter.end()
+
+    def _frames_painted(self, axis: Axis, area: QRectF) -> QPixmap:
+        """All but what changes from frame to frame, painted anew where it changed."""
+        ratio = self.devicePixelRatioF()
+        of = (axis, self.size(), ratio, self.stretch, self.content.hidden, self.palette())
+        if self._painted is None or self._painted_of != of:
+            self._painted_of = of
+            self._painted = QPixmap(self.size() * ratio)
+            self._painted.setDevicePixelRatio(ratio)
+            painter = QPainter(self._painted)
+            painter.setFont(self.font())
+            paint_frames(
+                painter, self.content, axis, area, colours=self.palette(), stretch=self.stretch
+            )
+            painter.end()
+        return self._painted
+
+    def _paint_anew(self) -> None:
+        self._painted = None
 
     # --- hands ------------------------------------------------------------------------------
 
@@ -136,7 +175,6 @@ class ShotStrip(QWidget):
         if self.axis is not None and self.stretch is not None:
             self.stretch = None
             self.update()
-            self.stretchMarked.emit()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if self.axis is None:
@@ -168,6 +206,7 @@ class ShotStrip(QWidget):
             )
             return True
         if event.type() == QEvent.Type.FontChange:
+            self._paint_anew()
             self.updateGeometry()
         return super().event(event)
 
@@ -187,4 +226,3 @@ class ShotStrip(QWidget):
         assert self._mark_from is not None
         self.stretch = min(self._mark_from, number), max(self._mark_from, number)
         self.update()
-        self.stretchMarked.emit()

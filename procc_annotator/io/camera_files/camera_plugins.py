@@ -20,24 +20,28 @@ _PROBES = np.array([(0.0, 0.0, 0.0), (30.0, -20.0, 0.0), (-52.5, 3.66, -2.44)])
 F = TypeVar("F")
 
 
-def discover(kind: type[F]) -> tuple[list[tuple[str, F]], list[str]]:
-    """What the entry points of `GROUP` give, with their names, and what is wrong with the others.
+def discover(
+    kind: type[F], group: str = GROUP, what: str = "camera plug-in"
+) -> tuple[list[tuple[str, F]], list[str]]:
+    """What the entry points of a group give, with their names, and what is wrong with the others.
 
     Args:
         kind: what each should give, by itself or as the result of a call: one or several.
+        group: of entry points.
+        what: to call one of them.
     """
     import importlib.metadata  # takes long; the window needs no plug-ins to start
 
     found: list[tuple[str, F]] = []
     problems: list[str] = []
-    for point in importlib.metadata.entry_points(group=GROUP):
+    for point in importlib.metadata.entry_points(group=group):
         try:
             found += [(point.name, given) for given in _given(point.load(), kind)]
         # Whatever somebody else's module raises on import must not end this program.
         except Exception as error:  # noqa: BLE001
             why = str(error) or "no reason given"
             problems.append(
-                f"the camera plug-in {point.name!r} ({point.value}) cannot be used:"
+                f"the {what} {point.name!r} ({point.value}) cannot be used:"
                 f" {type(error).__name__}: {' '.join(why.split())[:300]}"
             )
     return found, problems

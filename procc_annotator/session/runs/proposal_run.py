@@ -99,7 +99,7 @@ class SecondLook:
     """Frames that are looked at once more where the sure ones say that cameras stand.
 
     Attributes:
-        positions: on which sure frames agree.
+        positions: on which frames agree.
         run: over the frames without a sure camera; it takes their results one by one.
         before: what was proposed for those.
     """
@@ -125,9 +125,10 @@ def second_look(run: ProposalRun, found: Sequence[Proposed]) -> SecondLook | Non
         run: that is done; its executor does this one too.
         found: its results.
     """
-    fits = [one.proposal.fit for one in found if one.is_sure and one.proposal is not None]
     before = {one.name: one for one in found if one.proposal is not None and not one.is_sure}
-    positions = positions_of_fits(fits, run.task.field) if before else ()
+    sure = [one.proposal.fit for one in found if one.is_sure and one.proposal is not None]
+    others = [one.proposal.fit for one in before.values() if one.proposal is not None]
+    positions = positions_of_fits(sure, run.task.field, others) if before else ()
     if not positions:
         return None
     frames = [frame for frame in run.frames if frame.name in before]

@@ -9,6 +9,9 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
 from procc_annotator.errors import InputError
+from procc_annotator.field.model import Field
+from procc_annotator.fit.predict.ghosts import find_ghosts
+from procc_annotator.fit.result import FitResult
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.motion import Motion, carried_points, estimate_motion
 from procc_annotator.image.paint import snap_all
@@ -18,6 +21,7 @@ from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import PointKey
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.ghost_points import find_points
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
@@ -101,6 +105,32 @@ def copy_moved(
         unseen |= {(p.u, p.v) for p, shown in zip(placed, seen, strict=True) if not shown}
         carried.append(Polyline(polyline.class_name, tuple(placed)))
     return Copied(tuple(carried), True, frozenset(unseen))
+
+
+def copy_along_track(
+    polylines: tuple[Polyline, ...],
+    annotation: FrameAnnotation,
+    picture: PixelArray,
+    field: Field,
+    fit: FitResult,
+) -> Copied:
+    """The same elements where the camera of a track shows them, on their paint.
+
+    Elements out of sight, and those whose paint is not seen, do not come along.
+
+    Args:
+        polylines: of another frame of the shot.
+        annotation: of this one, which none of them has.
+        picture: (H, W, 4) of this one.
+        field: the elements, metres.
+        fit: of this frame, from the track.
+    """
+    size = picture.shape[1], picture.shape[0]
+    wanted = {polyline.class_name for polyline in polylines}
+    others = [element.name for element in field.elements if element.name not in wanted]
+    ghosts = find_ghosts(annotation, field, fit, without=others)
+    found = [find_points(ghost, picture, field, size) for ghost in ghosts]
+    return Copied(tuple(Polyline(f.name, f.points) for f in found if f.points), True)
 
 
 def _carry(

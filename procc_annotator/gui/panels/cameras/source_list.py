@@ -23,6 +23,10 @@ _FITTED_TIP = (
     "Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the"
     " fit was made from.\nprocc-annotator calibrate fits and scores the whole set"
 )
+_FOLLOWED_TIP = (
+    "Frames of this dataset that were followed through their shot and have a camera.\n"
+    "procc-annotator track follows a whole video and writes its cameras"
+)
 _NAMED = 12  # unreadable cameras in a tip
 _Counted = tuple[
     Workspace, FrameCameras, int
@@ -90,7 +94,9 @@ class SourceList(QWidget):
             self._document.set_active_camera(self._document.sources.index(source))
 
     def _remove(self, source: CameraSource) -> None:
-        if source.files is None:
+        if source is self._document.shot_track.source:
+            self._document.shot_track.forget()
+        elif source.files is None:
             self._document.live_fit.set_wanted(False)
         else:
             self._document.remove_camera_set(self._document.sources.index(source))
@@ -141,6 +147,8 @@ class SourceList(QWidget):
     def _matched(self, source: CameraSource) -> tuple[str, str]:
         """How many frames have a camera, and which of these cannot be used."""
         workspace, cameras = self._document.workspace, source.camera_set
+        if source is self._document.shot_track.source:
+            return f"{counted(len(cameras.frames), 'frame')} followed", _FOLLOWED_TIP
         if source.files is None:
             return f"{counted(len(cameras.frames), 'frame')} fitted", _FITTED_TIP
         if workspace is None or not workspace.frames:

@@ -35,6 +35,7 @@ from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.theme import blend, fixed_width
 from procc_annotator.interact.palette import SOURCE_COLOURS
+from procc_annotator.session.dataset.tracked_cameras import TRACK_NAME
 
 _COLOUR_NAMES = ("Yellow", "Violet", "Blue", "Mint", "Navy", "Cyan")
 _PATCH = 14
@@ -82,11 +83,7 @@ class SourceRow(QFrame):
         self.remove = QToolButton(autoRaise=True)
         self.remove.setText("✕")
         self.remove.setObjectName(f"cameras_remove_{index}")
-        self.remove.setToolTip(
-            "Switch the live fit off (Ctrl+T switches it on again)"
-            if self._fixed
-            else "Remove from the list; the files stay"
-        )
+        self.remove.setToolTip(_what_remove_does(source))
         self.remove.clicked.connect(self.removed)
         self.problem = note_label(f"cameras_problem_{index}")
         self._arrange()
@@ -292,3 +289,11 @@ def _detail(name: str) -> QLabel:
     label.setObjectName(name)
     label.setTextFormat(Qt.TextFormat.PlainText)
     return label
+
+
+def _what_remove_does(source: CameraSource) -> str:
+    if source.files is not None:
+        return "Remove from the list; the files stay"
+    if source.name == TRACK_NAME:
+        return "Forget what was followed (T follows the shot again)"
+    return "Switch the live fit off (Ctrl+T switches it on again)"

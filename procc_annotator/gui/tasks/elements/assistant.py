@@ -12,12 +12,18 @@ from procc_annotator.field.appearance import BAR
 from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
-from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.image.paint import snap_all
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset import edits
+from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.facts.origins import OriginKind, PointKey
-from procc_annotator.session.strokes.copying import Copied, annotated_before, copy_moved
+from procc_annotator.session.strokes.copying import (
+    Copied,
+    annotated_before,
+    copy_along_track,
+    copy_moved,
+)
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.regularise import Regularised, regularise
 
@@ -164,6 +170,21 @@ class Assistant(QObject):
         if not polylines:
             document.say(f"{frame.name} has no element that is missing here")
             return
+        self._doing = "copied"
+        fit = document.shot_track.fit_here if document.proposals.allowed else None
+        if fit is not None:
+            here, field = document.annotation, document.field
+            self._work.start(
+                lambda _: copy_along_track(polylines, here, picture, field, fit),
+                partial(self._apply_copied, frame.name, how="along the track"),
+            )
+            return
+        self._copy_moved(frame, polylines, picture, size[0])
+
+    def _copy_moved(
+        self, frame: Frame, polylines: tuple[Polyline, ...], picture: PixelArray, width: int
+    ) -> None:
+        document = self._document
         kept = document.cache.peek(frame.image_path)
 
         def work(control: JobControl) -> Copied:
@@ -171,13 +192,12 @@ class Assistant(QObject):
             return copy_moved(polylines, previous, picture, curved, paint, spots)
 
         elements = document.field.elements
-        paint = ExpectedPaint(document.field, size[0])
+        paint = ExpectedPaint(document.field, width)
         curved = frozenset(e.name for e in elements if e.is_curved)
         spots = frozenset(e.name for e in elements if e.is_spot)
-        self._doing = "copied"
         self._work.start(work, partial(self._apply_copied, frame.name))
 
-    def _apply_copied(self, source: str, outcome: Copied) -> None:
+    def _apply_copied(self, source: str, outcome: Copied, how: str = "") -> None:
         document = self._document
         if not document.begin_edit():
             return
@@ -185,7 +205,8 @@ class Assistant(QObject):
         if document.commit_edit(
             f"copy from {source}", proposed, OriginKind.COPIED, unseen=outcome.unseen
         ):
-            how = "moved with the camera" if outcome.moved else "as they were: no motion found"
+            moved = "moved with the camera" if outcome.moved else "as they were: no motion found"
+            how = how or moved
             if (
                 outcome.polylines
                 and document.annotation.get_unconfirmed(document.selected_class or "") is None

@@ -39,8 +39,10 @@ class Triage(QObject):
             document.say("a verdict is on a frame and a camera: load cameras first")
             return
         if source.files is None:
+            follows = source is document.fit_source.source
+            how = "follows the clicks" if follows else "is worked out here"
             document.say(
-                f"{source.name} follows the clicks: a verdict is on a camera that was loaded",
+                f"{source.name} {how}: a verdict is on a camera that was loaded",
             )
             return
         if not document.projection_visible:

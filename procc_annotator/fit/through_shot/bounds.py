@@ -1,0 +1,34 @@
+"""Where the shot of a frame begins and ends."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
+
+
+def shot_around(
+    frame: ReadFrame, number: int, numbers: range, go_on: Callable[[], None] = lambda: None
+) -> range:
+    """The frames around one that are of the same camera, up to the cuts.
+
+    Args:
+        frame: number -> (H, W, 4) BGRA.
+        number: one of the numbers.
+        numbers: all there are, ascending.
+        go_on: called at least once a frame; what it raises ends everything.
+    """
+    last = _end(frame, range(number, numbers[-1] + 1), go_on)
+    first = _end(frame, range(number, numbers[0] - 1, -1), go_on)
+    return range(first, last + 1)
+
+
+def _end(frame: ReadFrame, numbers: range, go_on: Callable[[], None]) -> int:
+    """The last frame before another camera's."""
+    last = numbers[0]
+    for now in glimpses(frame, numbers):
+        go_on()
+        if now.begins:
+            break
+        last = now.number
+    return last

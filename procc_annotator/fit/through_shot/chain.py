@@ -1,0 +1,57 @@
+"""Frames that were followed one from the other, in the order of their numbers, to be smoothed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from procc_annotator.fit.on_paint.belief import Belief
+from procc_annotator.fit.through_shot.following import Followed
+from procc_annotator.fit.through_shot.stepping import Stepped
+from procc_annotator.fit.through_shot.turning import Turn
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """K frames of one shot.
+
+    Attributes:
+        numbers: ascending.
+        steps: where following left each frame.
+        turns: (K - 1,) how the camera moved from each frame to the next; None where nothing tells.
+        given: place in the chain -> what is believed of that frame's camera by itself.
+    """
+
+    numbers: tuple[int, ...]
+    steps: tuple[Stepped, ...]
+    turns: tuple[Turn | None, ...]
+    given: Mapping[int, Belief]
+
+
+def chain_of(runs: Sequence[Followed], given: Mapping[int, Belief]) -> Chain:
+    """The chain of frames that were followed, in either direction, from frames they share or up to
+    frames beside each other.
+
+    Args:
+        runs: what was followed.
+        given: number -> what is believed of its camera, of frames that were given one.
+    """
+    steps: dict[int, Stepped] = {}
+    turns: dict[int, Turn | None] = {}
+    for run in runs:
+        for before, number, step in zip((None, *run.numbers), run.numbers, run.steps, strict=False):
+            # Of a frame that one run ends at and another one begins with, the end knows more.
+            steps[number] = step
+            if before is None:
+                continue
+            if before < number:
+                turns[before] = step.turn
+            else:
+                turns[number] = None if step.turn is None else step.turn.backwards()
+    numbers = tuple(sorted(steps))
+    return Chain(
+        numbers,
+        tuple(steps[n] for n in numbers),
+        tuple(turns.get(n) for n in numbers[:-1]),
+        {place: given[n] for place, n in enumerate(numbers) if n in given},
+    )

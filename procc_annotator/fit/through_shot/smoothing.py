@@ -1,0 +1,207 @@
+"""All frames of a chain together: one position and one lens, the rest as paint and motion say.
+
+Every frame's camera follows from the paint of that frame and, through the motion from frame to
+frame, from that of its neighbours on both sides; what all frames have in common follows from all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from procc_annotator.field.model import Field
+from procc_annotator.fit.on_paint.belief import Belief, usual, weights_of
+from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE
+from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, X, Z
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
+from procc_annotator.fit.through_shot.banded import Normal, Solution, solve_normal
+from procc_annotator.fit.through_shot.chain import Chain
+from procc_annotator.fit.through_shot.stepping import Stepped
+from procc_annotator.fit.through_shot.turning import OWN, Turn
+
+SHARED = np.array([X, X + 1, Z, KAPPA])
+# Marks count by these scales, solver px, from round to round: at first each frame's camera is off
+# by what the frames' positions differ by.
+_SCALES_PX = (16.0, 8.0, 4.0, 2.0, 1.5, 1.5, 1.5, 1.5)
+_SETTLED = 1e-3  # standard deviations of the shared parameters
+_AT_ONCE = 128  # frames whose marks are projected together
+# Of a step that nothing foretells, standard deviations: pan, tilt, roll, logarithm of the focal
+# length.
+_UNKNOWN = Turn(np.zeros(4), np.diag(np.array([0.02, 0.01, 0.002, 0.05]) ** 2))
+_LEAST_BESIDE_PX = 0.05  # that an element lies beside the model by, solver px
+_MOST_KAPPA = 0.6
+
+
+@dataclass(frozen=True, eq=False)
+class _Data:
+    """The marks of K frames as arrays, m of each.
+
+    Attributes:
+        world: (K, 3, m) metres.
+        across: (K, m) solver px.
+        normal: (K, 2, m).
+        trust: (K, m) inverse variances; 0 where a frame has fewer.
+        element: (K, m) which element each is on.
+    """
+
+    world: FloatArray
+    across: FloatArray
+    normal: FloatArray
+    trust: FloatArray
+    element: IntArray
+
+
+def smoothed(chain: Chain, field: Field, frame: PictureFrame) -> Chain:
+    """The same frames, each with the camera that is best for all of them together."""
+    data = _data_of(chain.steps)
+    vectors = np.array([step.belief.vector for step in chain.steps])
+    weights = np.array([max(step.coverage, 1e-3) for step in chain.steps])
+    vectors[:, SHARED] = np.average(vectors[:, SHARED], axis=0, weights=weights)
+    middle = vectors[len(vectors) // 2]
+    before = usual(middle, field)
+    for scale in _SCALES_PX:
+        normal = _normal(chain, data, vectors, before, frame, scale)
+        found = solve_normal(normal)
+        step = found.shared[:, 0]
+        vectors[:, OWN] += found.own[:, :, 0]
+        vectors[:, SHARED] += step
+        np.clip(vectors[:, KAPPA], LEAST_KAPPA, _MOST_KAPPA, out=vectors[:, KAPPA])
+        sd = np.sqrt(np.diag(found.shared_covariance))
+        if scale == _SCALES_PX[-1] and (np.abs(step) < _SETTLED * sd).all():
+            break
+    covariances = _covariances(found, _beside(data, vectors, normal, frame))
+    steps = tuple(
+        replace(step, belief=Belief(vector, np.asarray(np.linalg.inv(covariance))))
+        for step, vector, covariance in zip(chain.steps, vectors, covariances, strict=True)
+    )
+    return replace(chain, steps=steps)
+
+
+def _data_of(steps: tuple[Stepped, ...]) -> _Data:
+    most = max((len(s.marks) for s in steps if s.marks is not None), default=0)
+    count = len(steps)
+    world, normal = np.zeros((count, 3, most)), np.zeros((count, 2, most))
+    across, trust = np.zeros((count, most)), np.zeros((count, most))
+    element = np.zeros((count, most), dtype=np.intp)
+    for k, step in enumerate(steps):
+        if step.marks is None:
+            continue
+        own = len(step.marks)
+        world[k, :, :own], across[k, :own] = step.marks.world, step.marks.across
+        normal[k, :, :own], element[k, :own] = step.marks.normal, step.marks.element
+        # Of the marks that were found some were kept, which stand for all of them.
+        trust[k, :own] = step.standing_for / step.worth.information_px**2
+    return _Data(world, across, normal, trust, element)
+
+
+def _normal(
+    chain: Chain,
+    data: _Data,
+    vectors: FloatArray,
+    before: Belief,
+    frame: PictureFrame,
+    scale_px: float,
+) -> Normal:
+    """The normal equations at K cameras (K, 11)."""
+    information, pull = _of_marks(data, vectors, frame, scale_px)
+    for place, belief in chain.given.items():
+        information[place] += belief.information
+        pull[place] += belief.information @ (belief.vector - vectors[place])[:PARAMETERS_FREE]
+    own = information[:, OWN[:, None], OWN].copy()
+    own_pull = pull[:, OWN].copy()
+    steps = np.diff(vectors[:, OWN], axis=0)
+    beside = np.empty((len(steps), 4, 4))
+    for k, turn in enumerate(chain.turns):
+        told = turn or _UNKNOWN
+        stiff = np.linalg.inv(told.covariance)
+        off = stiff @ (told.step - steps[k])
+        own[k] += stiff
+        own[k + 1] += stiff
+        beside[k] = -stiff
+        own_pull[k] -= off
+        own_pull[k + 1] += off
+    shared = information[:, SHARED[:, None], SHARED].sum(axis=0)
+    shared_pull = pull[:, SHARED].sum(axis=0)
+    prior = before.information[np.ix_(SHARED, SHARED)]
+    shared += prior
+    shared_pull += prior @ (before.vector - vectors[0])[SHARED]
+    # What is known of any camera: weak, and of the first frame only, for the others are like it.
+    weak = before.information[np.ix_(OWN, OWN)]
+    own[0] += weak
+    own_pull[0] += weak @ (before.vector - vectors[0])[OWN]
+    border = information[:, OWN[:, None], SHARED]
+    return Normal(own, beside, border, shared, own_pull[:, :, None], shared_pull[:, None])
+
+
+def _in_parts(count: int) -> Iterator[slice]:
+    return (slice(begin, begin + _AT_ONCE) for begin in range(0, count, _AT_ONCE))
+
+
+def _seen(
+    data: _Data, rows: slice, vectors: FloatArray, frame: PictureFrame, scale_px: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Of the marks of b frames: (b, 8, m) derivatives of where they appear, across; (b, m) solver
+    px they are off; (b, m) what they count."""
+    lens = Lens.of(vectors[rows], frame.half_diagonal)
+    world = data.world[rows]
+    empty = data.trust[rows] == 0
+    if empty.any():  # anything in front of the camera will do
+        ahead = (lens.rotation[:, 2] + vectors[rows, X : Z + 1])[:, :, None]
+        world = np.where(empty[:, None], ahead, world)
+    px, _, by = project(lens, world, np.zeros_like(world), PARAMETERS_FREE)
+    off = data.across[rows] - (px * data.normal[rows]).sum(axis=1)
+    across = (by * data.normal[rows][:, None]).sum(axis=2)
+    return across, off, data.trust[rows] * weights_of(off, scale_px)
+
+
+def _of_marks(
+    data: _Data, vectors: FloatArray, frame: PictureFrame, scale_px: float
+) -> tuple[FloatArray, FloatArray]:
+    """(K, 8, 8) information of the marks, and (K, 8) how they pull."""
+    count = len(vectors)
+    information = np.zeros((count, PARAMETERS_FREE, PARAMETERS_FREE))
+    pull = np.zeros((count, PARAMETERS_FREE))
+    for rows in _in_parts(count):
+        across, off, trust = _seen(data, rows, vectors, frame, scale_px)
+        weighted = across * trust[:, None]
+        information[rows] = weighted @ across.transpose(0, 2, 1)
+        pull[rows] = (weighted @ off[:, :, None])[:, :, 0]
+    return information, pull
+
+
+def _beside(data: _Data, vectors: FloatArray, normal: Normal, frame: PictureFrame) -> FloatArray:
+    """(K, 8, E) what it does to the cameras that elements lie beside the model, each by as much as
+    elements of single frames do, all along the chain: more frames do not average that out."""
+    elements = int(data.element.max(initial=0)) + 1
+    count = len(vectors)
+    pulls = np.zeros((count, PARAMETERS_FREE, elements))
+    squares = counted = 0.0
+    for rows in _in_parts(count):
+        across, off, trust = _seen(data, rows, vectors, frame, _SCALES_PX[-1])
+        weighted = across * trust[:, None]
+        of = (data.element[rows][:, :, None] == np.arange(elements)) & (trust > 0)[:, :, None]
+        pulls[rows] = weighted @ of
+        total = (trust[:, :, None] * of).sum(axis=1)
+        mean = ((trust * off)[:, None, :] @ of)[:, 0] / np.maximum(total, 1e-12)
+        squares += float((total * mean**2 - (total > 0)).sum())  # less what noise alone does
+        counted += float(total.sum())
+    size = np.sqrt(max(squares / max(counted, 1.0), 0.0) + _LEAST_BESIDE_PX**2)
+    shared = pulls[:, SHARED].sum(axis=0)
+    moved = solve_normal(replace(normal, own_pull=pulls[:, OWN], shared_pull=shared))
+    found = np.empty_like(pulls)
+    found[:, OWN], found[:, SHARED] = moved.own, moved.shared
+    return np.asarray(found * size)
+
+
+def _covariances(found: Solution, beside: FloatArray) -> FloatArray:
+    """(K, 8, 8) of each frame's parameters: of the marks' noise, and of what elements do."""
+    full = beside @ beside.transpose(0, 2, 1)
+    followed = found.follow @ found.shared_covariance
+    full[:, OWN[:, None], OWN] += found.own_covariance
+    full[:, OWN[:, None], SHARED] += followed
+    full[:, SHARED[:, None], OWN] += followed.transpose(0, 2, 1)
+    full[:, SHARED[:, None], SHARED] += found.shared_covariance
+    return full

@@ -1,0 +1,276 @@
+"""Accepting a stretch of the track: its sure frames are annotated along it, in one action."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import ImageError
+from procc_annotator.field.landmarks import field_of_frame
+from procc_annotator.field.model import Field
+from procc_annotator.fit.predict.ghosts import find_ghosts
+from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.many_edits import EditedFrames, ManyEdits
+from procc_annotator.gui.state.set_edits import edit_frame
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.interact.hints import counted
+from procc_annotator.session.dataset.frame_sequence import FrameSequence
+from procc_annotator.session.dataset.tracked_cameras import doubt_about
+from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.session.strokes.ghost_points import accept_all, find_points
+
+_NOTHING = FrameAnnotation(())
+_ANNOTATED = "it is annotated by now"
+_EDITED = "it was edited since"
+
+
+@dataclass(frozen=True, eq=False)
+class _Sure:
+    """A frame to be annotated along its track."""
+
+    index: int
+    number: int
+    name: str
+    fit: FitResult
+    not_visible: frozenset[str]
+
+
+class StretchAccepting(QObject):
+    """One stretch at a time. What is annotated already is never written over; each frame keeps its
+    own history, and can be taken back alone.
+
+    Attributes:
+        marked: the stretch that somebody marked on the strip; else the shot on screen is meant.
+    """
+
+    changed = Signal()  # how far it is, or that it ended
+
+    def __init__(
+        self, document: Document, least_support: Callable[[], float], parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._least_support = document, least_support
+        self.marked: Callable[[], tuple[int, int] | None] = lambda: None
+        self._job: Job | None = None
+        self._far = (0, 0)
+        self._found: dict[int, FrameAnnotation] = {}
+        self._accepted: dict[int, FrameAnnotation] = {}  # what was accepted last, by index
+        self._at = -1  # the frame on screen by then; -1 once somebody went on
+        self._edits = ManyEdits(
+            document.store, document.signals, document.editing, document.auditing, self
+        )
+        self._then: Callable[[EditedFrames], None] = self._tell_accepted
+        self._edits.finished.connect(lambda outcome: self._then(outcome))
+        document.datasetChanged.connect(self._forget)
+        document.frameChanged.connect(self._go_on)
+
+    @property
+    def running(self) -> bool:
+        """Whether points are looked for, or edits are being made."""
+        return self._job is not None or self._edits.running
+
+    def words(self) -> str:
+        """How far it is."""
+        if self._job is None:
+            return ""
+        return f"looking for paint along the track: {self._far[0]} of {self._far[1]} frames"
+
+    def accept(self) -> None:
+        """Annotate the sure frames along the track."""
+        document, workspace = self._document, self._document.workspace
+        if self.running or workspace is None:
+            return
+        if not document.proposals.allowed:
+            document.say("blind mode: nothing is accepted that was not clicked")
+            return
+        document.aboutToLeave.emit()
+        chosen = self._chosen()
+        if not chosen:
+            document.say(
+                "no frame to accept: follow the shot first (T); doubtful and annotated frames are"
+                " left out"
+            )
+            return
+        sequence = document.sequence.value
+        assert sequence is not None
+        work = partial(_look, sequence, chosen, document.field, self._least_support())
+        self._far = (0, len(chosen))
+        self._job = run_in_background(
+            work, on_result=self._take, on_error=self._fail, on_progress=self._advance, owner=self
+        )
+        self.changed.emit()
+
+    def take_back(self) -> None:
+        """Frames that were accepted last and not edited since are as they were before."""
+        document = self._document
+        if self.running or not self._accepted:
+            document.say("nothing was accepted that could be taken back")
+            return
+        document.aboutToLeave.emit()
+        self._found, self._accepted = self._accepted, {}
+        self._then = self._tell_taken_back
+        self._edits.start(tuple(self._found), self._empty_frame)
+
+    def key(self, name: str, _shift: bool) -> bool:
+        """Take Undo right after a stretch was accepted, and Escape while it is looked for."""
+        if name in ("Escape", "Undo") and self._job is not None:
+            self._job.cancel()
+            self._end()
+            self._document.say("taken back: no frame is accepted")
+            return True
+        if name != "Undo" or self._at != self._document.frame_index or not self._accepted:
+            return False
+        if self._accepted.get(self._at, self._document.annotation) != self._document.annotation:
+            return False  # something was done here since: that is meant
+        self.take_back()
+        return True
+
+    def stop(self) -> None:
+        """Accept no more: the window closes."""
+        self._forget()
+
+    # --- which frames -------------------------------------------------------------------------
+
+    def _chosen(self) -> list[_Sure]:
+        """The frames that are sure and have no annotation."""
+        document, sequence = self._document, self._document.sequence.value
+        workspace = document.workspace
+        if sequence is None or workspace is None:
+            return []
+        shot_track, marked = document.shot_track, self.marked()
+        here = int(sequence.numbers[document.frame_index])
+        stretch = shot_track.shot_of(here) if marked is None else range(marked[0], marked[1] + 1)
+        annotated = document.annotated_frames.indices
+        found = []
+        for index, number in enumerate(sequence.numbers.tolist()):
+            frame = shot_track.tracked.get(number)
+            if number not in stretch or index in annotated or frame is None:
+                continue
+            if frame.fit is not None and not doubt_about(frame):
+                name = workspace.frames[index].name
+                hidden = document.review.not_visible(name)
+                found.append(_Sure(index, number, name, frame.fit, hidden))
+        return found
+
+    # --- points -------------------------------------------------------------------------------
+
+    def _advance(self, done: int, total: int) -> None:
+        self._far = (done, total)
+        self.changed.emit()
+
+    def _take(self, found: dict[int, FrameAnnotation]) -> None:
+        self._end()
+        if not found:
+            self._document.say("no frame was accepted: too little of their lines is seen")
+            return
+        self._found, self._then = found, self._tell_accepted
+        self._edits.start(tuple(found), self._put_frame)
+
+    def _fail(self, text: str) -> None:
+        self._end()
+        self._document.say(f"no frame was accepted: {text}", "warning")
+
+    def _end(self) -> None:
+        self._job = None
+        self.changed.emit()
+
+    # --- edits --------------------------------------------------------------------------------
+
+    def _put_frame(self, index: int) -> str:
+        def change(before: FrameAnnotation) -> FrameAnnotation | str:
+            if before.annotated or before.unconfirmed:
+                return _ANNOTATED
+            found = self._found[index]
+            for polyline in found.polylines:
+                before = before.with_polyline(polyline)
+            return before
+
+        return self._edit(index, change, "accept the track")
+
+    def _empty_frame(self, index: int) -> str:
+        def change(before: FrameAnnotation) -> FrameAnnotation | str:
+            if before.polylines != self._found[index].polylines:
+                return _EDITED
+            for polyline in before.polylines:
+                before = before.without(polyline.class_name)
+            return before
+
+        return self._edit(index, change, "take back the track")
+
+    def _edit(
+        self, index: int, change: Callable[[FrameAnnotation], FrameAnnotation | str], label: str
+    ) -> str:
+        document = self._document
+        return edit_frame(
+            document.store, document.editing, index, change, label, OriginKind.ACCEPTED
+        )
+
+    def _tell_accepted(self, outcome: EditedFrames) -> None:
+        document, workspace = self._document, self._document.workspace
+        if workspace is None:
+            return
+        self._accepted = {i: workspace.state(i).history.current for i in outcome.edited}
+        self._at = document.frame_index
+        frames = counted(len(outcome.edited), "frame")
+        document.say(f"accepted {frames} along the track{_why(outcome)}; Ctrl+Z takes them back")
+        self.changed.emit()
+
+    def _tell_taken_back(self, outcome: EditedFrames) -> None:
+        frames = counted(len(outcome.edited), "frame")
+        self._document.say(f"taken back: {frames} accepted along the track{_why(outcome)}")
+        self.changed.emit()
+
+    def _go_on(self) -> None:
+        """Somebody looks at another frame: from now on undo means that one."""
+        self._at = -1
+
+    def _forget(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
+            self._end()
+        self._edits.forget()
+        self._accepted = {}
+        self._at = -1
+
+
+def _why(outcome: EditedFrames) -> str:
+    """What is said of frames that were left as they were, or could not be saved."""
+    whys = dict.fromkeys(why for _, why in (*outcome.left, *outcome.unsaved))
+    left = len(outcome.left) + len(outcome.unsaved)
+    return f"; {counted(left, 'frame')} left: {', '.join(whys)}" if left else ""
+
+
+def _look(
+    sequence: FrameSequence,
+    chosen: Sequence[_Sure],
+    field: Field,
+    least: float,
+    control: JobControl,
+) -> dict[int, FrameAnnotation]:
+    """In a thread: what each frame is to hold, by index; of those where paint was seen."""
+    found = {}
+    with sequence.open_pictures() as pictures:
+        for done, sure in enumerate(chosen):
+            control.progress_or_stop(done, len(chosen))
+            try:
+                picture = pictures(sure.number)
+            except ImageError:
+                continue  # told when that frame is opened
+            annotation = _annotated(picture, field_of_frame(field, sure.name), sure, least)
+            if annotation.annotated:
+                found[sure.index] = annotation
+    return found
+
+
+def _annotated(picture: PixelArray, field: Field, sure: _Sure, least: float) -> FrameAnnotation:
+    """The elements whose paint is seen where the track shows them."""
+    size = picture.shape[1], picture.shape[0]
+    ghosts = find_ghosts(_NOTHING, field, sure.fit, without=sure.not_visible)
+    found = [find_points(ghost, picture, field, size) for ghost in ghosts]
+    return accept_all(_NOTHING, found, least).annotation

@@ -1,0 +1,288 @@
+"""Following the shot of the frame on screen, in both directions, while its frames fill in."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.errors import CameraError
+from procc_annotator.field.model import Field
+from procc_annotator.fit.through_shot.bounds import shot_around
+from procc_annotator.fit.through_shot.following_shot import track
+from procc_annotator.fit.through_shot.track import Track, TrackedFrame
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
+from procc_annotator.interact.hints import counted
+from procc_annotator.session.clicks.anchors import anchors_of
+from procc_annotator.session.dataset.frame_sequence import FrameSequence, SequencePictures
+from procc_annotator.session.dataset.tracked_cameras import doubt_about
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.origins import OriginKind
+
+
+@dataclass(frozen=True, eq=False)
+class _Asked:
+    """What is to be followed.
+
+    Attributes:
+        number: of the frame it begins at.
+        camera: of that frame, px of the picture; None where nothing is known of it.
+        within: the frames to follow; None: the shot of the frame, up to its cuts.
+    """
+
+    workspace: Workspace
+    sequence: FrameSequence
+    field: Field
+    model: str
+    annotated: frozenset[int]  # indices
+    number: int
+    camera: Camera | None
+    within: range | None
+
+
+class _Come:
+    """Frames that were followed, on their way from a thread to the interface."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._frames: list[TrackedFrame] = []
+        self.total = 0
+        self.done = 0
+
+    def put(self, frame: TrackedFrame) -> None:
+        with self._lock:
+            self._frames.append(frame)
+            self.done += 1
+
+    def take(self) -> list[TrackedFrame]:
+        with self._lock:
+            taken, self._frames = self._frames, []
+        return taken
+
+
+class ShotFollowing(QObject):
+    """One shot at a time. Annotated frames are anchors: the track passes through their cameras, and
+    once one of them was corrected, what lies between its neighbours is followed again.
+
+    Attributes:
+        marked: the stretch that somebody marked on the strip; that is followed, not the shot.
+    """
+
+    changed = Signal()  # how far it is, or that it ended
+
+    def __init__(self, document: Document, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.marked: Callable[[], tuple[int, int] | None] = lambda: None
+        self._job: Job | None = None
+        self._come = _Come()
+        self._corrected: dict[int, None] = {}  # numbers of anchors, in the order of their edits
+        self._left = -1  # the index of the frame on screen, to be looked at once it is left
+        document.datasetChanged.connect(self._forget)
+        document.annotationChanged.connect(self._note_edit)
+        document.frameChanged.connect(self._follow_corrected)
+
+    @property
+    def running(self) -> bool:
+        """Whether a shot is followed just now."""
+        return self._job is not None
+
+    def words(self) -> str:
+        """How far it is."""
+        if not self.running:
+            return ""
+        if not self._come.total:
+            return "looking for the ends of the shot …  T stops"
+        return f"following: {self._come.done} of {self._come.total} frames  ·  T stops"
+
+    def toggle(self) -> None:
+        """Follow the shot of the frame on screen, or stop."""
+        document, sequence = self._document, self._document.sequence.value
+        if self.running:
+            self.stop()
+            return
+        if sequence is None:
+            document.say("only a video, or frames that follow one another, can be followed")
+            return
+        if not document.proposals.allowed:
+            document.say("blind mode: no shot is followed, its cameras would be seen")
+            return
+        document.aboutToLeave.emit()
+        number = int(sequence.numbers[document.frame_index])
+        marked = self.marked()
+        within = None
+        if marked is not None and marked[0] <= number <= marked[1]:
+            within = range(marked[0], marked[1] + 1)
+        self._begin(number, self._camera_here(), within)
+
+    def stop(self) -> None:
+        """Follow no further; the frames that came stay."""
+        if self._job is not None:
+            self._job.cancel()
+            self._end()
+            self._document.shot_track.put(self._come.take())
+            self._document.shot_track.keep()
+            self._document.say("stopped; what was followed so far stays")
+
+    # --- inside -------------------------------------------------------------------------------
+
+    def _camera_here(self) -> Camera | None:
+        """The camera of the frame on screen: of its clicks, found without, or loaded."""
+        document = self._document
+        insight = document.foresight.insight
+        if insight is not None and insight.fit.camera is not None:
+            return insight.fit.camera
+        if document.foresight.found is not None:
+            return document.foresight.found.camera
+        cameras, name, size = document.active_camera, document.frame, document.picture_size
+        if cameras is None or name is None or size is None:
+            return None
+        try:
+            loaded = cameras.camera(name.name, size)
+        except CameraError:
+            return None  # told where it is shown
+        found = loaded.camera if loaded is not None else None
+        return found if isinstance(found, PinholeCamera | HomographyCamera) else None
+
+    def _begin(self, number: int, camera: Camera | None, within: range | None) -> None:
+        document = self._document
+        workspace, sequence = document.workspace, document.sequence.value
+        assert workspace is not None
+        assert sequence is not None
+        asked = _Asked(
+            workspace,
+            sequence,
+            document.field,
+            document.live_fit.model,
+            document.annotated_frames.indices,
+            number,
+            camera,
+            within,
+        )
+        come = self._come = _Come()
+        self._job = run_in_background(
+            lambda control: _follow(asked, come, control),
+            on_result=lambda track: self._take(track, is_shot=within is None),
+            on_error=self._fail,
+            on_progress=self._advance,
+            owner=self,
+        )
+        self.changed.emit()
+
+    def _advance(self, _done: int, _total: int) -> None:
+        self._document.shot_track.put(self._come.take())
+        self.changed.emit()
+
+    def _take(self, found: Track, *, is_shot: bool) -> None:
+        self._end()
+        shot_track = self._document.shot_track
+        shot_track.take(found, is_shot=is_shot)
+        doubtful = sum(bool(doubt_about(frame)) for frame in found.frames)
+        frames = counted(len(found.frames), "frame")
+        left = f", {doubtful:,} of them doubtful (Alt+PgDown)" if doubtful else ", all of them sure"
+        self._document.say(f"followed {frames}{left}; Ctrl+Shift+Enter accepts the sure ones")
+        self._follow_corrected()
+
+    def _fail(self, text: str) -> None:
+        self._end()
+        self._document.say(f"the shot could not be followed: {text}", "warning")
+
+    def _end(self) -> None:
+        self._job = None
+        self.changed.emit()
+
+    def _forget(self) -> None:
+        self._corrected.clear()
+        if self._job is not None:
+            self._job.cancel()
+            self._end()
+
+    # --- corrected anchors --------------------------------------------------------------------
+
+    def _note_edit(self) -> None:
+        """The frame on screen was edited: an anchor was corrected, came or went."""
+        sequence, index = self._document.sequence.value, self._document.frame_index
+        if sequence is not None and 0 <= index < len(sequence.numbers):
+            number = int(sequence.numbers[index])
+            if number in self._document.shot_track.tracked and not self._only_accepted():
+                self._corrected[number] = None
+
+    def _only_accepted(self) -> bool:
+        """Whether all that is annotated here was taken over along the track: that is no news."""
+        document, frame = self._document, self._document.frame
+        if frame is None or not document.annotation.annotated:
+            return False
+        return set(document.review.origin_counts(frame.name, document.annotation)) == {
+            OriginKind.ACCEPTED
+        }
+
+    def _follow_corrected(self) -> None:
+        """Once somebody is done with it: what lies between its neighbours is followed again."""
+        document = self._document
+        sequence, index = document.sequence.value, document.frame_index
+        if self.running or sequence is None or not document.proposals.allowed:
+            return
+        here = int(sequence.numbers[index]) if 0 <= index < len(sequence.numbers) else None
+        for number in [n for n in self._corrected if n != here]:
+            del self._corrected[number]
+            within = document.shot_track.between_anchors(number)
+            if within is not None:
+                self._begin(number, None, within)
+                return
+
+
+def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
+    """In a thread."""
+
+    def go_on() -> None:
+        if control.cancelled:
+            raise Stopped
+
+    def on_frame(frame: TrackedFrame) -> None:
+        come.put(frame)
+        control.progress(come.done, come.total)
+
+    sequence = asked.sequence
+    with sequence.open_pictures() as pictures:
+        within = asked.within
+        if within is None:
+            numbers = range(sequence.first, sequence.last + 1)
+            within = shot_around(pictures, asked.number, numbers, go_on)
+        come.total = len(within)
+        control.progress(0, come.total)
+        clicked = _anchors(asked, pictures, within, go_on)
+        anchors = dict(clicked)
+        if asked.camera is not None:
+            anchors.setdefault(asked.number, asked.camera)
+        found = track(
+            pictures, within, asked.field, anchors=anchors, on_frame=on_frame, go_on=go_on
+        )
+    frames = (f if f.number in clicked else _not_an_anchor(f) for f in found.frames)
+    return replace(found, frames=tuple(frames))
+
+
+def _anchors(
+    asked: _Asked, pictures: SequencePictures, within: range, go_on: Callable[[], None]
+) -> dict[int, Camera]:
+    picture = pictures(asked.number)
+    numbers = asked.sequence.numbers
+    indices = {int(numbers[i]): i for i in asked.annotated if int(numbers[i]) in within}
+    return anchors_of(
+        asked.workspace,
+        indices,
+        asked.field,
+        size=(picture.shape[1], picture.shape[0]),
+        model=asked.model,
+        go_on=go_on,
+    )
+
+
+def _not_an_anchor(frame: TrackedFrame) -> TrackedFrame:
+    """A camera that the track began from counts as measured: nobody clicked there."""
+    return frame if frame.state != "anchor" else replace(frame, state="followed")

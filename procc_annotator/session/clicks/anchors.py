@@ -1,0 +1,47 @@
+"""The cameras of annotated frames, as what a track through their shot has to pass."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.errors import InputError
+from procc_annotator.field.landmarks import field_of_frame
+from procc_annotator.field.model import Field
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.session.dataset.workspace import Workspace
+
+
+def anchors_of(
+    workspace: Workspace,
+    indices: Mapping[int, int],
+    field: Field,
+    *,
+    size: tuple[int, int],
+    model: str = "R",
+    go_on: Callable[[], None] = lambda: None,
+) -> dict[int, Camera]:
+    """The camera fitted to each frame's clicks, by number; of those that have one.
+
+    Args:
+        workspace: the dataset, read as it is now; safe from any thread.
+        indices: number in the shot -> index in the dataset, of the frames to look at.
+        field: the elements.
+        size: (width, height) px of the pictures.
+        model: see `fit_camera`.
+        go_on: called between frames.
+    """
+    found: dict[int, Camera] = {}
+    for number, index in sorted(indices.items()):
+        go_on()
+        try:
+            annotation = workspace.read(index)
+        except InputError:
+            continue  # told when that frame is opened
+        if not annotation.annotated:
+            continue
+        shown = field_of_frame(field, workspace.frames[index].name)
+        fit = fit_camera(annotation, shown, model=model, size=size)
+        if fit.camera is not None:
+            found[number] = fit.camera
+    return found

@@ -1,0 +1,334 @@
+"""Following a shot in the window: its frames fill in, are a source, are accepted and taken back."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from threading import Event
+from typing import TYPE_CHECKING, Any
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.model import Field
+from procc_annotator.fit.from_picture.proposal import Proposal
+from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state import proposals
+from procc_annotator.gui.tasks.shot import following
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.session.dataset.video_frames import open_video
+from procc_annotator.session.facts.origins import OriginKind, Status
+from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
+from tests.gui.conftest import Hand, all_done, until_kept
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import MakeWindow
+
+SIZE = (960, 540)
+COUNT, EVERY = 30, 5  # frames, half of them in each shot; those of the dataset
+Key = Qt.Key
+SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture(scope="module")
+def drawn() -> DrawnShot:
+    """The first shot."""
+    return soccer_shot(COUNT // 2, size=SIZE, look=Look(people=False, noise=0.0))
+
+
+def close_up(number: int) -> np.ndarray:
+    """The second one, of no field."""
+    colours = np.random.default_rng(1).integers(0, 200, (5, 9, 3), dtype=np.uint8)
+    wide = cv2.resize(colours, (SIZE[0] + 2 * COUNT, SIZE[1]), interpolation=cv2.INTER_CUBIC)
+    return np.ascontiguousarray(wide[:, 2 * number : 2 * number + SIZE[0]])
+
+
+@pytest.fixture(scope="module")
+def written(drawn: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    pictures = [*(drawn.frame(n) for n in range(len(drawn)))]
+    pictures += [close_up(n) for n in range(COUNT - len(drawn))]
+    return write_video(tmp_path_factory.mktemp("drawn") / "match.mp4", pictures)
+
+
+@pytest.fixture
+def video(written: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copyfile(written, tmp_path / "match.mp4"))
+
+
+@pytest.fixture(autouse=True)
+def found(drawn: DrawnShot, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first picture's camera is found in it, and no other's."""
+    first = drawn.frame(0)[::8, ::8, :3].astype(float)
+
+    def propose(picture: PixelArray, field: Field, **_: Any) -> Proposal:
+        small = picture[::8, ::8, :3]
+        apart = np.abs(small - first).mean() if small.shape == first.shape else np.inf
+        fit = given_camera(drawn.cameras[0], SIZE)
+        state = "sure" if apart < 8 else "none"
+        return Proposal(state, "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(proposals, "propose_camera", propose)
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, dataset: Path, video: Path, qtbot: QtBot) -> MainWindow:
+    made = make_window(dataset)
+    document = made.document
+    document.opening.open_workspace(open_video(video, range(0, COUNT, EVERY), document.field))
+    all_done(qtbot)
+    return made
+
+
+def press(window: MainWindow, key: Qt.Key, modifiers: Any = Qt.KeyboardModifier.NoModifier) -> None:
+    QTest.keyClick(window.canvas, key, modifiers)
+
+
+def follow(window: MainWindow, qtbot: QtBot) -> None:
+    press(window, Key.Key_T)
+    assert window.shot_following.running
+    qtbot.waitUntil(lambda: not window.shot_following.running, timeout=60_000)
+    all_done(qtbot)
+
+
+def accept(window: MainWindow, qtbot: QtBot) -> None:
+    press(window, Key.Key_Return, CTRL | SHIFT)
+    qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
+    all_done(qtbot)
+
+
+def files(video: Path) -> list[str]:
+    until_kept()
+    return sorted(path.stem[-2:] for path in (video.parent / "match_frames").glob("*.json"))
+
+
+class TestFollowing:
+    def test_the_shot_is_followed_to_its_cut(
+        self, window: MainWindow, drawn: DrawnShot, qtbot: QtBot
+    ) -> None:
+        document = window.document
+        follow(window, qtbot)
+
+        track = document.shot_track
+        assert sorted(track.tracked) == list(range(COUNT // 2))
+        assert track.cuts == (COUNT // 2,)
+        assert all(frame.state == "followed" for frame in track.tracked.values())
+        fit = track.tracked[10].fit
+        assert fit is not None
+        assert isinstance(fit.camera, PinholeCamera)
+        spots = np.array([[0.0, 0.0, 0.0], [20.0, -30.0, 0.0], [20.0, 10.0, 0.0]])
+        apart = fit.camera.project(spots)[0] - drawn.cameras[10].project(spots)[0]
+        assert np.abs(apart).max() < 3.0
+        assert document.active_source is None
+        assert [len(source.camera_set.frames) for source in document.sources] == [3]
+
+    def test_ghosts_come_from_the_track_and_it_is_judged_like_any_source(
+        self, window: MainWindow, qtbot: QtBot
+    ) -> None:
+        document = window.document
+        follow(window, qtbot)
+
+        document.go_to(2)
+        all_done(qtbot)
+        assert document.foresight.stands_in
+        assert document.ghosts.painted
+        assert window.canvas.found_plate.text.startswith("Camera of the track")
+        document.set_active_camera(document.sources.index(document.shot_track.source))
+        assert document.camera is not None
+
+    def test_frames_fill_in_meanwhile_and_it_can_be_stopped(
+        self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        going, track = Event(), following.track
+
+        def slow(*args: Any, on_frame: Callable[..., None], go_on: Any, **more: Any) -> Any:
+            def on_each(frame: Any) -> None:
+                on_frame(frame)
+                while frame.number == 8 and not going.wait(0.01):
+                    go_on()
+
+            return track(*args, on_frame=on_each, go_on=go_on, **more)
+
+        monkeypatch.setattr(following, "track", slow)
+        press(window, Key.Key_T)
+        qtbot.waitUntil(lambda: 8 in window.document.shot_track.tracked, timeout=60_000)
+        assert window.shot_following.words().startswith("following: ")
+        assert not np.isnan(window.strip.content.band.coverage[8])
+
+        press(window, Key.Key_T)
+        all_done(qtbot)
+
+        assert not window.shot_following.running
+        assert 8 in window.document.shot_track.tracked
+        assert 12 not in window.document.shot_track.tracked
+
+    def test_not_in_blind_mode_nor_without_order(
+        self, window: MainWindow, dataset: Path, qtbot: QtBot
+    ) -> None:
+        document = window.document
+        said: list[str] = []
+        document.message.connect(lambda text, _: said.append(text))
+
+        document.set_blind(True)
+        press(window, Key.Key_T)
+        assert said[-1].startswith("blind mode: no shot is followed")
+        document.set_blind(False)
+        document.open_path(dataset)
+        all_done(qtbot)
+        press(window, Key.Key_T)
+        assert said[-1].startswith("only a video, or frames that follow one another")
+        assert not window.shot_following.running
+
+    def test_removing_its_row_forgets_it(self, window: MainWindow, qtbot: QtBot) -> None:
+        follow(window, qtbot)
+        document = window.document
+
+        window.show_panel("cameras")
+        all_done(qtbot)
+        window.cameras.list.rows[0].remove.click()
+
+        assert not document.shot_track.tracked
+        assert document.sources == []
+        assert document.live_fit.wanted
+
+    def test_correcting_a_frame_follows_what_lies_between_its_neighbours_again(
+        self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, hand_on: Any
+    ) -> None:
+        follow(window, qtbot)
+        document, track = window.document, following.track
+        asked: list[tuple[range, list[int]]] = []
+
+        def noted(frames: Any, numbers: range, *args: Any, anchors: Any, **more: Any) -> Any:
+            asked.append((numbers, sorted(anchors)))
+            return track(frames, numbers, *args, anchors=anchors, **more)
+
+        monkeypatch.setattr(following, "track", noted)
+        document.go_to(1)
+        all_done(qtbot)
+        hand: Hand = hand_on(window)
+        hand.key(Key.Key_Return, SHIFT)
+        all_done(qtbot)
+        polyline = document.annotation.polylines[0]
+        document.select_class(polyline.class_name)
+        document.set_mode("edit")
+        width, height = SIZE
+        at = polyline.points[1].u * (width - 1), polyline.points[1].v * (height - 1)
+        hand.drag(at, (at[0] + 4, at[1] + 4))
+        assert asked == []  # while somebody works here
+        document.set_mode("draw")
+
+        document.go_to(2)
+        qtbot.waitUntil(lambda: bool(asked), timeout=60_000)
+        qtbot.waitUntil(lambda: not window.shot_following.running, timeout=60_000)
+
+        assert asked == [(range(COUNT // 2), [5])]
+        assert document.shot_track.tracked[5].state == "anchor"
+        assert document.shot_track.tracked[7].anchor_distance == 2
+
+
+class TestAccepting:
+    def test_a_stretch_is_one_action_and_one_step_of_undo(
+        self, window: MainWindow, video: Path, qtbot: QtBot
+    ) -> None:
+        document = window.document
+        follow(window, qtbot)
+
+        accept(window, qtbot)
+
+        assert files(video) == ["00", "05", "10"]
+        assert window.strip.content.anchors == (0, 5, 10)
+        for index in range(3):
+            document.go_to(index)
+            counts = document.review.origin_counts(document.frame.name, document.annotation)
+            assert set(counts) == {OriginKind.ACCEPTED}
+            assert document.review.status(document.frame.name) is Status.IN_PROGRESS
+        assert not window.shot_following.running  # nothing was corrected
+
+        document.go_to(1)
+        press(window, Key.Key_Z, CTRL)  # of this frame alone: somebody went on to look
+        all_done(qtbot)
+        assert files(video) == ["00", "10"]
+
+        window.actions_["take_back_stretch"].trigger()
+        qtbot.waitUntil(lambda: not window.stretch_accepting.running)
+        all_done(qtbot)
+        assert files(video) == []
+
+    def test_undo_right_after_takes_all_of_it_back(
+        self, window: MainWindow, video: Path, qtbot: QtBot
+    ) -> None:
+        follow(window, qtbot)
+        accept(window, qtbot)
+
+        press(window, Key.Key_Z, CTRL)
+        qtbot.waitUntil(lambda: not window.stretch_accepting.running)
+        all_done(qtbot)
+
+        assert files(video) == []
+        assert window.document.review.status("match_000005") is Status.UNTOUCHED
+
+    def test_doubtful_and_annotated_frames_are_left_alone(
+        self, window: MainWindow, video: Path, qtbot: QtBot, hand_on: Any
+    ) -> None:
+        document = window.document
+        follow(window, qtbot)
+        document.go_to(1)
+        hand: Hand = hand_on(window)
+        hand.draw("Middle line", (40, 40), (200, 120))
+        all_done(qtbot)
+        before = document.annotation
+        tracked = dict(document.shot_track.tracked)
+        doubtful = tracked[10]
+        tracked[10] = type(doubtful)(10, "bridged", "", doubtful.fit, 0.0, None, 10)
+        document.shot_track.replace(tracked, document.shot_track.cuts)
+
+        accept(window, qtbot)
+
+        assert files(video) == ["00", "05"]
+        assert document.annotation == before
+
+    def test_only_the_stretch_that_is_marked(
+        self, window: MainWindow, video: Path, qtbot: QtBot
+    ) -> None:
+        follow(window, qtbot)
+        window.strip.stretch = (4, 9)
+
+        accept(window, qtbot)
+
+        assert files(video) == ["05"]
+
+    def test_without_a_track_it_says_what_to_do(self, window: MainWindow) -> None:
+        said: list[str] = []
+        window.document.message.connect(lambda text, _: said.append(text))
+
+        press(window, Key.Key_Return, CTRL | SHIFT)
+
+        assert said[-1].startswith("no frame to accept: follow the shot first (T)")
+
+    def test_copying_goes_along_the_track(
+        self, window: MainWindow, qtbot: QtBot, hand_on: Any
+    ) -> None:
+        document = window.document
+        follow(window, qtbot)
+        hand: Hand = hand_on(window)
+        hand.key(Key.Key_Return, SHIFT)
+        all_done(qtbot)
+        names = set(document.annotation.annotated)
+        said: list[str] = []
+        document.message.connect(lambda text, _: said.append(text))
+
+        document.go_to(1)
+        all_done(qtbot)
+        press(window, Key.Key_V)
+        all_done(qtbot)
+
+        copied = {polyline.class_name for polyline in document.annotation.unconfirmed}
+        assert copied
+        assert copied <= names
+        assert "along the track" in said[-1]
