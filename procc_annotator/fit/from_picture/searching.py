@@ -42,7 +42,6 @@ class Stage:
     rounds: int = 1
 
 
-FIRST = 1200
 STAGES = (
     Stage((30, 24, 16), 48, 0, 8.0, (80, 150), 0.02, 150),
     Stage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 25, 6.0),
@@ -71,20 +70,20 @@ class Found:
 
 
 def search(
-    scene: Scene,
-    hypotheses: Hypotheses,
-    go_on: Callable[[], None],
-    stages: Sequence[Stage] = STAGES,
-    first: int = FIRST,
+    scene: Scene, hypotheses: Sequence[tuple[Hypotheses, int]], go_on: Callable[[], None]
 ) -> Found:
-    """The best cameras of all hypotheses, led to the paint."""
-    scores = hypotheses.scores(NearestPaint.of(scene.paint, CELL_PX), scene.paint)
-    count = min(first, len(scores))
-    best = np.argpartition(-scores, count - 1)[:count]
-    found = Found(hypotheses.vectors[best], scores[best], Agreement(scores[best], scores[best]))
-    for stage in stages:
+    """The best cameras of all hypotheses, led to the paint; so many of each kind climb."""
+    near = NearestPaint.of(scene.paint, CELL_PX)
+    chosen = []
+    for some, most in hypotheses:
+        scores = some.scores(near, scene.paint)
+        count = min(most, len(scores))
+        chosen.append(some.vectors[np.argpartition(-scores, count - 1)[:count]])
+    vectors = np.concatenate(chosen)
+    for stage in STAGES:
         go_on()
-        found = _round(scene, found.vectors, stage)
+        found = _round(scene, vectors, stage)
+        vectors = found.vectors
     return found
 
 

@@ -92,6 +92,7 @@ def paint_frames(
     _paint_status(painter, content, axis, rows)
     _paint_anchors(painter, content, axis, rows, colours)
     _paint_numbers(painter, axis, rows, colours)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(colours.color(QPalette.ColorRole.Mid))
     painter.drawRect(band.translated(-area.left(), 0).adjusted(-0.5, -0.5, 0.5, 0.5))
 
