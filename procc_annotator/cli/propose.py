@@ -50,7 +50,8 @@ calibrate --shared-position. A known position makes it faster and surer. A posit
 frames or more agree, two of them sure, is known when those that are not sure are looked at again.
 
 --with NAME asks a detector, too: a package that proposes cameras or labelled points for a picture
-(docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found there is made right and judged alike.
+(docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found there is
+made right on the paint and judged alike.
 
 Exit code: 0; 1 if some pictures were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is no error.
