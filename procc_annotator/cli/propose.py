@@ -51,7 +51,7 @@ frames or more agree, two of them sure, is known when those that are not sure ar
 
 --with NAME asks a detector, too: a package that proposes cameras or labelled points for a picture
 (docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found there is
-made right on the paint and judged alike.
+made right and judged alike.
 
 Exit code: 0; 1 if some pictures were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is no error.
