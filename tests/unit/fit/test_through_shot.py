@@ -206,3 +206,18 @@ def test_a_chain_is_solved_as_all_of_it_at_once_would_be() -> None:
     assert found.shared_covariance == pytest.approx(inverse[last, last])
     for k, block in enumerate(blocks):
         assert found.own_covariance[k] == pytest.approx(inverse[block, block])
+
+
+def test_a_camera_on_rails_is_followed_as_one() -> None:
+    cameras = [
+        camera(0.44 + 0.002 * n, 1.33, 1300.0, (-4.0 + 0.25 * n, 62.0, -17.0)) for n in range(COUNT)
+    ]
+    pictures = [draw(shown, seed=n) for n, shown in enumerate(cameras)]
+    found = _followed(pictures.__getitem__, anchors={0: cameras[0]})
+    assert {f.state for f in found.frames[1:]} == {"followed"}
+    for frame in found.frames:
+        assert frame.fit is not None
+        assert isinstance(frame.fit.camera, PinholeCamera)
+        assert apart_px(cameras[frame.number], frame.fit.camera) < 1.5
+        apart = np.subtract(frame.fit.camera.position_world, cameras[frame.number].position_world)
+        assert np.abs(apart).max() < 0.5

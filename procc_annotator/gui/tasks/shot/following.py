@@ -84,7 +84,8 @@ class ShotFollowing(QObject):
         self._come = _Come()
         self._corrected: dict[int, None] = {}  # numbers of anchors, in the order of their edits
         self._left = -1  # the index of the frame on screen, to be looked at once it is left
-        document.datasetChanged.connect(self._forget)
+        document.datasetChanged.connect(self.forget)
+        document.blindChanged.connect(self._hide)
         document.annotationChanged.connect(self._note_edit)
         document.frameChanged.connect(self._follow_corrected)
 
@@ -197,7 +198,12 @@ class ShotFollowing(QObject):
         self._job = None
         self.changed.emit()
 
-    def _forget(self) -> None:
+    def _hide(self, blind: bool) -> None:
+        if blind:
+            self.stop()
+
+    def forget(self) -> None:
+        """Follow no further and say nothing: the dataset or the window closes."""
         self._corrected.clear()
         if self._job is not None:
             self._job.cancel()
