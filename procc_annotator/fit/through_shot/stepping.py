@@ -138,25 +138,32 @@ def stepped(
     weights = weights_of(off)
     coverage, _ = shares_on_paint(seen, weights, painted)
     least = _LEAST_COVERAGE_FAR if reach > _SURE_REACH_PX else _LEAST_COVERAGE
-    counted = solved.weights > COUNTS
     none = replace(none, coverage=coverage)
-    if counted.sum() < _FEWEST / _THIN or coverage < least:
+    if (solved.weights > COUNTS).sum() < _FEWEST / _THIN or coverage < least:
         return replace(none, reason="too little of what should be in sight was found")
     moved = _apart(expected, solved.vector, painted, frame)
     if moved > _MOST_IN_SD * sd_px + _MOST_BESIDE_PX:
         return replace(none, reason="the paint that was found would move the camera too far")
-    new_worth = worth_of(solved, marks)
-    information = solved.information / new_worth.information_px**2 + believed.information
+    residual = float(np.median(np.abs(off[weights > COUNTS])))
+    none = replace(none, residual_px=residual)
+    return _surer(none, solved, marks, painted.world[:, seen.expected.rows], frame)
+
+
+def _surer(
+    before: Stepped, solved: Solved, marks: Marks, seen: FloatArray, frame: PictureFrame
+) -> Stepped:
+    """A frame after its paint has had a say; ``seen``: (3, n) metres, what is in sight."""
+    worth = worth_of(solved, marks)
+    information = solved.information / worth.information_px**2 + before.belief.information
     belief = Belief(solved.vector, information)
+    counted = solved.weights > COUNTS
     kept = _kept(counted)
-    return Stepped(
-        belief,
-        marks.chosen(kept),
-        new_worth,
-        turn,
-        coverage,
-        float(np.median(np.abs(off[weights > COUNTS]))),
-        wireframe_sd(belief, painted.world[:, seen.expected.rows], frame),
+    return replace(
+        before,
+        belief=belief,
+        marks=marks.chosen(kept),
+        worth=worth,
+        sd_px=wireframe_sd(belief, seen, frame),
         standing_for=float(counted.sum()) / len(kept),
     )
 

@@ -28,7 +28,7 @@ def frame(
         (frame("anchor", coverage=0.1), ""),  # somebody clicked there
         (frame("lost"), "a close-up"),
         (frame("bridged"), "carried over by the picture's motion, not measured on paint"),
-        (frame(coverage=0.4), "only 40% of the lines in sight are on paint"),
+        (frame(coverage=0.59), "only 59% of the lines in sight are on paint"),
         (frame(residual_px=2.5), "the paint is 2.5 px from the lines"),
         (frame(residual_px=None), ""),
     ],
