@@ -135,3 +135,21 @@ def test_a_picture_that_is_damaged_is_lost_and_the_rest_is_followed(
     assert sorted(tracked) == list(range(COUNT))
     assert [n for n, frame in tracked.items() if frame.fit is None] == [DAMAGED]
     assert "cannot be" in tracked[DAMAGED].reason
+
+
+def test_stopped_before_anything_was_followed_it_says_so(
+    window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def shot_around(*args: Any) -> range:
+        while True:
+            args[-1]()  # ends once nobody wants it
+
+    monkeypatch.setattr(following, "shot_around", shot_around)
+    said: list[str] = []
+    window.document.message.connect(lambda text, _: said.append(text))
+
+    press(window, Key.Key_T)
+    press(window, Key.Key_T)
+    all_done(qtbot)
+
+    assert said[-1] == "stopped; nothing was followed"

@@ -129,7 +129,8 @@ class ShotFollowing(QObject):
             self._end()
             self._document.shot_track.put(self._come.take())
             self._document.shot_track.keep()
-            self._document.say("stopped; what was followed so far stays")
+            kept = "what was followed so far stays" if self._come.done else "nothing was followed"
+            self._document.say(f"stopped; {kept}")
 
     # --- inside -------------------------------------------------------------------------------
 
