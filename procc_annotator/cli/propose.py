@@ -31,7 +31,8 @@ from procc_annotator.session.dataset.pending_save import bytes_of
 from procc_annotator.session.dataset.picture_source import open_pictures
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.known_positions import read_positions
-from procc_annotator.session.runs.proposal_run import ProposalRun
+from procc_annotator.session.runs.proposal_run import ProposalRun, Proposer
+from procc_annotator.session.runs.proposer_plugins import WithPlugin, chosen_proposer
 from procc_annotator.words import count_of
 
 HELP = """\
@@ -47,6 +48,10 @@ residual in px, margin (how much better than the next camera), standard deviatio
 --known CAMERAS tells where cameras stand: cameras of other frames of the match, or positions.csv of
 calibrate --shared-position. A known position makes it faster and surer. A position on which three
 frames or more agree, two of them sure, is known when those that are not sure are looked at again.
+
+--with NAME asks a detector, too: a package that proposes cameras or labelled points for a picture
+(docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found there is
+made right and judged alike.
 
 Exit code: 0; 1 if some pictures were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is no error.
@@ -74,6 +79,15 @@ Known = Annotated[
         help="Where cameras stand: a folder, zip or file of cameras, or positions.csv.",
     ),
 ]
+With = Annotated[
+    str | None,
+    typer.Option(
+        "--with",
+        metavar="NAME",
+        show_default=False,
+        help="A detector that is installed: its cameras or points are judged among the others.",
+    ),
+]
 All = Annotated[bool, typer.Option("--all", help="Also frames that are annotated.")]
 Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
 Workers = Annotated[
@@ -98,6 +112,7 @@ def propose(
     known: Known = None,
     every_frame: All = False,
     every: Every = 1,
+    detector: With = None,
     annotations: datasets.Annotations = None,
     field: options.FieldName = None,
     lines: options.Lines = None,
@@ -109,13 +124,17 @@ def propose(
     for given in (annotations, known):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
+    proposer: Proposer = propose_camera
+    if detector is not None:
+        chosen_proposer(detector)
+        proposer = WithPlugin(detector)
     shown = chosen_field(field, dataset, lines=lines)
     pictures = open_pictures(dataset, annotations)
     datasets.report_remarks(pictures.notices)
     _check_out(out, known, overwrite=overwrite)
     positions = () if known is None else read_positions(known, shown, camera_format)
     chosen, annotated = _wanted(pictures.frames[::every], shown, every_frame)
-    run = ProposalRun(chosen, shown, propose_camera, positions)
+    run = ProposalRun(chosen, shown, proposer, positions)
     try:
         with make_executor(workers, dask, frames=run.total, worth_from=_WORTH_WORKERS) as executor:
             run.executor = executor

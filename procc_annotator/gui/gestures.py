@@ -26,4 +26,7 @@ GESTURES: tuple[tuple[str, str], ...] = (
     ("Drag a line", "edit: move the element, unless elements are pinned"),
     ("Alt+click a line", "edit: insert a point"),
     ("Alt+Shift+click", "edit: remove the point"),
+    ("Click or drag on the strip", "go to a frame"),
+    ("Wheel on the strip", "zoom; with Shift, scroll"),
+    ("Shift+drag on the strip", "mark a stretch (a double click lets go of it)"),
 )

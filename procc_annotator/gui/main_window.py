@@ -408,6 +408,7 @@ class MainWindow(QMainWindow):
                 return
         self._remembering.write_down()
         self.importer.stop()
-        self.stretch_accepting.stop()
+        self.shot_following.forget()
+        self.stretch_accepting.forget()
         self.document.close()
         event.accept()

@@ -5,6 +5,7 @@ Positions are picture px (pixel centres are whole numbers); widths, sizes and da
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
@@ -18,6 +19,8 @@ from procc_annotator.interact.verdicts import NO_POINTS, joined
 FloatArray = NDArray[np.float64]
 Size = tuple[int, int]
 Box = tuple[float, float, float, float]  # left, top, right, bottom, picture px
+
+_FEW = 60  # numbers, which are compared sooner one by one
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,13 +36,7 @@ class Strokes:
     @cached_property
     def box(self) -> Box | None:
         """What the lines reach over, without their width; None where there are none."""
-        lines = self.segments
-        if not len(lines):
-            return None
-        x0, y0, x1, y1 = lines.min(axis=0).tolist()
-        left, top = min(x0, x1), min(y0, y1)
-        x0, y0, x1, y1 = lines.max(axis=0).tolist()
-        return left, top, max(x0, x1), max(y0, y1)
+        return _box_of(self.segments)
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,10 +51,7 @@ class Marks:
     @cached_property
     def box(self) -> Box | None:
         """What the points reach over; None where there are none."""
-        if not len(self.centres):
-            return None
-        (left, top), (right, bottom) = self.centres.min(axis=0), self.centres.max(axis=0)
-        return float(left), float(top), float(right), float(bottom)
+        return _box_of(self.centres)
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,6 +174,19 @@ class Drawn:
 def _drawn_line(polyline: Polyline, size: Size) -> DrawnLine:
     points = np.array([point[:2] for point in polyline.points], dtype=np.float64)
     return DrawnLine(polyline, points * (size[0] - 1, size[1] - 1))
+
+
+def _box_of(places: FloatArray) -> Box | None:
+    """What (N, 2) points or the ends of (N, 4) lines reach over; None where there are none."""
+    if not places.size:
+        return None
+    if places.size <= _FEW and math.isfinite(sum(flat := places.ravel().tolist())):
+        across, down = flat[::2], flat[1::2]
+        return min(across), min(down), max(across), max(down)
+    points = places.reshape(-1, 2)
+    left, top = points.min(axis=0).tolist()
+    right, bottom = points.max(axis=0).tolist()
+    return left, top, right, bottom
 
 
 def joined_points(parts: list[FloatArray]) -> FloatArray:

@@ -20,9 +20,9 @@ from procc_annotator.session.facts.origins import (
     default_author,
     new_origins,
 )
-from procc_annotator.session.runs.annotation_run import AnnotationRun, Painted
+from procc_annotator.session.runs.annotation_run import AnnotationRun, PaintedFrame
 
-Progress = Callable[[Iterable[Painted], int, str], Iterable[Painted]]
+Progress = Callable[[Iterable[PaintedFrame], int, str], Iterable[PaintedFrame]]
 
 
 @dataclass
@@ -85,7 +85,7 @@ def annotate_pictures(
 
 
 def _write(
-    found: Painted,
+    found: PaintedFrame,
     path: Path,
     databases: Sequence[WorkspaceDatabase],
     author: str,

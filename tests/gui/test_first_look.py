@@ -66,6 +66,23 @@ def test_half_its_size_is_shown_first_in_the_same_place(window: MainWindow, qtbo
     assert abs(left[0] - left[1]) <= 2
 
 
+def test_who_walks_on_before_it_is_painted_spares_the_whole_one(
+    window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document, decoded = window.document, []
+    get_ready = document.cache.get_ready
+
+    def noted(path: Path) -> np.ndarray:
+        decoded.append(path.stem)
+        return get_ready(path)
+
+    monkeypatch.setattr(document.cache, "get_ready", noted)
+    document.go_to(3)
+    document.go_to(5)
+    qtbot.waitUntil(lambda: document.state.picture is not None)
+    assert decoded == ["5"]
+
+
 def test_zoomed_in_it_is_in_the_same_place_too(window: MainWindow, qtbot: QtBot) -> None:
     window.canvas.keep_zoom = True
     for _ in range(12):

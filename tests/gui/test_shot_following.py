@@ -19,6 +19,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal
 from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.through_shot.track import Track
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import proposals
 from procc_annotator.gui.tasks.shot import following
@@ -167,6 +168,32 @@ class TestFollowing:
         assert not window.shot_following.running
         assert 8 in window.document.shot_track.tracked
         assert 12 not in window.document.shot_track.tracked
+
+    def test_an_unsure_camera_is_no_beginning(
+        self, make_window: MakeWindow, dataset: Path, video: Path, qtbot: QtBot, drawn: DrawnShot,
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> None:  # fmt: skip
+        def unsure(*_: Any, **__: Any) -> Proposal:
+            fit = given_camera(drawn.cameras[0], SIZE)
+            return Proposal("unsure", "too little in sight", fit, 0.9, 0.9, 0.3, 0.1, None)
+
+        asked: list[Any] = []
+
+        def noted(_: Any, numbers: range, *__: Any, anchors: Any, **___: Any) -> Track:
+            asked.append(dict(anchors))
+            return Track((), ())
+
+        monkeypatch.setattr(proposals, "propose_camera", unsure)
+        monkeypatch.setattr(following, "track", noted)
+        window = make_window(dataset)
+        document = window.document
+        document.opening.open_workspace(open_video(video, range(0, COUNT, EVERY), document.field))
+        all_done(qtbot)
+        assert document.foresight.stands_in
+
+        follow(window, qtbot)
+
+        assert asked == [{}]
 
     def test_not_in_blind_mode_nor_without_order(
         self, window: MainWindow, dataset: Path, qtbot: QtBot

@@ -165,6 +165,30 @@ def test_a_watch_hears_once_of_steps_that_follow_from_one_another(store: Store) 
     assert listener.heard == rested == [7.0]
 
 
+def test_of_what_a_hand_carries_a_watch_hears_after_the_paint(store: Store, qtbot: QtBot) -> None:
+    carried, listener = Listener(), Listener()
+    store.changed.connect(lambda _, after: carried.hear(after.preview))
+    store.watch(lambda state: state.shown_annotation, listener.hear)
+    moves = FrameAnnotation(), FrameAnnotation()
+    for move in moves:
+        store.set(preview=move)
+    assert [heard is move for heard, move in zip(carried.heard, moves, strict=True)] == [True] * 2
+    assert not listener.heard
+    qtbot.waitUntil(lambda: bool(listener.heard))
+    assert len(listener.heard) == 1
+    assert listener.heard[0] is moves[1]
+
+
+def test_whatever_else_changes_tells_of_what_is_carried_too(store: Store) -> None:
+    listener = Listener()
+    store.watch(lambda state: state.shown_annotation, listener.hear)
+    preview = FrameAnnotation()
+    store.set(preview=preview)
+    store.set(tau=6.0)
+    assert len(listener.heard) == 1
+    assert listener.heard[0] is preview
+
+
 def test_whoever_fails_keeps_nobody_else_from_hearing(store: Store) -> None:
     listener, rested = Listener(), Listener()
 

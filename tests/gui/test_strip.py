@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QPixmap, QWheelEvent
+from PySide6.QtGui import QColor, QPalette, QPixmap, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -22,6 +22,7 @@ from procc_annotator.fit.through_shot.track import FrameState, Track, TrackedFra
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.band import Band, band_pixels
+from procc_annotator.gui.strip.painting import rows_of
 from procc_annotator.session.dataset.frame_sequence import FEWEST, sequence_of
 from procc_annotator.session.dataset.frames import list_frames
 from tests.gui.conftest import all_done
@@ -299,6 +300,20 @@ class TestWhatItTells:
         window.document.set_blind(False)
         assert "on paint" in strip_words(window)
 
+    def test_the_band_shows_the_window_where_nothing_is_known(self, window: MainWindow) -> None:
+        take(window, [tracked(n) for n in range(100, 112)], (100, 111))
+        strip = window.strip
+        image = strip.grab().toImage()
+        rows = rows_of(strip.fontMetrics())
+        ground = strip.palette().color(QPalette.ColorRole.Base)
+        low = rows.band + 14  # the worst frame is as high
+
+        def colour(number: int) -> QColor:
+            return image.pixelColor(place_of(window, number).x(), low)
+
+        assert colour(120) == ground
+        assert colour(105) != ground
+
     def test_another_dataset_begins_without(
         self, window: MainWindow, dataset: Path, qtbot: QtBot
     ) -> None:
@@ -354,8 +369,12 @@ def test_painting_thousands_of_frames_takes_a_fraction_of_a_screen_frame(
 
     taken = []
     for _ in range(7):
+        strip.content.changed.emit()
         begin = thread_time()
         strip.render(device)
         taken.append(thread_time() - begin)
 
     assert np.median(taken) < 0.016
+    begin = thread_time()
+    strip.render(device)  # another frame is on screen
+    assert thread_time() - begin < 0.004

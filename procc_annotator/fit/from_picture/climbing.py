@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -12,8 +13,9 @@ from procc_annotator.fit.from_picture.in_view import in_view
 from procc_annotator.fit.from_picture.pulls import Pulls, lines_to_paint, paint_to_lines
 from procc_annotator.fit.from_picture.seen_paint import NearestPaint, SeenPaint
 from procc_annotator.fit.solving.models import FREE, Z
-from procc_annotator.fit.solving.observations import FloatArray
+from procc_annotator.fit.solving.observations import FloatArray, IntArray
 from procc_annotator.fit.solving.solver import Prior
+from procc_annotator.fit.solving.starts import side_costs, side_of, wide_prior
 
 # How far a step may lead: rad, metres, shares.
 _LONGEST = np.array([0.15, 0.1, 0.03, 8.0, 8.0, 5.0, 0.15, 0.05])
@@ -32,19 +34,34 @@ class Scene:
         lines: of the field.
         paint: of the picture.
         near: its maps.
-        prior: of cameras, (1, 8) means and inverse standard deviations.
+        known: where its camera stands, (1, 8) means and inverse standard deviations; None if it
+            may stand anywhere.
     """
 
     lines: FieldLines
     paint: SeenPaint
     near: NearestPaint
-    prior: Prior
+    known: Prior | None = None
+
+    def prior(self, vectors: FloatArray, free: int) -> Prior:
+        """Where cameras (B, 11) are expected, by the side of the field each one stands on."""
+        if self.known is not None:
+            return Prior(self.known.mean[:, :free], self.known.inverse_sd[:, :free])
+        return wide_prior(self._sides(vectors), self.lines.around, free)
 
     def unlikeliness(self, vectors: FloatArray) -> FloatArray:
-        """(B,) half the squared deviations from where cameras are expected; lens left out."""
-        free = FREE["P"]
-        mean, inverse = self.prior.mean[:, :free], self.prior.inverse_sd[:, :free]
-        return np.asarray((((vectors[:, :free] - mean) * inverse) ** 2).sum(axis=1) / 2)
+        """(B,) half the squared deviations from where cameras are expected, lens left out; more on
+        another side than the main camera's."""
+        prior = self.prior(vectors, FREE["P"])
+        off = (vectors[:, : FREE["P"]] - prior.mean) * prior.inverse_sd
+        cost = np.asarray((off**2).sum(axis=1) / 2)
+        if self.known is None:
+            cost += side_costs(self._sides(vectors), self.lines.around)
+        return cost
+
+    def _sides(self, vectors: FloatArray) -> IntArray:
+        around = self.lines.around
+        return np.array([side_of(vector, around) for vector in vectors], dtype=np.intp)
 
 
 def climb(
@@ -74,7 +91,8 @@ def climb(
     half_height = scene.paint.half_height
     chosen = in_view(vectors, scene.lines.coarse, half_height, places).places
     some = scene.paint.some(paint)
-    mean, inverse = scene.prior.mean[:, :free], scene.prior.inverse_sd[:, :free]
+    prior = scene.prior(vectors, free)
+    mean, inverse = prior.mean, prior.inverse_sd
     diagonal = np.arange(free)
     for scale in scales_px:
         pulls = lines_to_paint(vectors, chosen, scene.lines.coarse, scene.paint, scene.near, free)
@@ -118,8 +136,12 @@ class Agreement:
     @property
     def both(self) -> FloatArray:
         """(B,) their harmonic mean: 1 only if nothing is missing on either side."""
-        total = self.coverage + self.explained
-        return 2 * self.coverage * self.explained / np.maximum(total, 1e-6)
+        return np.asarray(harmonic(self.coverage, self.explained))
+
+
+def harmonic(one: Any, other: Any) -> Any:
+    """The harmonic mean of shares; 0 where both are."""
+    return 2 * one * other / np.maximum(one + other, 1e-9)
 
 
 def agreement(

@@ -5,14 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.from_picture.climbing import harmonic
 from procc_annotator.fit.from_picture.proposal import NONE, SURE, UNSURE, State
 from procc_annotator.fit.result import FitResult
 
 # Below, what was found is no camera of this picture.
 _LEAST_BOTH = 0.4
-_SURE_COVERAGE, _SURE_EXPLAINED, _SURE_MARGIN = 0.75, 0.85, 0.08
+_SURE_COVERAGE, _SURE_EXPLAINED, _SURE_MARGIN = 0.65, 0.8, 0.18
+_WELL, _MARGIN_WELL = 0.85, 0.1  # where more is found, less has to part it from others
 _MOST_UNLIKELY = 6.0
-_SURE_LINES = 4
+# So many elements tell a camera; one less, such as a circle and two lines, where all is found.
+_SURE_ELEMENTS, _ALL_FOUND = 4, 0.9
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,12 +37,6 @@ class Evidence:
     unlikeliness: float
     elements: int
 
-    @property
-    def both(self) -> float:
-        """Harmonic mean of coverage and explained."""
-        total = self.coverage + self.explained
-        return 2 * self.coverage * self.explained / total if total else 0.0
-
 
 def decide(seen: Evidence) -> tuple[State, str]:
     """Whether a camera is sure, unsure or none, and why, in a sentence."""
@@ -49,14 +46,15 @@ def decide(seen: Evidence) -> tuple[State, str]:
     )
     if seen.fit.camera is None:
         return NONE, str(seen.fit.failure)
-    if seen.both < _LEAST_BOTH:
+    if harmonic(seen.coverage, seen.explained) < _LEAST_BOTH:
         return NONE, f"no camera suits the paint in this picture: of the best one {shares}"
     doubt = _doubt(seen)
     return (UNSURE, f"{doubt} ({shares})") if doubt else (SURE, shares)
 
 
 def _doubt(seen: Evidence) -> str:
-    if seen.margin < _SURE_MARGIN:
+    share = min(seen.coverage, seen.explained)
+    if seen.margin < (_SURE_MARGIN if share < _WELL else _MARGIN_WELL):
         return "another camera that shows other lines suits the picture nearly as well"
     if seen.coverage < _SURE_COVERAGE:
         return "lines are missing that should be in sight"
@@ -64,7 +62,7 @@ def _doubt(seen: Evidence) -> str:
         return "there is paint where the field has none"
     if seen.unlikeliness > _MOST_UNLIKELY:
         return "cameras hardly stand there"
-    if seen.elements < _SURE_LINES:
+    if seen.elements < _SURE_ELEMENTS - (share >= _ALL_FOUND):
         return "too few lines are in sight to tell"
     open_ = hardly_determined(seen.fit)
     return f"the lines in sight leave the camera open: {open_}" if open_ else ""

@@ -25,6 +25,7 @@ from procc_annotator.fit.from_picture.seen_paint import (
 )
 from procc_annotator.fit.solving.models import CENTRE, LOG_FOCAL, PAN, PARAMETERS, TILT
 from procc_annotator.fit.solving.observations import REFERENCE_WIDTH, FloatArray
+from procc_annotator.fit.solving.starts import SIDES
 from procc_annotator.fit.solving.surroundings import Surroundings
 
 CELL_PX = 4
@@ -33,7 +34,8 @@ _STEP_PX = 48.0  # between the places neighbouring cameras look at
 _LEAST_IN_VIEW_PX = 350.0
 # Widths of the view where the usual camera sees the field's centre, of half the field's length.
 _WIDTHS = np.geomspace(0.34, 1.9, 9)
-_ALONG = (-0.5, -0.25, 0.0, 0.25, 0.5)  # places along the side, of half its length
+# Places along a long side and an end, of half its length; the middle one is the usual one.
+_ALONG, _ALONG_END = (-0.5, -0.25, 0.0, 0.25, 0.5), (-0.4, 0.0, 0.4)
 _HEIGHTS, _HIGHER = 6, 1.15
 _NEAR, _FAR = 0.75, 1.5  # of the usual distance from the side
 # A place of a line counts 1 so near to paint, less beyond, and against the camera farther off.
@@ -71,10 +73,16 @@ class Hypotheses:
         return np.asarray(np.concatenate(found) / (100 * _PLACES) * self.length_px)
 
 
-@lru_cache(maxsize=4)
-def anywhere(lines: FieldLines, half_height: float) -> Hypotheses:
-    """Cameras wherever the field's file says that they stand; pictures so many solver px high."""
-    return _from(_usual_places(lines.around), lines, half_height)
+@lru_cache(maxsize=8)
+def on_side(lines: FieldLines, half_height: float, side: int) -> Hypotheses:
+    """Cameras wherever the field's file says that they stand on a side of the field.
+
+    Args:
+        lines: of the field.
+        half_height: of the picture, solver px.
+        side: index in `SIDES`; not above.
+    """
+    return _from(_places_at(lines.around, side), lines, half_height)
 
 
 @lru_cache(maxsize=16)
@@ -86,27 +94,42 @@ def at_places(
 
 
 def _from(places: FloatArray, lines: FieldLines, half_height: float) -> Hypotheses:
-    vectors = np.concatenate([_looking(place, lines.around, half_height) for place in places])
+    # One place after the other: all at once would take ten times the memory.
+    found = [_from_place(place, lines, half_height) for place in places]
+    return Hypotheses(*(np.concatenate(one) for one in zip(*found, strict=True)))
+
+
+def _from_place(
+    place: FloatArray, lines: FieldLines, half_height: float
+) -> tuple[FloatArray, NDArray[np.int32], FloatArray]:
+    vectors = _looking(place, lines.around, half_height)
     shown = in_view(vectors, lines.coarsest, half_height, _PLACES)
     kept = shown.length_px > _LEAST_IN_VIEW_PX
     column, row = cells_of(shown.points[kept], half_height, CELL_PX)
     height, width = shape_of(half_height, CELL_PX)
     cells = (directions_of(shown.angles[kept]) * height + row) * width + column
-    return Hypotheses(vectors[kept], cells.astype(np.int32), shown.length_px[kept])
+    return vectors[kept], cells.astype(np.int32), shown.length_px[kept]
 
 
-def _usual_places(around: Surroundings) -> FloatArray:
-    """(P, 3) metres, on the main camera's side."""
+def _places_at(around: Surroundings, side: int) -> FloatArray:
+    """(P, 3) metres, on one side."""
+    name = SIDES[side]
+    sign = 1.0 if name in ("near", "right") else -1.0
+    at_end = name in ("left", "right")
+    outer, beside = around.half_width, around.half_length
+    if at_end:
+        outer, beside = beside, outer
     found = []
     low, _, high = around.height
-    steepest = math.atan2(high, around.half_width + 0.6 * around.distance[1])
-    for along in _ALONG:
+    steepest = math.atan2(high, outer + 0.6 * around.distance[1])
+    for along in _ALONG_END if at_end else _ALONG:
         for share in (1.0,) if along else (_NEAR, _FAR):
-            reach = around.half_width + share * around.distance[1]
+            reach = outer + share * around.distance[1]
             for angle in np.geomspace(math.atan2(low, reach), steepest, _HEIGHTS):
                 height = reach * math.tan(angle)
                 if height <= _HIGHER * high:
-                    found.append((along * around.half_length, reach, -height))
+                    place = (along * beside, sign * reach)
+                    found.append((*(place[::-1] if at_end else place), -height))
     return np.array(found)
 
 
@@ -114,7 +137,9 @@ def _looking(place: FloatArray, around: Surroundings, half_height: float) -> Flo
     """(B, 11) cameras at a place (3,) that look at all of the field, with all focal lengths."""
     corners = np.array([(x, y) for x in (-1, 1) for y in (-1, 1)], dtype=float)
     toward = corners * (around.half_length, around.half_width) - place[:2]
-    pans = np.arctan2(toward[:, 0], -toward[:, 1])
+    middle = math.atan2(-place[0], place[1])
+    turns = np.arctan2(toward[:, 0], -toward[:, 1]) - middle
+    pans = middle + np.mod(turns + math.pi, 2 * math.pi) - math.pi
     downs = np.arctan2(-place[2], np.hypot(*toward.T))
     found = []
     for width in _WIDTHS * around.half_length:

@@ -2,31 +2,45 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.climbing import Scene
+from procc_annotator.fit.from_picture.climbing import Scene, agreement, harmonic
 from procc_annotator.fit.from_picture.deciding import Evidence, decide
 from procc_annotator.fit.from_picture.field_lines import FieldLines, lines_of
-from procc_annotator.fit.from_picture.hypotheses import anywhere, at_places
+from procc_annotator.fit.from_picture.hypotheses import at_places, on_side
 from procc_annotator.fit.from_picture.in_view import apart_px
 from procc_annotator.fit.from_picture.proposal import NONE, KnownPosition, Proposal
-from procc_annotator.fit.from_picture.searching import Found, judged, search
+from procc_annotator.fit.from_picture.searching import STAGES, search
 from procc_annotator.fit.from_picture.seen_paint import NearestPaint, SeenPaint, see_paint
+from procc_annotator.fit.on_paint.belief import Belief
 from procc_annotator.fit.on_paint.refining import OnPaint, refine_on_paint
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.models import CENTRE, FREE, KAPPA, ROLL, camera_from_vector
+from procc_annotator.fit.solving.models import (
+    CENTRE,
+    FREE,
+    KAPPA,
+    PARAMETERS,
+    ROLL,
+    Y,
+    camera_from_vector,
+    half_turned,
+)
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.solving.solver import Prior
-from procc_annotator.fit.solving.starts import wide_prior
+from procc_annotator.fit.solving.starts import SIDES, prior_near
 from procc_annotator.image.pixels import PixelArray
 
 _CELL_PX = 2
 _FEWEST = 60  # places of paint
-_REFINED, _REACHES_PX = 3, (8.0, 4.0, 4.0)
+_REFINED, _REFINED_KNOWN, _REACHES_PX = 5, 3, (8.0, 4.0, 4.0)
+# Cameras that climb: of the main side, of each other one, at a known position.
+_CLIMB, _CLIMB_OTHER, _CLIMB_KNOWN = 1000, 600, 250
+_WITHIN_PX, _JUDGED = 3.0, 800
 _OTHER_PX = 15.0  # farther apart, two cameras show something else
 _ON_PAINT = 0.5  # of an element in sight, for it to be found
 _LEAST_SD_M = 0.05
@@ -63,51 +77,75 @@ def propose_camera(
     if len(paint.on_ground) < _FEWEST:
         return _none(size, "there is hardly any paint on the ground in this picture")
     go_on()
-    best = max(
-        (_best(picture, field, lines, paint, place, go_on) for place in known or (None,)),
-        key=lambda found: found.score,
-    )
-    return best.proposal(paint)
+    tried = [_best(picture, field, lines, paint, place, go_on) for place in known or (None,)]
+    found = [best for best in tried if best is not None]
+    if not found:
+        return _none(size, "no camera has its lines on the paint of this picture")
+    return max(found, key=lambda best: best.score).proposal(paint.frame)
+
+
+@dataclass(frozen=True, eq=False)
+class _Candidate:
+    """A camera refined on the paint.
+
+    Attributes:
+        vector: (11,).
+        refined: what it is fitted to.
+        explained: share of the paint on the ground that it explains.
+        unlikeliness: half the squared deviations from where cameras are expected.
+    """
+
+    vector: FloatArray
+    refined: OnPaint
+    explained: float
+    unlikeliness: float
+
+    @property
+    def score(self) -> float:
+        both = float(harmonic(self.refined.coverage, self.explained))
+        return both - STAGES[-1].unlikely * self.unlikeliness
 
 
 @dataclass(frozen=True, eq=False)
 class _Best:
-    """The best camera of a search.
+    """The best candidate of a search, and the best of those that show something else."""
 
-    Attributes:
-        refined: on the paint.
-        scene: what was searched.
-        own: the camera alone, judged.
-        others: cameras that show something else.
-    """
-
-    refined: OnPaint
-    scene: Scene
-    own: Found
-    others: Found
+    candidate: _Candidate
+    other: _Candidate | None
 
     @property
     def score(self) -> float:
-        return float(self.own.scores[0])
+        return self.candidate.score
 
-    def proposal(self, paint: SeenPaint) -> Proposal:
+    def proposal(self, frame: PictureFrame) -> Proposal:
         """What is proposed."""
-        other = self.others.scores[:1].tolist()
-        margin = min(max(1 - other[0] / max(self.score, 1e-6), 0.0), 1.0) if other else 1.0
-        coverage, explained = (
-            float(of[0]) for of in (self.own.agreement.coverage, self.own.agreement.explained)
+        best, other, margin = self.candidate, self.other, 1.0
+        if other is not None:
+            margin = min(max(1 - other.score / max(self.score, 1e-6), 0.0), 1.0)
+        refined = best.refined
+        elements = sum(share >= _ON_PAINT for share in refined.shares.values())
+        state, reason = decide(
+            Evidence(
+                refined.fit,
+                refined.coverage,
+                best.explained,
+                margin,
+                best.unlikeliness,
+                elements,
+            )
         )
-        elements = sum(share >= _ON_PAINT for share in self.refined.shares.values())
-        unlikeliness = float(self.scene.unlikeliness(self.own.vectors)[0])
-        fit = self.refined.fit
-        state, reason = decide(Evidence(fit, coverage, explained, margin, unlikeliness, elements))
         if state == NONE:
-            return _none(paint.frame.size, reason)
-        runner_up: PinholeCamera | None = None
-        if other:
-            runner_up = camera_from_vector(self.others.vectors[0], paint.frame)
-        residual = self.refined.residual_px
-        return Proposal(state, reason, fit, coverage, explained, residual, margin, runner_up)
+            return _none(frame.size, reason)
+        return Proposal(
+            state,
+            reason,
+            refined.fit,
+            refined.coverage,
+            best.explained,
+            refined.residual_px,
+            margin,
+            None if other is None else camera_from_vector(other.vector, frame),
+        )
 
 
 def _best(
@@ -117,22 +155,41 @@ def _best(
     paint: SeenPaint,
     place: KnownPosition | None,
     go_on: Callable[[], None],
-) -> _Best:
-    prior = wide_prior(np.array([0]), lines.around, FREE["R"])
-    near = NearestPaint.of(paint, _CELL_PX)
+) -> _Best | None:
     half_height = float(round(paint.half_height))
+    near = NearestPaint.of(paint, _CELL_PX)
     if place is None:
-        hypotheses = anywhere(lines, half_height)
+        scene = Scene(lines, paint, near)
+        hypotheses = [
+            (on_side(lines, half_height, side), _CLIMB if side == 0 else _CLIMB_OTHER)
+            for side in _sides(field)
+        ]
     else:
-        prior = _prior_at(place, prior)
         x, y, z = place.position_m.tolist()
-        hypotheses = at_places(lines, half_height, ((x, y, z),))
-    scene = Scene(lines, paint, near, prior)
-    found = search(scene, hypotheses, go_on)
-    return _refined(picture, field, scene, found)
+        scene = Scene(lines, paint, near, _prior_at(place, lines))
+        hypotheses = [(at_places(lines, half_height, ((x, y, z),)), _CLIMB_KNOWN)]
+    most = _REFINED if place is None else _REFINED_KNOWN
+    vectors = search(scene, hypotheses, go_on).vectors[:most]
+    if place is None and _half_turn(field):
+        # Labels are those of a camera on the main side.
+        vectors = np.where(vectors[:, [Y]] < 0, half_turned(vectors), vectors)
+    return _refined(picture, field, scene, vectors)
 
 
-def _prior_at(place: KnownPosition, wide: Prior) -> Prior:
+def _half_turn(field: Field) -> bool:
+    return any(abs(abs(turn.turn_rad) - math.pi) < 1e-6 for turn in field.symmetries)
+
+
+def _sides(field: Field) -> tuple[int, ...]:
+    """The sides of the field that cameras may stand on; one of two from which it looks the same."""
+    names = ("near", "right") if _half_turn(field) else ("near", "far", "left", "right")
+    return tuple(SIDES.index(name) for name in names)
+
+
+def _prior_at(place: KnownPosition, lines: FieldLines) -> Prior:
+    vector = np.zeros(len(PARAMETERS))
+    vector[CENTRE] = place.position_m
+    wide = prior_near(vector, lines.around, FREE["R"])
     mean, inverse = wide.mean.copy(), wide.inverse_sd.copy()
     mean[:, CENTRE] = place.position_m
     inverse[:, CENTRE] = 1 / np.maximum(np.sqrt(np.diag(place.covariance)), _LEAST_SD_M)
@@ -142,24 +199,38 @@ def _prior_at(place: KnownPosition, wide: Prior) -> Prior:
     return Prior(mean, inverse)
 
 
-def _refined(picture: PixelArray, field: Field, scene: Scene, found: Found) -> _Best:
-    """The best of the first few once they are refined, each as good as it can be."""
-    half_height = scene.paint.half_height
+def _refined(picture: PixelArray, field: Field, scene: Scene, vectors: FloatArray) -> _Best | None:
+    """The best of some cameras once they are refined; None if there is paint beside none."""
     tried = []
-    for vector in found.vectors[:_REFINED]:
-        refined = refine_on_paint(picture, field, vector, reaches_px=_REACHES_PX)
+    for vector in vectors:
+        prior = scene.prior(vector[None], FREE["R"])
+        belief = Belief(_filled(prior), np.diag(prior.inverse_sd[0] ** 2))
+        refined = refine_on_paint(picture, field, vector, belief=belief, reaches_px=_REACHES_PX)
         if refined.fit.vector is not None:
-            tried.append((refined, judged(scene, refined.fit.vector[None])))
+            tried.append(refined)
     if not tried:
-        refined = refine_on_paint(picture, field, found.vectors[0], reaches_px=_REACHES_PX)
-        return _Best(refined, scene, found.chosen(np.array([0])), found.chosen(np.zeros(0, int)))
-    refined, own = max(tried, key=lambda one: float(one[1].scores[0]))
-    vectors = np.concatenate([*(one[1].vectors for one in tried), found.vectors])
-    others = judged(scene, vectors)
-    away = apart_px(own.vectors[0], vectors, scene.lines, half_height)
-    rows = np.flatnonzero(away > _OTHER_PX)
-    rows = rows[np.argsort(-others.scores[rows], kind="stable")]
-    return _Best(refined, scene, own, others.chosen(rows))
+        return None
+    final = np.array([refined.fit.vector for refined in tried])
+    judged = agreement(scene, final, _WITHIN_PX, places=1, paint=_JUDGED)
+    unlikeliness = scene.unlikeliness(final)
+    candidates = [
+        _Candidate(vector, refined, float(explained), float(unlikely))
+        for vector, refined, explained, unlikely in zip(
+            final, tried, judged.explained, unlikeliness, strict=True
+        )
+    ]
+    candidates.sort(key=lambda one: -one.score)
+    best = candidates[0]
+    half_height = scene.paint.half_height
+    others = np.array([one.vector for one in candidates])
+    away = apart_px(best.vector, others, scene.lines, half_height)
+    other = next((one for one, px in zip(candidates, away, strict=True) if px > _OTHER_PX), None)
+    return _Best(best, other)
+
+
+def _filled(prior: Prior) -> FloatArray:
+    """(11,) its mean."""
+    return np.concatenate([prior.mean[0], np.zeros(len(PARAMETERS) - prior.mean.shape[1])])
 
 
 def _none(size: tuple[int, int], reason: str) -> Proposal:

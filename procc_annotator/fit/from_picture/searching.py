@@ -42,7 +42,7 @@ class Stage:
     rounds: int = 1
 
 
-FIRST = 1200
+_GO_ON = 4  # of so many at most one goes on
 STAGES = (
     Stage((30, 24, 16), 48, 0, 8.0, (80, 150), 0.02, 150),
     Stage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 25, 6.0),
@@ -71,20 +71,20 @@ class Found:
 
 
 def search(
-    scene: Scene,
-    hypotheses: Hypotheses,
-    go_on: Callable[[], None],
-    stages: Sequence[Stage] = STAGES,
-    first: int = FIRST,
+    scene: Scene, hypotheses: Sequence[tuple[Hypotheses, int]], go_on: Callable[[], None]
 ) -> Found:
-    """The best cameras of all hypotheses, led to the paint."""
-    scores = hypotheses.scores(NearestPaint.of(scene.paint, CELL_PX), scene.paint)
-    count = min(first, len(scores))
-    best = np.argpartition(-scores, count - 1)[:count]
-    found = Found(hypotheses.vectors[best], scores[best], Agreement(scores[best], scores[best]))
-    for stage in stages:
+    """The best cameras of all hypotheses, led to the paint; so many of each kind climb."""
+    near = NearestPaint.of(scene.paint, CELL_PX)
+    chosen = []
+    for some, most in hypotheses:
+        scores = some.scores(near, scene.paint)
+        count = min(most, len(scores))
+        chosen.append(some.vectors[np.argpartition(-scores, count - 1)[:count]])
+    vectors = np.concatenate(chosen)
+    for stage in STAGES:
         go_on()
-        found = _round(scene, found.vectors, stage)
+        found = _round(scene, vectors, stage)
+        vectors = found.vectors
     return found
 
 
@@ -100,9 +100,10 @@ def _round(scene: Scene, vectors: FloatArray, stage: Stage) -> Found:
         )
     found = judged(scene, vectors, stage)
     order = np.argsort(-found.scores, kind="stable")
+    most = min(stage.kept, max(len(order) // _GO_ON, 1))
     if not stage.apart_px:
-        return found.chosen(order[: stage.kept])
-    return found.chosen(_distinct(scene, vectors, order, stage))
+        return found.chosen(order[:most])
+    return found.chosen(_distinct(scene, vectors, order, stage.apart_px, most))
 
 
 def judged(scene: Scene, vectors: FloatArray, stage: Stage = STAGES[-1]) -> Found:
@@ -113,11 +114,13 @@ def judged(scene: Scene, vectors: FloatArray, stage: Stage = STAGES[-1]) -> Foun
     return Found(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors), found)
 
 
-def _distinct(scene: Scene, vectors: FloatArray, order: IntArray, stage: Stage) -> IntArray:
-    """The first ones that show lines at other places than those before them."""
+def _distinct(
+    scene: Scene, vectors: FloatArray, order: IntArray, apart: float, most: int
+) -> IntArray:
+    """The first ones that show lines so many solver px from where those before them do."""
     kept: list[int] = []
-    while len(order) and len(kept) < stage.kept:
+    while len(order) and len(kept) < most:
         kept.append(int(order[0]))
         away = apart_px(vectors[order[0]], vectors[order], scene.lines, scene.paint.half_height)
-        order = order[1:][away[1:] > stage.apart_px]
+        order = order[1:][away[1:] > apart]
     return np.array(kept, dtype=np.intp)

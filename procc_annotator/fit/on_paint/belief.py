@@ -14,7 +14,7 @@ from procc_annotator.fit.solving.starts import prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of
 
 _ITERATIONS = 8
-_SETTLED_PX = 0.02
+_SETTLED_PX = 0.05
 _MOST_KAPPA = 0.6
 # Farther off, a mark is less and less likely to be of the paint it was taken for.
 LEAST_SCALE_PX = 1.5

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -12,12 +13,17 @@ from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.on_paint.result import Worth
 from procc_annotator.fit.solving.observations import PictureFrame
 from procc_annotator.fit.through_shot.reading import Glimpse, ReadFrame, glimpses
+from procc_annotator.fit.through_shot.stand import TRIPOD, Stand
 from procc_annotator.fit.through_shot.stepping import Stepped, foretold, stepped
 from procc_annotator.fit.through_shot.turning import OWN, Turn, turn_between
 
 _FIRST_WORTH = Worth(0.4, 5.0)
 _LOST_PX = 40.0  # solver px: who knows no better where lines are has lost them
 _SAME_CAMERA = 0.5  # coverage from which on a picture that looks different is no cut
+# So different looks a picture of which nothing can be followed if it comes from another camera: at
+# least, and against the frames before it.
+_OTHER_CAMERA, _TIMES_USUAL, _BEFORE = 0.015, 2.5, 12
+_BLIND = 8  # frames that a flash or a hand before the lens may last
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,11 +31,13 @@ class Followed:
     """Frames in the order they were followed.
 
     Attributes:
-        numbers: of the frames.
+        asked: numbers that were to be followed.
+        numbers: of those that were.
         steps: of each.
         cut: whether another camera's picture ended it.
     """
 
+    asked: Sequence[int]
     numbers: tuple[int, ...]
     steps: tuple[Stepped, ...]
     cut: bool
@@ -37,7 +45,7 @@ class Followed:
     def until(self, number: int) -> Followed:
         """The first of them, up to a frame and with it."""
         count = self.numbers.index(number) + 1
-        return Followed(self.numbers[:count], self.steps[:count], False)
+        return Followed(self.asked, self.numbers[:count], self.steps[:count], False)
 
 
 def follow(
@@ -48,6 +56,7 @@ def follow(
     picture_frame: PictureFrame,
     on_step: Callable[[int, Stepped], None],
     go_on: Callable[[], None],
+    stand: Stand = TRIPOD,
 ) -> Followed:
     """Follow a camera from frame to frame.
 
@@ -59,24 +68,38 @@ def follow(
         picture_frame: the pictures.
         on_step: told of every frame as it is followed.
         go_on: called between frames; what it raises ends it.
+        stand: what the camera stands on.
     """
     done: list[tuple[int, Stepped]] = []
     before: Glimpse | None = None
-    cut = False
+    unlike: deque[float] = deque(maxlen=_BEFORE)
+    cut, broken = False, 0  # for certain; frames since it seemed so, without paint
     for now in glimpses(frame, numbers):
         go_on()
-        step = _next(done, before, now, start, painted, picture_frame)
+        step = _next(done, before, now, start, painted, picture_frame, stand)
         if now.begins and (step.marks is None or step.coverage < _SAME_CAMERA):
             cut = True
             break
-        if step.marks is None and step.sd_px > _LOST_PX and before is not None:
+        if step.marks is not None:
+            broken = 0
+        elif broken or (step.turn is None and _breaks(now, unlike)):
+            broken += 1
+        unlike.append(now.unlike)
+        if broken > _BLIND or (step.marks is None and step.sd_px > _LOST_PX and done):
             break
         done.append((now.number, step))
         on_step(now.number, step)
         before = now
+    cut = cut or broken > 0
     while len(done) > 1 and done[-1][1].marks is None and (cut or done[-1][1].turn is None):
         done.pop()  # nothing confirmed what was guessed
-    return Followed(tuple(n for n, _ in done), tuple(s for _, s in done), cut)
+    return Followed(numbers, tuple(n for n, _ in done), tuple(s for _, s in done), cut)
+
+
+def _breaks(now: Glimpse, before: Sequence[float]) -> bool:
+    """Whether a frame differs from the one before it as those before it did not."""
+    usual = float(np.median(before)) if before else 0.0
+    return now.unlike > max(_OTHER_CAMERA, _TIMES_USUAL * usual)
 
 
 def _next(
@@ -86,6 +109,7 @@ def _next(
     start: Belief,
     painted: Painted,
     frame: PictureFrame,
+    stand: Stand,
 ) -> Stepped:
     if before is None:
         return stepped(now.picture, start, None, painted, frame, _FIRST_WORTH)
@@ -94,5 +118,5 @@ def _next(
     if len(done) > 1:
         expected = last.belief.vector[OWN] - done[-2][1].belief.vector[OWN]
     turn: Turn | None = turn_between(before.grey, now.grey, last.belief.vector, expected, frame)
-    believed = foretold(last.belief, turn, expected)
+    believed = foretold(last.belief, turn, expected, stand)
     return stepped(now.picture, believed, turn, painted, frame, last.worth)

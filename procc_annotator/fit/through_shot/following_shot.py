@@ -23,7 +23,8 @@ from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.through_shot.chain import chain_of
 from procc_annotator.fit.through_shot.following import Followed, follow
 from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
-from procc_annotator.fit.through_shot.smoothing import smoothed
+from procc_annotator.fit.through_shot.smoothing import Smoothed, smoothed
+from procc_annotator.fit.through_shot.stand import MOVING, TRIPOD, Stand
 from procc_annotator.fit.through_shot.starting import belief_at, vector_of
 from procc_annotator.fit.through_shot.stepping import Stepped, wireframe_apart
 from procc_annotator.fit.through_shot.track import FrameState, Track, TrackedFrame
@@ -31,10 +32,14 @@ from procc_annotator.fit.through_shot.track import FrameState, Track, TrackedFra
 Propose = Callable[[np.ndarray, Field, Sequence[KnownPosition]], Proposal]
 
 # Frames after the first of a shot, or after one that was lost, at which a camera is proposed.
-_TRIES = (0, 8, 24, 50, 100, 200, 400, 800, 1600)
+_TRIES = (*range(0, 200, 20), *range(200, 1000, 50), *range(1000, 20000, 250))
 
 # What was followed from one anchor to the next may be so far off there, solver px, to be believed.
 _ARRIVED_PX = 6.0
+# When a camera that moves is tried: elements lie so far beside the model, solver px, or less of
+# the frames asked for is explained. And by how much it must be better.
+_MOVES_PX, _HELD = 0.7, 0.96
+_MORE, _LESS_BESIDE = 1.03, 0.6
 
 
 def _never_stop() -> None:
@@ -162,7 +167,9 @@ class _Work:
             forwards = forwards.until(last)
         return forwards, self._follow(range(other, last, -1), near)
 
-    def _follow(self, numbers: Sequence[int], given: Mapping[int, Belief]) -> Followed:
+    def _follow(
+        self, numbers: Sequence[int], given: Mapping[int, Belief], stand: Stand = TRIPOD
+    ) -> Followed:
         """Follow frames from the first of them, whose camera was given."""
         begin, places = numbers[0], np.array(list(given))
 
@@ -172,7 +179,14 @@ class _Work:
                 self.on_frame(tracked(number, step, distance, self.picture))
 
         followed = follow(
-            self.frame, numbers, given[begin], self.painted, self.picture, told, self.go_on
+            self.frame,
+            numbers,
+            given[begin],
+            self.painted,
+            self.picture,
+            told,
+            self.go_on,
+            stand,
         )
         if followed.cut:
             ahead = len(numbers) < 2 or numbers[1] > begin
@@ -181,11 +195,20 @@ class _Work:
 
     def _keep(self, runs: Sequence[Followed], given: Mapping[int, Belief]) -> None:
         """Smooth together what was followed, and keep it."""
-        chain = smoothed(chain_of(runs, given), self.field, self.picture)
+        found = smoothed(chain_of(runs, given), self.field, self.picture)
+        asked = len({number for run in runs for number in run.asked})
+        if found.beside_px > _MOVES_PX or found.explained < _HELD * asked:
+            again = [self._follow(run.asked, given, MOVING) for run in runs]
+            moving = smoothed(chain_of(again, given), self.field, self.picture, MOVING)
+            if _explains_more(moving, found):
+                found = moving
+        chain = found.chain
         places = np.array(list(given))
         for number, step in zip(chain.numbers, chain.steps, strict=True):
             distance = int(np.abs(places - number).min())
             self.found[number] = tracked(number, step, distance, self.picture)
+        # What looked like a cut and could be followed across is none: a banner that slid in.
+        self.begins -= set(chain.numbers[1:])
 
     def fill(self, gap: range) -> None:
         """Find cameras in a run of frames of which nothing is known, and follow them."""
@@ -235,6 +258,14 @@ class _Work:
     def _lose(self, number: int, reason: str) -> None:
         self.found[number] = TrackedFrame(number, "lost", reason, None, 0.0, None, None)
         self.on_frame(self.found[number])
+
+
+def _explains_more(moving: Smoothed, still: Smoothed) -> bool:
+    """Whether a camera that moves explains so much more that it is worth its freedom."""
+    return (
+        moving.explained > _MORE * still.explained
+        or moving.beside_px < _LESS_BESIDE * still.beside_px
+    )
 
 
 def tracked(number: int, step: Stepped, distance: int, frame: PictureFrame) -> TrackedFrame:

@@ -30,12 +30,14 @@ class Glimpse:
         picture: (H, W, 4) BGRA.
         grey: the picture much reduced.
         begins: whether it comes from another camera than the one handed out before it.
+        unlike: how different it looks from that one, see `image.scenes.look_difference`.
     """
 
     number: int
     picture: PixelArray
     grey: PixelArray
     begins: bool = False
+    unlike: float = 0.0
 
 
 @dataclass(eq=False)
@@ -80,7 +82,7 @@ def _handed_out(held: deque[_Held], done: deque[tuple[float, float]]) -> Glimpse
     begins = bool(done) and len(done) in cuts_among(steps, lasting)
     first = held.popleft()
     done.append((first.step, first.lasting))
-    return Glimpse(first.number, first.picture, first.grey, begins)
+    return Glimpse(first.number, first.picture, first.grey, begins, first.step)
 
 
 def _decoded(

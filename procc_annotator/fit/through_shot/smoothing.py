@@ -12,17 +12,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from procc_annotator.field.model import Field
-from procc_annotator.fit.on_paint.belief import Belief, usual, weights_of
+from procc_annotator.fit.on_paint.belief import COUNTS, Belief, usual, weights_of
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, X, Z
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
 from procc_annotator.fit.through_shot.banded import Normal, Solution, solve_normal
 from procc_annotator.fit.through_shot.chain import Chain
+from procc_annotator.fit.through_shot.stand import TRIPOD, Stand
 from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.turning import OWN, Turn
 
-SHARED = np.array([X, X + 1, Z, KAPPA])
 # Marks count by these scales, solver px, from round to round: at first each frame's camera is off
 # by what the frames' positions differ by.
 _SCALES_PX = (16.0, 8.0, 4.0, 2.0, 1.5, 1.5, 1.5, 1.5)
@@ -54,30 +54,45 @@ class _Data:
     element: IntArray
 
 
-def smoothed(chain: Chain, field: Field, frame: PictureFrame) -> Chain:
+@dataclass(frozen=True, eq=False)
+class Smoothed:
+    """A chain, all of it solved together.
+
+    Attributes:
+        chain: with the cameras that are best for all of it.
+        beside_px: how far elements lie beside the model in a frame, on average, solver px.
+        explained: how many frames' worth of marks its cameras explain.
+    """
+
+    chain: Chain
+    beside_px: float
+    explained: float
+
+
+def smoothed(chain: Chain, field: Field, frame: PictureFrame, stand: Stand = TRIPOD) -> Smoothed:
     """The same frames, each with the camera that is best for all of them together."""
     data = _data_of(chain.steps)
     vectors = np.array([step.belief.vector for step in chain.steps])
     weights = np.array([max(step.coverage, 1e-3) for step in chain.steps])
-    vectors[:, SHARED] = np.average(vectors[:, SHARED], axis=0, weights=weights)
-    middle = vectors[len(vectors) // 2]
-    before = usual(middle, field)
+    vectors[:, stand.shared] = np.average(vectors[:, stand.shared], axis=0, weights=weights)
+    before = usual(vectors[len(vectors) // 2], field)
     for scale in _SCALES_PX:
-        normal = _normal(chain, data, vectors, before, frame, scale)
+        normal = _normal(chain, data, vectors, before, frame, stand, scale)
         found = solve_normal(normal)
         step = found.shared[:, 0]
-        vectors[:, OWN] += found.own[:, :, 0]
-        vectors[:, SHARED] += step
+        vectors[:, stand.own] += found.own[:, :, 0]
+        vectors[:, stand.shared] += step
         np.clip(vectors[:, KAPPA], LEAST_KAPPA, _MOST_KAPPA, out=vectors[:, KAPPA])
         sd = np.sqrt(np.diag(found.shared_covariance))
         if scale == _SCALES_PX[-1] and (np.abs(step) < _SETTLED * sd).all():
             break
-    covariances = _covariances(found, _beside(data, vectors, normal, frame))
+    size, beside = _beside(data, vectors, normal, frame, stand)
+    covariances = _covariances(found, beside * np.hypot(size, _LEAST_BESIDE_PX), stand)
     steps = tuple(
         replace(step, belief=Belief(vector, np.asarray(np.linalg.inv(covariance))))
         for step, vector, covariance in zip(chain.steps, vectors, covariances, strict=True)
     )
-    return replace(chain, steps=steps)
+    return Smoothed(replace(chain, steps=steps), size, _explained(data, vectors, frame))
 
 
 def _data_of(steps: tuple[Stepped, ...]) -> _Data:
@@ -103,6 +118,7 @@ def _normal(
     vectors: FloatArray,
     before: Belief,
     frame: PictureFrame,
+    stand: Stand,
     scale_px: float,
 ) -> Normal:
     """The normal equations at K cameras (K, 11)."""
@@ -110,30 +126,35 @@ def _normal(
     for place, belief in chain.given.items():
         information[place] += belief.information
         pull[place] += belief.information @ (belief.vector - vectors[place])[:PARAMETERS_FREE]
-    own = information[:, OWN[:, None], OWN].copy()
-    own_pull = pull[:, OWN].copy()
-    steps = np.diff(vectors[:, OWN], axis=0)
-    beside = np.empty((len(steps), 4, 4))
+    # What is known of any camera: weak, and of the first frame only, for the others are like it.
+    information[0] += before.information
+    pull[0] += before.information @ (before.vector - vectors[0])[:PARAMETERS_FREE]
+    beside = np.zeros((max(len(vectors) - 1, 0), PARAMETERS_FREE, PARAMETERS_FREE))
+    stiff = np.zeros((PARAMETERS_FREE, PARAMETERS_FREE))
+    stiff[range(X, Z + 1), range(X, Z + 1)] = stand.position_m**-2
     for k, turn in enumerate(chain.turns):
         told = turn or _UNKNOWN
-        stiff = np.linalg.inv(told.covariance)
-        off = stiff @ (told.step - steps[k])
-        own[k] += stiff
-        own[k + 1] += stiff
+        stiff[np.ix_(OWN, OWN)] = np.linalg.inv(told.covariance + np.diag(stand.apparent**2))
+        off = vectors[k, :PARAMETERS_FREE] - vectors[k + 1, :PARAMETERS_FREE]
+        off[OWN] += told.step
+        information[k] += stiff
+        information[k + 1] += stiff
         beside[k] = -stiff
-        own_pull[k] -= off
-        own_pull[k + 1] += off
-    shared = information[:, SHARED[:, None], SHARED].sum(axis=0)
-    shared_pull = pull[:, SHARED].sum(axis=0)
-    prior = before.information[np.ix_(SHARED, SHARED)]
-    shared += prior
-    shared_pull += prior @ (before.vector - vectors[0])[SHARED]
-    # What is known of any camera: weak, and of the first frame only, for the others are like it.
-    weak = before.information[np.ix_(OWN, OWN)]
-    own[0] += weak
-    own_pull[0] += weak @ (before.vector - vectors[0])[OWN]
-    border = information[:, OWN[:, None], SHARED]
-    return Normal(own, beside, border, shared, own_pull[:, :, None], shared_pull[:, None])
+        pull[k] -= stiff @ off
+        pull[k + 1] += stiff @ off
+    own, shared = stand.own, stand.shared
+    # What all frames share does not change between them.
+    own_block = information[:, own[:, None], own]
+    shared_block = information[:, shared[:, None], shared].sum(axis=0)
+    both = beside[:, shared[:, None], shared].sum(axis=0)
+    return Normal(
+        own_block,
+        beside[:, own[:, None], own],
+        information[:, own[:, None], shared],
+        shared_block + both + both.T,
+        pull[:, own, None],
+        pull[:, shared].sum(axis=0)[:, None],
+    )
 
 
 def _in_parts(count: int) -> Iterator[slice]:
@@ -172,9 +193,15 @@ def _of_marks(
     return information, pull
 
 
-def _beside(data: _Data, vectors: FloatArray, normal: Normal, frame: PictureFrame) -> FloatArray:
-    """(K, 8, E) what it does to the cameras that elements lie beside the model, each by as much as
-    elements of single frames do, all along the chain: more frames do not average that out."""
+def _beside(
+    data: _Data, vectors: FloatArray, normal: Normal, frame: PictureFrame, stand: Stand
+) -> tuple[float, FloatArray]:
+    """What it does to the cameras that elements lie beside the model, each all along the chain by
+    as much as elements of single frames do: more frames do not average that out.
+
+    Returns:
+        Solver px by which they do, root mean square, and (K, 8, E) what 1 px does.
+    """
     elements = int(data.element.max(initial=0)) + 1
     count = len(vectors)
     pulls = np.zeros((count, PARAMETERS_FREE, elements))
@@ -188,20 +215,31 @@ def _beside(data: _Data, vectors: FloatArray, normal: Normal, frame: PictureFram
         mean = ((trust * off)[:, None, :] @ of)[:, 0] / np.maximum(total, 1e-12)
         squares += float((total * mean**2 - (total > 0)).sum())  # less what noise alone does
         counted += float(total.sum())
-    size = np.sqrt(max(squares / max(counted, 1.0), 0.0) + _LEAST_BESIDE_PX**2)
-    shared = pulls[:, SHARED].sum(axis=0)
-    moved = solve_normal(replace(normal, own_pull=pulls[:, OWN], shared_pull=shared))
+    shared = pulls[:, stand.shared].sum(axis=0)
+    moved = solve_normal(replace(normal, own_pull=pulls[:, stand.own], shared_pull=shared))
     found = np.empty_like(pulls)
-    found[:, OWN], found[:, SHARED] = moved.own, moved.shared
-    return np.asarray(found * size)
+    found[:, stand.own], found[:, stand.shared] = moved.own, moved.shared
+    return float(np.sqrt(max(squares / max(counted, 1.0), 0.0))), found
 
 
-def _covariances(found: Solution, beside: FloatArray) -> FloatArray:
+def _explained(data: _Data, vectors: FloatArray, frame: PictureFrame) -> float:
+    """The sum over the frames of the share of their marks that lie where their cameras say."""
+    found = 0.0
+    for rows in _in_parts(len(vectors)):
+        _, off, _ = _seen(data, rows, vectors, frame, _SCALES_PX[-1])
+        seen = data.trust[rows] > 0
+        held = (seen & (weights_of(off) > COUNTS)).sum(axis=1)
+        found += float((held / np.maximum(seen.sum(axis=1), 1)).sum())
+    return found
+
+
+def _covariances(found: Solution, beside: FloatArray, stand: Stand) -> FloatArray:
     """(K, 8, 8) of each frame's parameters: of the marks' noise, and of what elements do."""
+    own, shared = stand.own, stand.shared
     full = beside @ beside.transpose(0, 2, 1)
     followed = found.follow @ found.shared_covariance
-    full[:, OWN[:, None], OWN] += found.own_covariance
-    full[:, OWN[:, None], SHARED] += followed
-    full[:, SHARED[:, None], OWN] += followed.transpose(0, 2, 1)
-    full[:, SHARED[:, None], SHARED] += found.shared_covariance
+    full[:, own[:, None], own] += found.own_covariance
+    full[:, own[:, None], shared] += followed
+    full[:, shared[:, None], own] += followed.transpose(0, 2, 1)
+    full[:, shared[:, None], shared] += found.shared_covariance
     return full

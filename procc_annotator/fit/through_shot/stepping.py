@@ -22,12 +22,12 @@ from procc_annotator.fit.solving.covariance import projected_covariance, worst_s
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.models import KAPPA, ROLL, X, Z
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.through_shot.stand import TRIPOD, Stand
 from procc_annotator.fit.through_shot.turning import OWN, Turn
 from procc_annotator.image.pixels import PixelArray
 
-# What a frame may add to what is believed, standard deviations: tripods give, lenses breathe, and
-# no field is quite what it should be.
-_POSITION_M, _KAPPA, _ROLL_RAD = 0.015, 0.0005, 2e-5
+# What a frame may add to what is believed, standard deviations: lenses breathe, tripods lean.
+_KAPPA, _ROLL_RAD = 0.0005, 2e-5
 # Of a step that nothing foretells: pan, tilt, roll, logarithm of the focal length.
 _UNKNOWN_STEP = np.array([np.deg2rad(0.25), np.deg2rad(0.15), np.deg2rad(0.03), 0.01])
 _SLOWING = 0.7
@@ -68,13 +68,14 @@ class Stepped:
     standing_for: float = 1.0
 
 
-def foretold(belief: Belief, turn: Turn | None, last: FloatArray) -> Belief:
+def foretold(belief: Belief, turn: Turn | None, last: FloatArray, stand: Stand = TRIPOD) -> Belief:
     """What is believed of a camera one frame on.
 
     Args:
         belief: of the frame before.
         turn: how the picture says it moved.
         last: (4,) the step before, which goes on more slowly where nothing tells.
+        stand: what the camera stands on.
     """
     covariance = belief.covariance
     vector = belief.vector.copy()
@@ -84,8 +85,8 @@ def foretold(belief: Belief, turn: Turn | None, last: FloatArray) -> Belief:
         step[OWN, OWN] = _UNKNOWN_STEP**2
     else:
         vector[OWN] += turn.step
-        step[np.ix_(OWN, OWN)] = turn.covariance
-    step[range(X, Z + 1), range(X, Z + 1)] += _POSITION_M**2
+        step[np.ix_(OWN, OWN)] = turn.covariance + np.diag(stand.apparent**2)
+    step[range(X, Z + 1), range(X, Z + 1)] += stand.position_m**2
     step[KAPPA, KAPPA] += _KAPPA**2
     step[ROLL, ROLL] += _ROLL_RAD**2
     return Belief(vector, np.asarray(np.linalg.inv(covariance + step)))
@@ -99,7 +100,7 @@ def wireframe_sd(belief: Belief, seen: FloatArray, frame: PictureFrame) -> float
     found = projected_covariance(belief.vector, None, frame.half_diagonal, belief.covariance, few.T)
     sd = worst_sd(found)
     sd = sd[np.isfinite(sd)]
-    return float(np.quantile(sd, 0.9)) if len(sd) else np.inf
+    return _nine_in_ten(sd)
 
 
 def stepped(
@@ -137,25 +138,32 @@ def stepped(
     weights = weights_of(off)
     coverage, _ = shares_on_paint(seen, weights, painted)
     least = _LEAST_COVERAGE_FAR if reach > _SURE_REACH_PX else _LEAST_COVERAGE
-    counted = solved.weights > COUNTS
     none = replace(none, coverage=coverage)
-    if counted.sum() < _FEWEST / _THIN or coverage < least:
+    if (solved.weights > COUNTS).sum() < _FEWEST / _THIN or coverage < least:
         return replace(none, reason="too little of what should be in sight was found")
     moved = _apart(expected, solved.vector, painted, frame)
     if moved > _MOST_IN_SD * sd_px + _MOST_BESIDE_PX:
         return replace(none, reason="the paint that was found would move the camera too far")
-    new_worth = worth_of(solved, marks)
-    information = solved.information / new_worth.information_px**2 + believed.information
+    residual = float(np.median(np.abs(off[weights > COUNTS])))
+    none = replace(none, residual_px=residual)
+    return _surer(none, solved, marks, painted.world[:, seen.expected.rows], frame)
+
+
+def _surer(
+    before: Stepped, solved: Solved, marks: Marks, seen: FloatArray, frame: PictureFrame
+) -> Stepped:
+    """A frame after its paint has had a say; ``seen``: (3, n) metres, what is in sight."""
+    worth = worth_of(solved, marks)
+    information = solved.information / worth.information_px**2 + before.belief.information
     belief = Belief(solved.vector, information)
+    counted = solved.weights > COUNTS
     kept = _kept(counted)
-    return Stepped(
-        belief,
-        marks.chosen(kept),
-        new_worth,
-        turn,
-        coverage,
-        float(np.median(np.abs(off[weights > COUNTS]))),
-        wireframe_sd(belief, painted.world[:, seen.expected.rows], frame),
+    return replace(
+        before,
+        belief=belief,
+        marks=marks.chosen(kept),
+        worth=worth,
+        sd_px=wireframe_sd(belief, seen, frame),
         standing_for=float(counted.sum()) / len(kept),
     )
 
@@ -200,7 +208,12 @@ def _apart(expected: Expected, other: FloatArray, painted: Painted, frame: Pictu
         return np.inf
     there, _ = pixels_of(Lens.of(other[None], frame.half_diagonal), painted.world[:, expected.rows])
     across = ((there - expected.px) * expected.normal).sum(axis=0)
-    return float(np.quantile(np.abs(across), 0.9))
+    return _nine_in_ten(np.abs(across))
+
+
+def _nine_in_ten(values: FloatArray) -> float:
+    """What nine in ten of them are below; infinite without any."""
+    return float(np.sort(values)[int(0.9 * (len(values) - 1))]) if len(values) else np.inf
 
 
 def _kept(counted: np.ndarray) -> np.ndarray:

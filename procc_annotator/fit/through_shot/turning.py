@@ -25,7 +25,7 @@ _WINDOW = (15, 15)
 _LEVELS = 3
 _FEWEST = 16
 _LEAST_SHARE = 0.3  # of the corners that could be followed, for a motion to be believed
-_SCALES_PX = (12.0, 6.0, 3.0, 1.5, 1.5, 1.5)  # of the robust steps, solver px
+_SCALES_PX = (12.0, 5.0, 2.0, 1.5)  # of the robust steps, solver px
 # Standard deviations of what changes in a frame before anything is seen of it; and of what one
 # followed corner is off by at least.
 _ROLL_SD, _LOG_FOCAL_SD = np.deg2rad(0.05), 0.03

@@ -40,13 +40,19 @@ class FoundPlate(NamePlate):
         said = self._words()
         self.setVisible(said is not None)
         if said is not None:
-            self.say(*said)
+            text, tone = said
+            self.say(text, tone)
+            if self.wanted_size().width() > self._room():
+                self.say(text.partition(" (")[0], tone)  # the figures give way to the reason
             self._stand()
 
+    def _room(self) -> int:
+        return self._viewport.width() - 2 * _MARGIN
+
     def _stand(self) -> None:
-        room, size = self._viewport.size(), self.wanted_size()
-        width = min(size.width(), room.width() - 2 * _MARGIN)
-        top = room.height() - size.height() - _MARGIN
+        size = self.wanted_size()
+        width = min(size.width(), self._room())
+        top = self._viewport.height() - size.height() - _MARGIN
         self.put(QRect(_MARGIN, top, width, size.height()))
 
     def _words(self) -> tuple[str, str] | None:

@@ -274,6 +274,7 @@ class Document(QObject):
             store, signals, self.camera_sources, self.source_frames, self.live_fit
         )
         self.proposals = Proposals(store, signals, self.blind_lock, self.cache)
+        self.proposals.fits = lambda: (f.fit for f in self.fit_source.cameras.fits.values())
         self.foresight = Foresight(
             store, signals, self.live_fit, self.review, self.shot_track, self.proposals
         )

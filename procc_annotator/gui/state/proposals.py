@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
+from procc_annotator.fit.from_picture.agreed_positions import positions_of_fits
+from procc_annotator.fit.from_picture.proposal import SURE, Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
+from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.signals import Signals
@@ -29,7 +31,7 @@ class Proposals(QObject):
     in a dataset locked to it, nothing is looked for.
 
     Attributes:
-        known: where cameras of this dataset are known to stand; a search begins there.
+        fits: other cameras of this dataset: a search begins where they agree on a position.
     """
 
     changed = Signal()  # what is known of the frame on screen, or that it is looked for
@@ -39,7 +41,9 @@ class Proposals(QObject):
     ) -> None:
         super().__init__(store)
         self._store, self._blind_lock, self._cache = store, blind_lock, cache
-        self.known: tuple[KnownPosition, ...] = ()
+        self.fits: Callable[[], Iterable[FitResult]] = tuple
+        self._sure: dict[str, FitResult] = {}  # by frame
+        self._others: tuple[FitResult, ...] = ()  # as the thread sees them
         self._wanted = True
         self._derived = Derived(
             self._next,
@@ -62,6 +66,8 @@ class Proposals(QObject):
             signals.fieldChanged,
         ):
             signal.connect(self._derived.look_later)
+        signals.datasetChanged.connect(self._sure.clear)
+        signals.fieldChanged.connect(self._sure.clear)
 
     @property
     def wanted(self) -> bool:
@@ -111,6 +117,8 @@ class Proposals(QObject):
                 if index == state.frame_index:
                     return None  # a hand works here: no search slows it down
             elif self._derived.known(frame, state.field) is None:
+                sure = (fit for name, fit in self._sure.items() if name != frame.name)
+                self._others = (*sure, *self.fits())
                 return frame, state.field
         return None
 
@@ -140,9 +148,16 @@ class Proposals(QObject):
     def _look_at(self, frame: Frame, field: Field, *, go_on: Callable[[], None]) -> Proposal:
         """In a thread."""
         go_on()
+        known = positions_of_fits(self._others, field)
         picture = self._cache.get(frame.image_path)
-        return propose_camera(picture, field, known=self.known, go_on=go_on)
+        return propose_camera(picture, field, known=known, go_on=go_on)
 
     def _take(self) -> None:
+        state = self._store.state
+        for index in self._in_turn(state.frame_index):
+            frame = state.workspace.frames[index] if state.workspace is not None else None
+            found = self._derived.known(frame, state.field)
+            if frame is not None and found is not None and found.state == SURE:
+                self._sure[frame.name] = found.fit
         self.changed.emit()
         self._derived.look_later()  # there may be the next one to look at

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
@@ -58,35 +59,29 @@ def rows_of(metrics: QFontMetrics) -> Rows:
     return Rows(words, marks, band, status, numbers, numbers + metrics.height() + _GAP)
 
 
-def paint_strip(
+def paint_frames(
     painter: QPainter,
     content: StripContent,
     axis: Axis,
     area: QRectF,
     *,
     colours: QPalette,
-    number: int | None,
     stretch: tuple[int, int] | None,
-    words: tuple[str, str],
 ) -> None:
-    """Paint all of it.
+    """Paint all that stays the same from frame to frame.
 
     Args:
-        painter: on the widget.
+        painter: on something of the strip's size.
         content: what is shown.
         axis: which frames are in sight, along the area's width.
         area: without the room beside the frames.
         colours: of the window.
-        number: of the frame on screen.
         stretch: first and last number that somebody marked.
-        words: on the left, and on the right.
     """
     rows = rows_of(painter.fontMetrics())
     painter.fillRect(painter.viewport(), colours.color(QPalette.ColorRole.Window))
-    _paint_words(painter, area, rows, colours, words)
     band = QRectF(area.left(), rows.band, area.width(), _BAND)
     painter.fillRect(band, colours.color(QPalette.ColorRole.Base))
-    painter.save()
     painter.setClipRect(area.adjusted(-_ANCHOR - 1, 0, _ANCHOR + 1, 0))
     painter.translate(area.left(), 0)
     if stretch is not None:
@@ -97,11 +92,33 @@ def paint_strip(
     _paint_status(painter, content, axis, rows)
     _paint_anchors(painter, content, axis, rows, colours)
     _paint_numbers(painter, axis, rows, colours)
-    if number is not None:
-        _paint_current(painter, axis, rows, colours, number)
-    painter.restore()
+    painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(colours.color(QPalette.ColorRole.Mid))
-    painter.drawRect(band.adjusted(-0.5, -0.5, 0.5, 0.5))
+    painter.drawRect(band.translated(-area.left(), 0).adjusted(-0.5, -0.5, 0.5, 0.5))
+
+
+def paint_here(
+    painter: QPainter,
+    axis: Axis,
+    area: QRectF,
+    *,
+    colours: QPalette,
+    number: int | None,
+    words: tuple[str, str],
+) -> None:
+    """Paint what changes with the frame.
+
+    Args:
+        painter: on the widget.
+        axis, area, colours: as for `paint_frames`.
+        number: of the frame on screen.
+        words: on the left, and on the right.
+    """
+    rows = rows_of(painter.fontMetrics())
+    _paint_words(painter, area, rows, colours, words)
+    if number is not None:
+        painter.translate(area.left(), 0)
+        _paint_current(painter, axis, rows, colours, number)
 
 
 def _paint_words(
@@ -181,15 +198,21 @@ def _paint_status(painter: QPainter, content: StripContent, axis: Axis, rows: Ro
 def _paint_anchors(
     painter: QPainter, content: StripContent, axis: Axis, rows: Rows, colours: QPalette
 ) -> None:
+    """Diamonds; uprights where they would lie on each other."""
+    numbers = np.array(content.anchors, dtype=np.float64)
+    numbers = numbers[(numbers >= axis.begin - 1) & (numbers <= axis.end)]
+    places = np.unique(np.round((numbers + 0.5 - axis.begin) * axis.per_frame))
+    tone, y = colours.color(QPalette.ColorRole.Highlight), rows.marks + _MARKS / 2
+    if len(places) * 2 * _ANCHOR > axis.width / 2:
+        painter.setPen(QPen(tone, 1.0))
+        top, bottom = y - _ANCHOR, y + _ANCHOR
+        painter.drawLines([QLineF(x, top, x, bottom) for x in places.tolist()])
+        return
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(colours.color(QPalette.ColorRole.Highlight))
-    y, before = rows.marks + _MARKS / 2, -math.inf
-    for number in content.anchors:
-        x = axis.middle_of(number)
-        if axis.begin - 1 <= number <= axis.end and x - before >= 1.0:
-            before = x
-            painter.drawPolygon(_diamond(x, y))
+    painter.setBrush(tone)
+    for x in places.tolist():
+        painter.drawPolygon(_diamond(x, y))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
 
 

@@ -11,7 +11,7 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QResizeEvent,
+    QPixmap,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
@@ -20,8 +20,9 @@ from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.content import StripContent
-from procc_annotator.gui.strip.painting import Rows, paint_strip, rows_of
+from procc_annotator.gui.strip.painting import Rows, paint_frames, paint_here, rows_of
 from procc_annotator.gui.strip.words import words_of
+from procc_annotator.session.dataset.frame_sequence import FrameSequence
 
 _WHEEL_STEP = 1.25
 _SIDE = 8  # px beside the frames
@@ -43,7 +44,6 @@ class ShotStrip(QWidget):
 
     Attributes:
         content: what is shown.
-        axis: which frames are in sight; None while there are none.
     """
 
     def __init__(self, document: Document) -> None:
@@ -54,11 +54,15 @@ class ShotStrip(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys are the picture's
         self._document = document
         self.content = StripContent(document, self)
-        self.axis: Axis | None = None
+        self._axis: Axis | None = None
+        self._followed: FrameSequence | None = None  # what the axis is of
         self._aim: int | None = None  # the number under a hand that drags
         self._mark_from: int | None = None
         self.stretch: tuple[int, int] | None = None  # numbers, first and last, marked by hand
         self._tasks: tuple[StripTask, ...] = ()
+        self._painted: QPixmap | None = None
+        self._painted_of: tuple[object, ...] = ()
+        self.content.changed.connect(self._paint_anew)
         self._refresher = Refresher(self, self._follow)
         self._refresher.follow(
             document.store,
@@ -76,6 +80,15 @@ class ShotStrip(QWidget):
     # --- what is shown ----------------------------------------------------------------------
 
     @property
+    def axis(self) -> Axis | None:
+        """Which frames are in sight along the width there is; None while there are none."""
+        return None if self._axis is None else self._axis.with_width(self._room())
+
+    @axis.setter
+    def axis(self, axis: Axis | None) -> None:
+        self._axis = axis
+
+    @property
     def number(self) -> int | None:
         """The frame on screen, or the one that a hand drags to."""
         sequence, index = self.content.sequence, self._document.frame_index
@@ -84,15 +97,16 @@ class ShotStrip(QWidget):
         return int(sequence.numbers[index]) if 0 <= index < len(sequence.numbers) else None
 
     def _follow(self) -> None:
-        sequence, axis = self.content.sequence, self.axis
-        if sequence is None:
-            self.axis = self.stretch = None
-        elif axis is None or (axis.first, axis.last) != (sequence.first, sequence.last):
-            self.axis = Axis.whole(sequence.first, sequence.last, self._room())
-            self.stretch = None
+        sequence = self.content.sequence
+        if sequence is not self._followed:
+            self._followed, self.stretch = sequence, None
+            whole = None
+            if sequence is not None:
+                whole = Axis.whole(sequence.first, sequence.last, self._room())
+            self._axis = whole
         number = self.number
-        if self.axis is not None and number is not None and self._aim is None:
-            self.axis = self.axis.showing(number)
+        if self._axis is not None and number is not None and self._aim is None:
+            self._axis = self._axis.showing(number)
         self.update()
 
     def _room(self) -> float:
@@ -108,22 +122,41 @@ class ShotStrip(QWidget):
         return QSize(120, self._rows().height)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        if self.axis is None:
+        axis = self.axis
+        if axis is None:
             return
         painter = QPainter(self)
         area = QRectF(_SIDE, 0, self._room(), self.height())
-        words = words_of(self._document, self.content, self.number)
-        paint_strip(
+        painter.drawPixmap(0, 0, self._frames_painted(axis, area))
+        far = next(filter(None, (task.words() for task in self._tasks)), "")
+        paint_here(
             painter,
-            self.content,
-            self.axis,
+            axis,
             area,
             colours=self.palette(),
             number=self.number,
-            stretch=self.stretch,
-            words=(words, next(filter(None, (task.words() for task in self._tasks)), "")),
+            words=(words_of(self._document, self.content, self.number), far),
         )
         painter.end()
+
+    def _frames_painted(self, axis: Axis, area: QRectF) -> QPixmap:
+        """All but what changes from frame to frame, painted anew where it changed."""
+        ratio = self.devicePixelRatioF()
+        of = (axis, self.size(), ratio, self.stretch, self.content.hidden, self.palette())
+        if self._painted is None or self._painted_of != of:
+            self._painted_of = of
+            self._painted = QPixmap(self.size() * ratio)
+            self._painted.setDevicePixelRatio(ratio)
+            painter = QPainter(self._painted)
+            painter.setFont(self.font())
+            paint_frames(
+                painter, self.content, axis, area, colours=self.palette(), stretch=self.stretch
+            )
+            painter.end()
+        return self._painted
+
+    def _paint_anew(self) -> None:
+        self._painted = None
 
     # --- hands ------------------------------------------------------------------------------
 
@@ -171,11 +204,6 @@ class ShotStrip(QWidget):
         self.update()
         event.accept()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        if self.axis is not None:
-            self.axis = self.axis.with_width(self._room())
-
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and self.axis is not None:
             number = self._number_under(QPointF(event.pos()))
@@ -184,6 +212,7 @@ class ShotStrip(QWidget):
             )
             return True
         if event.type() == QEvent.Type.FontChange:
+            self._paint_anew()
             self.updateGeometry()
         return super().event(event)
 

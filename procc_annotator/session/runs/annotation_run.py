@@ -26,7 +26,7 @@ _NOTHING = FrameAnnotation(())
 
 
 @dataclass(frozen=True, slots=True)
-class Painted:
+class PaintedFrame:
     """What was found of one picture.
 
     Attributes:
@@ -57,22 +57,24 @@ class AnnotatePictures:
     field: Field
     camera_size: tuple[int, int] | None = None
 
-    def __call__(self, chunk: Sequence[Frame]) -> tuple[list[Painted], None]:
+    def __call__(self, chunk: Sequence[Frame]) -> tuple[list[PaintedFrame], None]:
         return [self._annotate(frame) for frame in chunk], None
 
-    def _annotate(self, frame: Frame) -> Painted:
+    def _annotate(self, frame: Frame) -> PaintedFrame:
         try:
             loaded = self.cameras.opened.read(frame.name)
             picture = decode_bgra(frame.image_path)
         except InputError as error:
-            return Painted(frame.name, error=str(error))
+            return PaintedFrame(frame.name, error=str(error))
         size = picture.shape[1], picture.shape[0]
         own = self.camera_size or loaded.size or OFFICIAL_SIZE
         camera, _ = fit_to_size(loaded, size, own)
         if not isinstance(camera, PinholeCamera | HomographyCamera):
             shown = self.cameras.opened.display(frame.name)
             why = f"{shown}: a camera of the kind {loaded.model} is of no use here"
-            return Painted(frame.name, error=f"{why} (convert it to a pinhole or a homography)")
+            return PaintedFrame(
+                frame.name, error=f"{why} (convert it to a pinhole or a homography)"
+            )
         return painted(frame.name, picture, camera, self.field)
 
     def close(self) -> None:
@@ -82,7 +84,7 @@ class AnnotatePictures:
 
 def painted(
     name: str, picture: PixelArray, camera: PinholeCamera | HomographyCamera, field: Field
-) -> Painted:
+) -> PaintedFrame:
     """The elements of a picture whose paint is seen where a camera shows them.
 
     Args:
@@ -96,10 +98,10 @@ def painted(
     ghosts = find_ghosts(_NOTHING, shown, given_camera(camera, size))
     found = [find_points(ghost, picture, shown, size) for ghost in ghosts]
     accepted = accept_all(_NOTHING, found)
-    return Painted(name, accepted.annotation, len(accepted.left))
+    return PaintedFrame(name, accepted.annotation, len(accepted.left))
 
 
-class AnnotationRun(SetRun[Frame, Painted, None]):
+class AnnotationRun(SetRun[Frame, PaintedFrame, None]):
     """One pass over pictures that have a camera; iterate it once."""
 
     chunk = 1  # a second's work, and what is found is written as it comes

@@ -67,7 +67,7 @@ class StretchAccepting(QObject):
         )
         self._then: Callable[[EditedFrames], None] = self._tell_accepted
         self._edits.finished.connect(lambda outcome: self._then(outcome))
-        document.datasetChanged.connect(self._forget)
+        document.datasetChanged.connect(self.forget)
         document.frameChanged.connect(self._go_on)
 
     @property
@@ -130,10 +130,6 @@ class StretchAccepting(QObject):
             return False  # something was done here since: that is meant
         self.take_back()
         return True
-
-    def stop(self) -> None:
-        """Accept no more: the window closes."""
-        self._forget()
 
     # --- which frames -------------------------------------------------------------------------
 
@@ -230,7 +226,8 @@ class StretchAccepting(QObject):
         """Somebody looks at another frame: from now on undo means that one."""
         self._at = -1
 
-    def _forget(self) -> None:
+    def forget(self) -> None:
+        """Accept no more and say nothing: the dataset or the window closes."""
         if self._job is not None:
             self._job.cancel()
             self._end()

@@ -84,7 +84,8 @@ class ShotFollowing(QObject):
         self._come = _Come()
         self._corrected: dict[int, None] = {}  # numbers of anchors, in the order of their edits
         self._left = -1  # the index of the frame on screen, to be looked at once it is left
-        document.datasetChanged.connect(self._forget)
+        document.datasetChanged.connect(self.forget)
+        document.blindChanged.connect(self._hide)
         document.annotationChanged.connect(self._note_edit)
         document.frameChanged.connect(self._follow_corrected)
 
@@ -133,13 +134,14 @@ class ShotFollowing(QObject):
     # --- inside -------------------------------------------------------------------------------
 
     def _camera_here(self) -> Camera | None:
-        """The camera of the frame on screen: of its clicks, found without, or loaded."""
+        """The camera of the frame on screen: of its clicks, found without, or loaded. None that is
+        unsure: a whole shot would be; the track then looks for one that is sure."""
         document = self._document
-        insight = document.foresight.insight
-        if insight is not None and insight.fit.camera is not None:
+        insight, found = document.foresight.insight, document.foresight.found
+        if insight is not None and insight.from_clicks and insight.fit.camera is not None:
             return insight.fit.camera
-        if document.foresight.found is not None:
-            return document.foresight.found.camera
+        if found is not None and not document.foresight.doubt:
+            return found.camera
         cameras, name, size = document.active_camera, document.frame, document.picture_size
         if cameras is None or name is None or size is None:
             return None
@@ -147,8 +149,8 @@ class ShotFollowing(QObject):
             loaded = cameras.camera(name.name, size)
         except CameraError:
             return None  # told where it is shown
-        found = loaded.camera if loaded is not None else None
-        return found if isinstance(found, PinholeCamera | HomographyCamera) else None
+        camera = loaded.camera if loaded is not None else None
+        return camera if isinstance(camera, PinholeCamera | HomographyCamera) else None
 
     def _begin(self, number: int, camera: Camera | None, within: range | None) -> None:
         document = self._document
@@ -183,6 +185,11 @@ class ShotFollowing(QObject):
         self._end()
         shot_track = self._document.shot_track
         shot_track.take(found, is_shot=is_shot)
+        if all(frame.fit is None for frame in found.frames):
+            self._document.say(
+                "no frame of the shot has a camera that is sure: annotate one, then follow it"
+            )
+            return
         doubtful = sum(bool(doubt_about(frame)) for frame in found.frames)
         frames = counted(len(found.frames), "frame")
         left = f", {doubtful:,} of them doubtful (Alt+PgDown)" if doubtful else ", all of them sure"
@@ -197,7 +204,12 @@ class ShotFollowing(QObject):
         self._job = None
         self.changed.emit()
 
-    def _forget(self) -> None:
+    def _hide(self, blind: bool) -> None:
+        if blind:
+            self.stop()
+
+    def forget(self) -> None:
+        """Follow no further and say nothing: the dataset or the window closes."""
         self._corrected.clear()
         if self._job is not None:
             self._job.cancel()

@@ -1,0 +1,37 @@
+"""A set that was annotated by the program says so when it is opened."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QLabel
+from pytestqt.qtbot import QtBot
+from typer.testing import CliRunner
+
+from procc_annotator.cli.main import app
+from procc_annotator.session.facts.origins import OriginKind
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import MakeWindow
+
+
+def test_points_of_annotate_are_proposed(
+    make_window: MakeWindow, qtbot: QtBot, sample_data: Path, tmp_path: Path
+) -> None:
+    match = tmp_path / "match"
+    match.mkdir()
+    shutil.copy(sample_data / "00004.jpg", match)
+    cameras = sample_data / "cameras" / "true"
+    arguments = ["annotate", match, match / "annotations", "--cameras", cameras]
+    assert CliRunner().invoke(app, [str(argument) for argument in arguments]).exit_code == 0
+    window = make_window(match)
+    document = window.document
+    counts = document.review.origin_counts(document.frame.name, document.annotation)
+    assert set(counts) == {OriginKind.PROPOSED}
+    assert counts[OriginKind.PROPOSED] > 20
+    window.show_panel("review")
+    shown = window.findChild(QLabel, "reviewOrigins")
+    assert isinstance(shown, QLabel)
+    qtbot.waitUntil(lambda: "proposed" in shown.text())

@@ -1,0 +1,109 @@
+"""A camera from one picture: the right one, and never surely a wrong one."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import FloatArray
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
+from procc_annotator.fit.from_picture.proposing import propose_camera
+from procc_annotator.image.decode import PixelArray, decode_bgra
+from tests.drawn_shots import PICTURE_SIZE, Stage, draw, looking_at, stage_of
+
+MAIN = (2.0, 68.0, -16.0)
+
+
+@cache
+def _stage() -> Stage:
+    return stage_of("soccer")
+
+
+@cache
+def _drawn() -> tuple[PinholeCamera, PixelArray]:
+    camera = looking_at(MAIN, (-34.0, -4.0, 0.0), 1900.0)
+    return camera, draw(_stage(), camera, seed=3)
+
+
+@cache
+def _anywhere() -> Proposal:
+    return propose_camera(_drawn()[1], _stage().field)
+
+
+def _worst_px(one: PinholeCamera, other: PinholeCamera) -> float:
+    """Of what the first shows of the ground, by how much the other one is off at most."""
+    x, y = np.meshgrid(np.linspace(-52, 52, 40), np.linspace(-34, 34, 30))
+    ground: FloatArray = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
+    px, ahead = one.project(ground)
+    inside = ahead & (px >= 0).all(axis=1) & (px <= np.array(PICTURE_SIZE) - 1).all(axis=1)
+    again, _ = other.project(ground)
+    return float(np.hypot(*(px - again)[inside].T).max())
+
+
+def test_finds_the_camera_of_a_drawn_picture() -> None:
+    camera, _ = _drawn()
+    found = _anywhere()
+    assert found.state == "sure"
+    assert isinstance(found.fit.camera, PinholeCamera)
+    assert _worst_px(camera, found.fit.camera) < 4
+    assert found.coverage > 0.85
+    assert found.explained > 0.85
+    assert "lie on paint" in found.reason
+
+
+def test_deviations_hold_the_position() -> None:
+    found = _anywhere()
+    assert found.fit.deviations is not None
+    assert isinstance(found.fit.camera, PinholeCamera)
+    off = np.abs(np.array(found.fit.camera.position_world) - MAIN)
+    assert (off < 4 * np.array(found.fit.deviations.position_m) + 0.1).all()
+
+
+def test_the_same_picture_gives_the_same_camera() -> None:
+    again = propose_camera(_drawn()[1].copy(), _stage().field)
+    assert again.fit.camera == _anywhere().fit.camera
+
+
+def test_a_known_position_is_kept() -> None:
+    camera, picture = _drawn()
+    known = KnownPosition(np.array(MAIN), np.eye(3) * 0.04)
+    found = propose_camera(picture, _stage().field, known=[known])
+    assert found.state == "sure"
+    assert isinstance(found.fit.camera, PinholeCamera)
+    assert _worst_px(camera, found.fit.camera) < 4
+    assert np.abs(np.array(found.fit.camera.position_world) - MAIN).max() < 0.8
+
+
+def test_a_wrong_known_position_is_not_sure() -> None:
+    known = KnownPosition(np.array([-30.0, 50.0, -8.0]), np.eye(3) * 0.04)
+    assert propose_camera(_drawn()[1], _stage().field, known=[known]).state != "sure"
+
+
+@pytest.mark.parametrize("sport", ["volleyball", "ice_hockey"])
+def test_a_picture_of_another_sport_is_not_sure(sport: str, sample_data: Path) -> None:
+    picture = decode_bgra(sample_data / sport / "00001.jpg")
+    assert propose_camera(picture, _stage().field).state != "sure"
+
+
+def test_a_picture_without_paint_has_no_camera() -> None:
+    picture = np.full((540, 960, 4), (60, 140, 70, 255), dtype=np.uint8)
+    found = propose_camera(picture, _stage().field)
+    assert found.state == "none"
+    assert found.fit.camera is None
+    assert found.fit.failure == found.reason
+    assert "hardly any paint" in found.reason
+
+
+def test_can_be_stopped() -> None:
+    class _StoppedError(Exception):
+        pass
+
+    def stop() -> None:
+        raise _StoppedError
+
+    with pytest.raises(_StoppedError):
+        propose_camera(_drawn()[1], _stage().field, go_on=stop)

@@ -1,0 +1,96 @@
+"""A camera that is nearly right is made right on the paint of its picture, and told how surely."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from procc_annotator.field.appearance import Appearance
+from procc_annotator.fit.on_paint.expected import expect
+from procc_annotator.fit.on_paint.looking import look, shares_on_paint
+from procc_annotator.fit.on_paint.marks import residuals
+from procc_annotator.fit.on_paint.painted import painted_of
+from procc_annotator.fit.on_paint.refining import refine_on_paint
+from procc_annotator.fit.solving.models import vector_from_camera
+from tests.unit.fit.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
+
+TRUE = camera()
+VECTOR = vector_from_camera(TRUE, FRAME)
+
+
+def test_a_camera_beside_its_paint_is_put_on_it() -> None:
+    beside = replace(TRUE, pan_rad=TRUE.pan_rad + 0.006, tilt_rad=TRUE.tilt_rad - 0.003)
+    assert apart_px(TRUE, beside) > 5
+    found = refine_on_paint(draw(TRUE), FIELD, beside)
+    assert isinstance(found.fit.camera, type(TRUE))
+    assert apart_px(TRUE, found.fit.camera) < 0.7
+    assert found.coverage > 0.9
+    assert found.residual_px is not None
+    assert found.residual_px < 0.3
+    assert found.shares["Big rect. right main"] > 0.9
+    assert not found.fit.left_out
+
+
+def test_what_is_said_of_its_sureness_is_true() -> None:
+    offs = []
+    for seed in range(6):
+        found = refine_on_paint(draw(TRUE, noise=6.0, seed=seed), FIELD, TRUE).fit
+        assert found.vector is not None
+        assert found.covariance is not None
+        off = (found.vector - VECTOR)[:8]
+        offs.append(off / np.sqrt(np.diag(found.covariance)))
+    assert 0.1 < np.sqrt(np.mean(np.square(offs))) < 2.0
+
+
+def test_a_picture_without_lines_has_no_camera() -> None:
+    found = refine_on_paint(draw(TRUE, lines=False), FIELD, TRUE)
+    assert found.fit.camera is None or found.coverage < 0.3
+    blank = np.full((SIZE[1], SIZE[0], 4), 90, dtype=np.uint8)
+    found = refine_on_paint(blank, FIELD, TRUE)
+    assert found.fit.camera is None
+    assert found.fit.failure
+    assert found.residual_px is None
+
+
+def test_a_camera_that_sees_nothing_of_the_field_expects_nothing() -> None:
+    away = vector_from_camera(replace(TRUE, pan_rad=TRUE.pan_rad + np.pi), FRAME)
+    assert not len(expect(away, painted_of(FIELD), FRAME, 5.0).rows)
+    assert refine_on_paint(draw(TRUE), FIELD, away).fit.camera is None
+
+
+def test_paint_darker_than_its_ground_is_found_as_such() -> None:
+    dark = replace(
+        FIELD,
+        elements=tuple(
+            replace(e, appearance=Appearance("line", "darker", "any", e.line_width))
+            for e in FIELD.elements
+            if e.line_width
+        ),
+    )
+    picture = draw(TRUE)
+    inverted = picture.copy()
+    inverted[..., :3] = 255 - picture[..., :3]
+    for field, shown, found in (
+        (dark, inverted, True),
+        (dark, picture, False),
+        (FIELD, inverted, False),
+    ):
+        painted = painted_of(field)
+        seen = look(shown, VECTOR, painted, FRAME, 4.0)
+        share, _ = shares_on_paint(seen, np.ones(len(seen.marks)), painted)
+        assert (share > 0.8) == found
+
+
+def test_derivatives_of_marks_are_those_of_where_they_appear() -> None:
+    marks = look(draw(TRUE), VECTOR, painted_of(FIELD), FRAME, 4.0).marks
+    _, by = residuals(VECTOR[None], marks, FRAME.half_diagonal)
+    for parameter, step in enumerate((1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4, 1e-6, 1e-5)):
+        ahead, back = VECTOR.copy(), VECTOR.copy()
+        ahead[parameter] += step
+        back[parameter] -= step
+        off = residuals(np.array([ahead, back]), marks, FRAME.half_diagonal)[0]
+        assert (off[1] - off[0]) / (2 * step) == pytest.approx(
+            by[0, :, parameter], rel=1e-3, abs=1e-3
+        )

@@ -1,0 +1,223 @@
+"""A camera is followed through a shot, both ways, to the cuts; what is not known is said."""
+
+from __future__ import annotations
+
+import itertools
+import threading
+from collections.abc import Callable
+from functools import lru_cache
+
+import numpy as np
+import pytest
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.models import vector_from_camera
+from procc_annotator.fit.through_shot.banded import Normal, solve_normal
+from procc_annotator.fit.through_shot.following_shot import track
+from procc_annotator.fit.through_shot.reading import glimpses
+from procc_annotator.fit.through_shot.track import Track, TrackedFrame
+from procc_annotator.fit.through_shot.turning import OWN, small_grey, turn_between
+from procc_annotator.image.pixels import PixelArray
+from tests.unit.fit.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
+
+COUNT = 20
+CAMERAS = [camera(0.36 + 0.006 * n + 0.0002 * n * n, 1.33, 1500.0 * 1.005**n) for n in range(COUNT)]
+OTHER = camera(-0.5, 1.34, 1700.0)
+UNLIKE = np.random.default_rng(1).integers(0, 255, (SIZE[1], SIZE[0], 4), dtype=np.uint8)
+
+
+@lru_cache(maxsize=64)
+def _picture(number: int, lines: bool = True) -> PixelArray:
+    return draw(CAMERAS[number], lines=lines, seed=number)
+
+
+def _nothing(_picture: PixelArray, _field: object, _known: tuple[KnownPosition, ...]) -> Proposal:
+    fit = FitResult("R", SIZE, None, "nothing")
+    return Proposal("none", "nothing was proposed", fit, 0.0, 0.0, None, 0.0, None)
+
+
+def _followed(frame: Callable[[int], PixelArray] = _picture, **options: object) -> Track:
+    options.setdefault("propose", _nothing)
+    options.setdefault("anchors", {0: CAMERAS[0]})
+    return track(frame, range(COUNT), FIELD, **options)  # type: ignore[arg-type]
+
+
+def _off(frame: TrackedFrame) -> float:
+    assert frame.fit is not None
+    assert isinstance(frame.fit.camera, PinholeCamera)
+    return apart_px(CAMERAS[frame.number], frame.fit.camera)
+
+
+def test_every_frame_is_followed_from_one_in_the_middle() -> None:
+    told: list[TrackedFrame] = []
+    found = _followed(anchors={7: CAMERAS[7]}, on_frame=told.append)
+    assert [f.number for f in found.frames] == list(range(COUNT))
+    assert [f.state for f in found.frames] == ["followed"] * 7 + ["anchor"] + ["followed"] * 12
+    assert max(_off(f) for f in found.frames) < 0.8
+    assert min(f.coverage for f in found.frames) > 0.8
+    assert [f.anchor_distance for f in found.frames] == [abs(n - 7) for n in range(COUNT)]
+    assert found.shots == ((0, COUNT - 1),)
+    assert sorted(f.number for f in told) == list(range(COUNT))
+    fits = [f.fit for f in found.frames if f.fit is not None and f.state != "anchor"]
+    positions = {f.camera.position_world for f in fits if isinstance(f.camera, PinholeCamera)}
+    assert len(positions) == 1  # a tripod
+
+
+def test_an_anchor_keeps_its_camera_to_the_digit_and_the_track_passes_it() -> None:
+    anchors = {0: CAMERAS[0], 12: CAMERAS[12], 19: CAMERAS[19]}
+    found = _followed(anchors=anchors)
+    for number, given in anchors.items():
+        fit = found.frames[number].fit
+        assert fit is not None
+        assert fit.camera is given
+        assert found.frames[number].state == "anchor"
+    assert max(_off(f) for f in found.frames) < 0.8
+    assert found.frames[10].anchor_distance == 2
+
+
+def test_the_same_frames_give_the_same_cameras() -> None:
+    def vectors(found: Track) -> list[list[float]]:
+        return [f.fit.vector.tolist() for f in found.frames if f.fit and f.fit.vector is not None]
+
+    assert vectors(_followed()) == vectors(_followed())
+
+
+def test_frames_without_paint_are_bridged_and_less_sure() -> None:
+    bare = range(8, 13)
+    found = _followed(lambda n: _picture(n, n not in bare))
+    states = [f.state for f in found.frames]
+    assert states[1:8] == ["followed"] * 7
+    assert states[8:13] == ["bridged"] * 5
+    assert states[13:] == ["followed"] * 7
+    assert all(found.frames[n].reason for n in bare)
+    assert max(_off(f) for f in found.frames) < 3.0
+    place = np.array([[36.0, 0.0, 0.0]])
+    deviations = [float(f.fit.projected_sd(place)[0]) for f in found.frames if f.fit]
+    assert deviations[10] > 2.0 * deviations[5]
+
+
+def test_a_cut_ends_a_shot_and_the_next_one_is_found_by_a_proposal() -> None:
+    known: list[int] = []
+
+    def frame(number: int) -> PixelArray:
+        return _picture(number) if number < 9 else draw(OTHER, seed=number)
+
+    def propose(picture: PixelArray, _: object, places: tuple[KnownPosition, ...]) -> Proposal:
+        known.append(len(places))
+        fit = FitResult("R", SIZE, OTHER, vector=vector_from_camera(OTHER, FRAME))
+        return Proposal("sure", "all is there", fit, 1.0, 1.0, 0.1, 0.9, None)
+
+    found = _followed(frame, propose=propose)
+    assert found.shots == ((0, 8), (9, COUNT - 1))
+    assert {f.state for f in found.frames[9:]} == {"followed"}
+    assert known == [0]  # another shot may be from anywhere
+    assert found.frames[15].anchor_distance == 6
+    assert max(_off(f) for f in found.frames[:9]) < 0.8
+
+
+def test_what_shows_nothing_of_the_field_is_lost_and_said_to_be() -> None:
+    found = _followed(lambda n: _picture(n) if n < 9 else UNLIKE)
+    assert [f.state for f in found.frames[9:]] == ["lost"] * (COUNT - 9)
+    assert all(f.fit is None and f.anchor_distance is None for f in found.frames[9:])
+    assert found.frames[-1].reason == "nothing was proposed"
+
+
+def test_it_ends_as_soon_as_it_is_told_to() -> None:
+    class Stopped(Exception):
+        pass
+
+    calls = 0
+
+    def go_on() -> None:
+        nonlocal calls
+        calls += 1
+        if calls == 5:
+            raise Stopped
+
+    with pytest.raises(Stopped):
+        _followed(go_on=go_on)
+    assert calls == 5
+    assert not [t for t in threading.enumerate() if t.name == "frames ahead"]
+
+
+def test_no_frames_are_no_track() -> None:
+    assert track(_picture, range(0), FIELD).frames == ()
+
+
+def test_frames_come_backwards_and_a_failure_is_passed_on() -> None:
+    assert [g.number for g in glimpses(_picture, range(12, 2, -1))] == list(range(12, 2, -1))
+
+    def broken(number: int) -> PixelArray:
+        if number == 4:
+            raise OSError("gone")
+        return _picture(number)
+
+    with pytest.raises(OSError, match="gone"):
+        list(glimpses(broken, range(10)))
+
+
+def test_the_motion_of_a_picture_is_that_of_its_camera() -> None:
+    before, now = CAMERAS[3], CAMERAS[5]
+    turn = turn_between(
+        small_grey(_picture(3)),
+        small_grey(_picture(5)),
+        vector_from_camera(before, FRAME),
+        np.zeros(4),
+        FRAME,
+    )
+    assert turn is not None
+    true = (vector_from_camera(now, FRAME) - vector_from_camera(before, FRAME))[OWN]
+    assert np.abs(turn.step - true)[:2].max() < 1.0 / 1500  # a solver px
+    assert abs(turn.step[3] - true[3]) < 0.004
+    unlike = small_grey(UNLIKE)
+    vector = vector_from_camera(before, FRAME)
+    assert turn_between(small_grey(_picture(3)), unlike, vector, np.zeros(4), FRAME) is None
+
+
+def test_a_chain_is_solved_as_all_of_it_at_once_would_be() -> None:
+    random = np.random.default_rng(3)
+    count, own, shared = 5, 3, 2
+    total = count * own + shared
+    whole = np.zeros((total, total))
+    for k in range(count):
+        rows = [*range(k * own, k * own + own), *range(count * own, total)]
+        if k + 1 < count:
+            rows += range((k + 1) * own, (k + 2) * own)
+        by = random.normal(size=(20, len(rows)))
+        whole[np.ix_(rows, rows)] += by.T @ by
+    right = random.normal(size=(total, 1))
+    blocks = [slice(k * own, (k + 1) * own) for k in range(count)]
+    last = slice(count * own, total)
+    found = solve_normal(
+        Normal(
+            np.array([whole[b, b] for b in blocks]),
+            np.array([whole[a, b] for a, b in itertools.pairwise(blocks)]),
+            np.array([whole[b, last] for b in blocks]),
+            whole[last, last],
+            np.array([right[b] for b in blocks]),
+            right[last],
+        )
+    )
+    solved, inverse = np.linalg.solve(whole, right), np.linalg.inv(whole)
+    assert found.own.reshape(-1, 1) == pytest.approx(solved[: count * own])
+    assert found.shared == pytest.approx(solved[last])
+    assert found.shared_covariance == pytest.approx(inverse[last, last])
+    for k, block in enumerate(blocks):
+        assert found.own_covariance[k] == pytest.approx(inverse[block, block])
+
+
+def test_a_camera_on_rails_is_followed_as_one() -> None:
+    cameras = [
+        camera(0.44 + 0.002 * n, 1.33, 1300.0, (-4.0 + 0.25 * n, 62.0, -17.0)) for n in range(COUNT)
+    ]
+    pictures = [draw(shown, seed=n) for n, shown in enumerate(cameras)]
+    found = _followed(pictures.__getitem__, anchors={0: cameras[0]})
+    assert {f.state for f in found.frames[1:]} == {"followed"}
+    for frame in found.frames:
+        assert frame.fit is not None
+        assert isinstance(frame.fit.camera, PinholeCamera)
+        assert apart_px(cameras[frame.number], frame.fit.camera) < 1.5
+        apart = np.subtract(frame.fit.camera.position_world, cameras[frame.number].position_world)
+        assert np.abs(apart).max() < 0.5

@@ -1,0 +1,82 @@
+"""The paint of a whole picture, and the ground it lies on."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from procc_annotator.image.ground import ground_of
+from procc_annotator.image.paint_map import PaintMap, paint_map
+
+SIZE = (960, 540)
+GRASS, PAINT = (50, 130, 60), (225, 230, 228)
+
+
+def _grass() -> np.ndarray:
+    picture = np.empty((SIZE[1], SIZE[0], 3), dtype=np.uint8)
+    picture[:] = GRASS
+    # A crowd above: every pixel another colour.
+    crowd = np.random.default_rng(1).integers(0, 255, (140, SIZE[0], 3))
+    picture[:140] = crowd.astype(np.uint8)
+    return picture
+
+
+def _beside(found: PaintMap, first: tuple[float, float], last: tuple[float, float]) -> np.ndarray:
+    """(N,) px across from the paint that was found to a line."""
+    way = np.subtract(last, first) / np.hypot(*np.subtract(last, first))
+    apart = found.points - np.array(first)[:, None]
+    return np.abs(way[0] * apart[1] - way[1] * apart[0])
+
+
+def test_a_line_is_found_at_its_middle_with_its_direction() -> None:
+    picture = _grass()
+    cv2.line(picture, (100, 200), (800, 480), PAINT, 3, cv2.LINE_AA)
+    found = paint_map(picture)
+    assert found.points.shape[1] > 500
+    assert np.median(_beside(found, (100, 200), (800, 480))) < 0.3
+    off = np.abs(found.along - np.arctan2(280, 700))
+    assert np.percentile(off, 95) < 0.05  # at its ends it may turn
+    assert found.on_ground.mean() > 0.95
+
+
+def test_the_same_place_in_a_larger_picture() -> None:
+    picture = _grass()
+    cv2.line(picture, (100, 200), (800, 480), PAINT, 3, cv2.LINE_AA)
+    larger = cv2.resize(picture, (1920, 1080), interpolation=cv2.INTER_LINEAR)
+    found = paint_map(np.asarray(larger, dtype=np.uint8))
+    assert found.size == (1920, 1080)
+    assert np.median(_beside(found, (200.5, 400.5), (1600.5, 960.5))) < 0.6
+
+
+def test_the_edge_of_a_mown_stripe_is_no_paint() -> None:
+    picture = _grass()
+    picture[300:] = (70, 160, 80)
+    assert not paint_map(picture).points.shape[1]
+
+
+def test_what_does_not_go_on_is_no_paint() -> None:
+    picture = _grass()
+    for x in range(100, 900, 60):
+        cv2.line(picture, (x, 300), (x + 14, 300), PAINT, 3, cv2.LINE_AA)
+    assert not paint_map(picture).points.shape[1]
+
+
+def test_dark_paint_is_found_where_it_is_asked_for() -> None:
+    picture = np.full((SIZE[1], SIZE[0], 3), 220, dtype=np.uint8)
+    cv2.line(picture, (100, 200), (800, 480), (60, 60, 200), 4, cv2.LINE_AA)
+    assert not paint_map(picture).points.shape[1]
+    assert paint_map(picture, light=False, dark=True).points.shape[1] > 500
+
+
+def test_the_ground_is_what_is_smooth_and_large_with_players_on_it() -> None:
+    picture = _grass()
+    cv2.rectangle(picture, (400, 300), (420, 350), (30, 30, 200), -1)
+    ground = ground_of(picture)
+    assert ground.shape == (180, 320)
+    assert not ground[:40].any()
+    assert ground[55:].all()
+
+
+def test_noise_has_no_ground() -> None:
+    crowd = np.random.default_rng(2).integers(0, 255, (540, 960, 3))
+    assert not ground_of(crowd.astype(np.uint8)).any()
