@@ -11,7 +11,7 @@ import typer
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.field_option import chosen_field
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.through_shot.following_shot import track as follow_shot
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -119,11 +119,13 @@ def track(
     datasets.report_remarks(pictures.notices)
     start = None if begin is None else _number_of(begin, pictures)
     _check_out(out, [annotations, cameras], overwrite=overwrite)
-    names = tuple(frame.name for frame in pictures.frames)
-    table = TrackTable(names) if overwrite else read_table(out, names)
+    table = _table(out, tuple(frame.name for frame in pictures.frames), overwrite=overwrite)
     size = options.shown_size(camera_size)
     anchors = _anchors(pictures, shown, annotations, cameras, camera_format, size)
     shots = _shots(pictures, anchors, start)
+    if overwrite:
+        for shot in shots:
+            table.forget(shot.frames)
     run = TrackRun([s for s in shots if not table.has_all(s.frames)], shown, follow_shot)
     kept = len(shots) - run.total
     try:
@@ -175,6 +177,20 @@ def _check_out(out: Path, inputs: Sequence[Path | None], *, overwrite: bool) -> 
             f"{out}: holds cameras but no {TABLE_FILE}; choose another place, or --overwrite to"
             " replace them"
         )
+
+
+def _table(out: Path, names: tuple[str, ...], *, overwrite: bool) -> TrackTable:
+    """The table in OUT; a new one in place of one of something else.
+
+    Raises:
+        InputError: it is of something else, and not to be replaced.
+    """
+    try:
+        return read_table(out, names)
+    except InputError:
+        if not overwrite:
+            raise
+        return TrackTable(names)
 
 
 def _anchors(

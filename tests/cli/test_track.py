@@ -143,6 +143,41 @@ def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_p
     assert given == [(range(CUT, FRAMES), {})]
 
 
+def test_a_shot_is_followed_again_and_the_other_one_kept(cli, video, cameras, tmp_path) -> None:
+    out = tmp_path / "out"
+    assert cli("track", video, out, "--cameras", cameras).exit_code == 0
+    before = table(out)
+    done = cli("track", video, out, "--cameras", cameras, "--from", "14", "--overwrite")
+    assert done.exit_code == 0, done.output
+    assert table(out) == before
+
+
+def test_a_shot_that_is_replaced_does_not_count_as_done_meanwhile(
+    cli, video, cameras, monkeypatch, tmp_path
+) -> None:
+    out = tmp_path / "out"
+    assert cli("track", video, out, "--cameras", cameras).exit_code == 0
+
+    def stopped(*_, **__) -> Track:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(command, "follow_shot", stopped)
+    done = cli("track", video, out, "--cameras", cameras, "--from", "14", "--overwrite")
+    assert done.exit_code == 130
+    assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(CUT)]
+
+
+def test_the_track_of_something_else_is_not_replaced(cli, video, cameras, tmp_path) -> None:
+    out = tmp_path / "out"
+    assert cli("track", video, out, "--cameras", cameras).exit_code == 0
+    before = files(out)
+    other = shutil.copyfile(video, tmp_path / "other.mp4")
+    done = cli("track", other, out)
+    assert done.exit_code == 2
+    assert f"is of other frames, such as {name_of(0)}" in done.stderr
+    assert files(out) == before
+
+
 def lost(number: int, reason: str) -> TrackedFrame:
     return TrackedFrame(number, "lost", reason, None, 0.0, None, None)
 

@@ -40,7 +40,6 @@ class _Asked:
     sequence: FrameSequence
     field: Field
     model: str
-    annotated: frozenset[int]  # indices
     number: int
     camera: Camera | None
     within: range | None
@@ -84,7 +83,7 @@ class ShotFollowing(QObject):
         self._come = _Come()
         self._corrected: dict[int, None] = {}  # numbers of anchors, in the order of their edits
         self._left = -1  # the index of the frame on screen, to be looked at once it is left
-        document.datasetChanged.connect(self.forget)
+        document.shot_track.forgotten.connect(self.forget)
         document.blindChanged.connect(self._hide)
         document.annotationChanged.connect(self._note_edit)
         document.frameChanged.connect(self._follow_corrected)
@@ -140,7 +139,9 @@ class ShotFollowing(QObject):
         insight, found = document.foresight.insight, document.foresight.found
         if insight is not None and insight.from_clicks and insight.fit.camera is not None:
             return insight.fit.camera
-        if found is not None and not document.foresight.doubt:
+        agreed = insight is not None and insight.fit.camera is not None
+        agreed = agreed or not document.annotation.annotated
+        if found is not None and agreed and not document.foresight.doubt:
             return found.camera
         cameras, name, size = document.active_camera, document.frame, document.picture_size
         if cameras is None or name is None or size is None:
@@ -162,7 +163,6 @@ class ShotFollowing(QObject):
             sequence,
             document.field,
             document.live_fit.model,
-            document.annotated_frames.indices,
             number,
             camera,
             within,
@@ -262,10 +262,11 @@ def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
 
     sequence = asked.sequence
     with sequence.open_pictures() as pictures:
-        within = asked.within
+        numbers, within = sequence.unbroken(asked.number), asked.within
         if within is None:
-            numbers = range(sequence.first, sequence.last + 1)
             within = shot_around(pictures, asked.number, numbers, go_on)
+        else:
+            within = range(max(within[0], numbers[0]), min(within[-1], numbers[-1]) + 1)
         come.total = len(within)
         control.progress(0, come.total)
         clicked = _anchors(asked, pictures, within, go_on)
@@ -283,8 +284,7 @@ def _anchors(
     asked: _Asked, pictures: SequencePictures, within: range, go_on: Callable[[], None]
 ) -> dict[int, Camera]:
     picture = pictures(asked.number)
-    numbers = asked.sequence.numbers
-    indices = {int(numbers[i]): i for i in asked.annotated if int(numbers[i]) in within}
+    indices = {n: i for n, i in asked.sequence.index_of.items() if n in within}
     return anchors_of(
         asked.workspace,
         indices,
