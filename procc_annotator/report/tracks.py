@@ -57,6 +57,11 @@ class TrackTable:
         """Whether all of these are done."""
         return all(frame.name in self.rows for frame in frames)
 
+    def forget(self, frames: Iterable[Frame]) -> None:
+        """These are not done: they are to be followed again."""
+        for frame in frames:
+            self.rows.pop(frame.name, None)
+
     def in_order(self) -> list[Row]:
         """The rows in the order of the frames."""
         return [self.rows[name] for name in self.names if name in self.rows]
@@ -67,10 +72,10 @@ class TrackTable:
 
 
 def read_table(out: Path, names: tuple[str, ...]) -> TrackTable:
-    """The table that an earlier run left in a folder, as far as it is of these frames.
+    """The table that an earlier run left in a folder.
 
     Raises:
-        InputError: it is none of ours.
+        InputError: it is none of ours, or of other frames.
     """
     table = TrackTable(names)
     path = out / TABLE_FILE
@@ -83,17 +88,24 @@ def read_table(out: Path, names: tuple[str, ...]) -> TrackTable:
     ours = set(names)
     for _, cells in lines[1:]:
         row = dict(zip(COLUMNS, cells, strict=False))
-        if len(row) == len(COLUMNS) and (name := formula_text(row["frame"])) in ours:
-            table.rows[name] = row
+        if len(row) != len(COLUMNS):
+            continue
+        name = formula_text(row["frame"])
+        if name not in ours:
+            why = f"is of other frames, such as {name}"
+            raise InputError(path, why, advice="choose another place, or --overwrite to replace it")
+        table.rows[name] = row
     return table
 
 
 def write_tracks(run: TrackRun, out: Path, table: TrackTable, progress: Progress) -> None:
     """Follow all shots of a run and write what comes of it.
 
+    The table is there before the first camera: without one, cameras are not those of a track.
     Cameras are written as frames are followed; those of a shot once more when it is done, refined
     over all of it, and only then its rows. So a table that was left by a run that was stopped says
-    which shots need not be followed again. Every file appears in one step, whole.
+    which shots need not be followed again; of those that are it says nothing any more before their
+    first camera is replaced. Every file appears in one step, whole.
 
     Args:
         run: over the shots.
@@ -106,6 +118,7 @@ def write_tracks(run: TrackRun, out: Path, table: TrackTable, progress: Progress
         Interrupted: in place of a KeyboardInterrupt: so many frames of shots that are done.
     """
     make_folder(out)
+    write_atomic(out / TABLE_FILE, table.encoded())
     names = table.names
     seen = 0
 

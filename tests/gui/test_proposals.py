@@ -13,6 +13,7 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal, State
 from procc_annotator.fit.predict.given_camera import given_camera
@@ -144,6 +145,23 @@ class TestAFrameWithoutAnnotation:
             all_done(qtbot)
 
         assert finder.asked == 1
+
+    def test_a_search_that_fails_is_over_and_the_next_frame_is_looked_at(
+        self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot, monkeypatch: Any
+    ) -> None:
+        (bare / "00001.json").unlink()
+
+        def fails(picture: PixelArray, *args: Any, **more: Any) -> Proposal:
+            finder(picture, *args, **more)
+            raise ImageError(bare, "too dark to look at")
+
+        monkeypatch.setattr(proposals, "propose_camera", fails)
+        window = make_window(bare)
+        all_done(qtbot)
+
+        assert not window.document.proposals.working
+        assert not window.canvas.found_plate.isVisible()
+        assert finder.asked == 2
 
     def test_leaving_the_frame_stops_the_search(
         self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot

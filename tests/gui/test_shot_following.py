@@ -16,13 +16,14 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal
 from procc_annotator.fit.predict.given_camera import given_camera
 from procc_annotator.fit.through_shot.track import Track
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import proposals
-from procc_annotator.gui.tasks.shot import following
+from procc_annotator.gui.tasks.shot import accepting, following
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.session.dataset.video_frames import open_video
 from procc_annotator.session.facts.origins import OriginKind, Status
@@ -258,6 +259,56 @@ class TestFollowing:
         assert document.shot_track.tracked[5].state == "anchor"
         assert document.shot_track.tracked[7].anchor_distance == 2
 
+    def test_another_field_has_another_track(self, window: MainWindow, qtbot: QtBot) -> None:
+        follow(window, qtbot)
+        document = window.document
+
+        document.set_field(load_field("basketball_nba"))
+        all_done(qtbot)
+
+        assert not document.shot_track.tracked
+        assert document.sources == []
+
+    def test_annotated_frames_are_anchors_before_anybody_knows_which_they_are(
+        self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        document, track = window.document, following.track
+        follow(window, qtbot)
+        accept(window, qtbot)
+        asked: list[list[int]] = []
+
+        def noted(*args: Any, anchors: Any, **more: Any) -> Any:
+            asked.append(sorted(anchors))
+            return track(*args, anchors=anchors, **more)
+
+        monkeypatch.setattr(following, "track", noted)
+        document.annotated_frames.close()
+        document.annotated_frames._edited.clear()
+        follow(window, qtbot)
+
+        assert asked == [[0, 5, 10]]
+
+    def test_a_folder_is_followed_up_to_where_pictures_are_missing(
+        self,
+        make_window: MakeWindow,
+        dataset: Path,
+        drawn: DrawnShot,
+        tmp_path: Path,
+        qtbot: QtBot,
+    ) -> None:
+        folder = tmp_path / "pictures"
+        folder.mkdir()
+        for number in range(14):
+            if number != 11:
+                cv2.imwrite(str(folder / f"f_{number:03d}.png"), drawn.frame(number)[..., :3])
+        window = make_window(dataset)
+        window.document.open_path(folder)
+        all_done(qtbot)
+
+        follow(window, qtbot)
+
+        assert sorted(window.document.shot_track.tracked) == list(range(11))
+
 
 class TestAccepting:
     def test_a_stretch_is_one_action_and_one_step_of_undo(
@@ -329,6 +380,84 @@ class TestAccepting:
         accept(window, qtbot)
 
         assert files(video) == ["05"]
+
+    def test_undo_of_a_click_made_since_is_of_that_click(
+        self, window: MainWindow, video: Path, qtbot: QtBot, hand_on: Any
+    ) -> None:
+        document = window.document
+        follow(window, qtbot)
+        document.go_to(1)
+        hand: Hand = hand_on(window)
+        hand.draw("Middle line", (40, 40), (200, 120))
+        all_done(qtbot)
+        accept(window, qtbot)
+        assert files(video) == ["00", "05", "10"]
+
+        hand.draw("Side line top", (50, 300), (400, 320))
+        all_done(qtbot)
+        press(window, Key.Key_Z, CTRL)
+        all_done(qtbot)
+
+        assert not window.stretch_accepting.running
+        assert files(video) == ["00", "05", "10"]
+
+    def test_what_was_added_while_it_was_written_is_not_taken_back(
+        self, window: MainWindow, qtbot: QtBot, hand_on: Any, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        document = window.document
+        follow(window, qtbot)
+        hand: Hand = hand_on(window)
+        edits = window.stretch_accepting._edits
+        saved = edits._batch_saved
+
+        def late() -> None:
+            hand.draw("Goal left crossbar", (50, 300), (400, 320))
+            saved()
+
+        with monkeypatch.context() as once:
+            once.setattr(edits, "_batch_saved", late)
+            accept(window, qtbot)
+        window.actions_["take_back_stretch"].trigger()
+        qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
+        all_done(qtbot)
+
+        assert "Goal left crossbar" in document.annotation.annotated
+        assert "Middle line" in document.annotation.annotated  # left as it was: edited since
+
+    def test_nothing_is_accepted_once_blind_mode_is_on(
+        self, window: MainWindow, video: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        going, look = Event(), accepting._look
+
+        def slow(*args: Any) -> Any:
+            going.wait(60)
+            return look(*args)
+
+        monkeypatch.setattr(accepting, "_look", slow)
+        follow(window, qtbot)
+        press(window, Key.Key_Return, CTRL | SHIFT)
+        assert window.stretch_accepting.running
+        window.document.set_blind(True)
+        going.set()
+        qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
+        all_done(qtbot)
+
+        assert files(video) == []
+
+    def test_a_committed_frame_does_not_open_the_others_in_blind_mode(
+        self, window: MainWindow, video: Path, qtbot: QtBot, hand_on: Any
+    ) -> None:
+        follow(window, qtbot)
+        window.document.set_blind(True)
+        hand: Hand = hand_on(window)
+        hand.draw("Middle line", (40, 40), (200, 120))
+        hand.key(Key.Key_Return, CTRL)
+        all_done(qtbot)
+        assert window.document.proposals.allowed
+
+        accept(window, qtbot)
+
+        assert files(video) == ["00"]
 
     def test_without_a_track_it_says_what_to_do(self, window: MainWindow) -> None:
         said: list[str] = []

@@ -20,6 +20,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.through_shot.track import FrameState, Track, TrackedFrame
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.strip import content
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.band import Band, band_pixels
 from procc_annotator.gui.strip.painting import rows_of
@@ -378,3 +379,27 @@ def test_painting_thousands_of_frames_takes_a_fraction_of_a_screen_frame(
     begin = thread_time()
     strip.render(device)  # another frame is on screen
     assert thread_time() - begin < 0.004
+
+
+def test_what_the_band_tells_already_is_not_taken_down_again(
+    make_window: MakeWindow, shot: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window(shot)
+    qtbot.waitUntil(window.strip.isVisible)
+    before = {n: tracked(n) for n in range(100, 120)}
+    window.document.shot_track.replace(before, ())
+    taken: list[int] = []
+    put = content._put
+
+    def noted(band: Band, at: int, frame: TrackedFrame) -> None:
+        taken.append(frame.number)
+        put(band, at, frame)
+
+    monkeypatch.setattr(content, "_put", noted)
+    after = before | {105: tracked(105, coverage=0.6)}
+    del after[110]
+    window.document.shot_track.replace(after, ())
+
+    assert taken == [105]
+    assert window.strip.content.band.coverage[5] == 0.6
+    assert np.isnan(window.strip.content.band.coverage[10])

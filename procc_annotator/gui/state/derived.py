@@ -138,6 +138,10 @@ class Derived(QObject, Generic[T]):
         answer = self._known(inputs)
         return None if answer is None else answer.value
 
+    def answered(self, *inputs: object) -> bool:
+        """Whether some inputs were worked out, be it to nothing, and that is kept."""
+        return self._known(inputs) is not None
+
     @property
     def latest(self) -> T | None:
         """What was found, or asked for and known, last; of whatever inputs."""

@@ -84,7 +84,11 @@ class Proposals(QObject):
     @property
     def allowed(self) -> bool:
         """Whether a camera may be shown of the frame on screen before anything is clicked."""
-        return self._store.state.projection_visible and self._blind_lock.lock is None
+        return self.allowed_in(self._store.state.frame_name)
+
+    def allowed_in(self, frame: str | None) -> bool:
+        """The same of any frame, by its name."""
+        return self._store.state.reveals(frame) and self._blind_lock.lock is None
 
     @property
     def here(self) -> Proposal | None:
@@ -98,7 +102,10 @@ class Proposals(QObject):
     @property
     def working(self) -> bool:
         """Whether the frame on screen is looked at, or about to be."""
-        return self._is_asked(self._store.state.frame_index) and self.here is None
+        state = self._store.state
+        return self._is_asked(state.frame_index) and not self._derived.answered(
+            state.frame, state.field
+        )
 
     def close(self) -> None:
         """Look for nothing any more."""
@@ -116,7 +123,7 @@ class Proposals(QObject):
             if not self._is_asked(index):
                 if index == state.frame_index:
                     return None  # a hand works here: no search slows it down
-            elif self._derived.known(frame, state.field) is None:
+            elif not self._derived.answered(frame, state.field):
                 sure = (fit for name, fit in self._sure.items() if name != frame.name)
                 self._others = (*sure, *self.fits())
                 return frame, state.field

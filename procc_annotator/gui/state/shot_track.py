@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.gui.state.camera_sources import CameraSource
@@ -28,6 +29,7 @@ class ShotTrack(QObject):
 
     changed = Signal()  # other frames are known, or none
     followed = Signal(object)  # these frames came while a shot is followed
+    forgotten = Signal()  # nothing of what is under way is wanted either
 
     def __init__(
         self, store: Store, signals: Signals, sequence: SequenceWatch, sources: Sources
@@ -37,7 +39,9 @@ class ShotTrack(QObject):
         self.tracked: dict[int, TrackedFrame] = {}
         self.cuts: tuple[int, ...] = ()
         self.source = CameraSource(TrackedCameras(), TRACK, visible=False)
+        self._elements = _own_elements(store.state.field)
         signals.datasetChanged.connect(self._begin_anew)
+        signals.fieldChanged.connect(self._leave_other_field)
 
     @property
     def here(self) -> TrackedFrame | None:
@@ -112,6 +116,7 @@ class ShotTrack(QObject):
 
     def forget(self) -> None:
         """Nothing is known any more."""
+        self.forgotten.emit()
         self.replace({}, ())
 
     # --- inside ---
@@ -120,6 +125,12 @@ class ShotTrack(QObject):
         self._leave()
         self.source.clear()
         self.forget()
+
+    def _leave_other_field(self) -> None:
+        """Cameras were found on the paint of another field, unless only landmarks differ."""
+        before, self._elements = self._elements, _own_elements(self._store.state.field)
+        if self._elements != before:
+            self.forget()
 
     def _show(self) -> None:
         """The source holds the cameras of the dataset's frames."""
@@ -143,3 +154,9 @@ class ShotTrack(QObject):
     def _leave(self) -> None:
         if self.source in self._store.state.sources:
             self._sources.remove_camera_set(self._store.state.sources.index(self.source))
+
+
+def _own_elements(field: Field) -> tuple[Element, ...]:
+    """What of a field is painted, whatever landmarks its dataset has."""
+    landmarks = {mark.name for mark in field.landmarks}
+    return tuple(element for element in field.elements if element.name not in landmarks)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
-import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.fit.through_shot.track import TrackedFrame
@@ -32,6 +32,7 @@ class StripContent(QObject):
         self._document = document
         self.sequence: FrameSequence | None = None
         self.band = Band.unknown(0)
+        self._told: dict[int, TrackedFrame] = {}  # what the band tells, by number
         self.anchors: tuple[int, ...] = ()
         self.statuses: tuple[tuple[int, Status], ...] = ()
         document.sequence.changed.connect(self._begin_anew)
@@ -57,16 +58,21 @@ class StripContent(QObject):
             return
         self.sequence = sequence
         self._document.annotated_frames.set_wanted(sequence is not None)
+        self.band, self._told = Band.unknown(0 if sequence is None else sequence.count), {}
         self._take_track()
         self._take_anchors()
         self._take_statuses()
         self.changed.emit()
 
     def _take_track(self) -> None:
-        """Other frames than before may be known."""
-        if self.sequence is not None:
-            self.band = Band.unknown(self.sequence.count)
-            self._take_followed(tuple(self._document.shot_track.tracked.values()))
+        """Other frames than before may be known; most of them are those of before."""
+        if (sequence := self.sequence) is None:
+            return
+        tracked, told = self._document.shot_track.tracked, self._told
+        for number in told.keys() - tracked.keys():
+            self.band.coverage[number - sequence.first] = math.nan
+            del told[number]
+        self._take_followed([f for n, f in tracked.items() if told.get(n) is not f])
 
     def _take_followed(self, frames: Iterable[TrackedFrame]) -> None:
         sequence = self.sequence
@@ -75,6 +81,7 @@ class StripContent(QObject):
         for frame in frames:
             if sequence.first <= frame.number <= sequence.last:
                 _put(self.band, frame.number - sequence.first, frame)
+                self._told[frame.number] = frame
         self.changed.emit()
 
     def _take_anchors(self) -> None:
@@ -102,7 +109,7 @@ class StripContent(QObject):
 def _put(band: Band, at: int, frame: TrackedFrame) -> None:
     """Take down what is known of one more frame, in place."""
     fit = frame.fit if frame.fit is not None and frame.fit.camera is not None else None
-    band.coverage[at] = 0.0 if fit is None else float(np.clip(frame.coverage, 0.0, 1.0))
+    band.coverage[at] = 0.0 if fit is None else min(max(frame.coverage, 0.0), 1.0)
     far = 0.0 if fit is None or frame.residual_px is None else frame.residual_px
     band.distance[at] = 0.0 if fit is None else min(1.0, far / most_residual_px(fit.size[0]))
     band.doubtful[at] = bool(doubt_about(frame))

@@ -8,6 +8,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.errors import InputError
 from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.session.dataset.workspace import Workspace
 
@@ -21,7 +22,7 @@ def anchors_of(
     model: str = "R",
     go_on: Callable[[], None] = lambda: None,
 ) -> dict[int, Camera]:
-    """The camera fitted to each frame's clicks, by number; of those that have one.
+    """The camera fitted to each frame's clicks, by number; of those whose clicks determine one.
 
     Args:
         workspace: the dataset, read as it is now; safe from any thread.
@@ -42,6 +43,6 @@ def anchors_of(
             continue
         shown = field_of_frame(field, workspace.frames[index].name)
         fit = fit_camera(annotation, shown, model=model, size=size)
-        if fit.camera is not None:
+        if fit.camera is not None and not hardly_determined(fit):
             found[number] = fit.camera
     return found

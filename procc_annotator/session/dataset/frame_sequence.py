@@ -62,6 +62,15 @@ class FrameSequence:
         around = [i for i in (after - 1, after) if 0 <= i < len(self.numbers)]
         return min(around, key=lambda i: abs(float(self.numbers[i]) - number))
 
+    def unbroken(self, number: int) -> range:
+        """The frames around one of the dataset's up to where pictures are missing."""
+        if self.video is not None:
+            return range(self.first, self.last + 1)
+        gaps = np.flatnonzero(np.diff(self.numbers) > 1) + 1
+        runs = np.split(self.numbers, gaps)
+        own = runs[int(np.searchsorted(gaps, self.index_of[number], side="right"))]
+        return range(int(own[0]), int(own[-1]) + 1)
+
     def open_pictures(self) -> SequencePictures:
         """The pictures by number, for one thread to go through."""
         return SequencePictures(self)

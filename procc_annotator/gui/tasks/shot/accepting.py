@@ -28,6 +28,7 @@ from procc_annotator.session.strokes.ghost_points import accept_all, find_points
 _NOTHING = FrameAnnotation(())
 _ANNOTATED = "it is annotated by now"
 _EDITED = "it was edited since"
+_BLIND = "blind mode: nothing is accepted that was not clicked"
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,14 +61,17 @@ class StretchAccepting(QObject):
         self._job: Job | None = None
         self._far = (0, 0)
         self._found: dict[int, FrameAnnotation] = {}
+        self._put: dict[int, FrameAnnotation] = {}  # what frames held once they were edited
         self._accepted: dict[int, FrameAnnotation] = {}  # what was accepted last, by index
         self._at = -1  # the frame on screen by then; -1 once somebody went on
+        self._here = _NOTHING  # what it held by then
         self._edits = ManyEdits(
             document.store, document.signals, document.editing, document.auditing, self
         )
         self._then: Callable[[EditedFrames], None] = self._tell_accepted
         self._edits.finished.connect(lambda outcome: self._then(outcome))
         document.datasetChanged.connect(self.forget)
+        document.shot_track.forgotten.connect(self._stop_looking)
         document.frameChanged.connect(self._go_on)
 
     @property
@@ -87,7 +91,7 @@ class StretchAccepting(QObject):
         if self.running or workspace is None:
             return
         if not document.proposals.allowed:
-            document.say("blind mode: nothing is accepted that was not clicked")
+            document.say(_BLIND)
             return
         document.aboutToLeave.emit()
         chosen = self._chosen()
@@ -120,13 +124,12 @@ class StretchAccepting(QObject):
     def key(self, name: str, _shift: bool) -> bool:
         """Take Undo right after a stretch was accepted, and Escape while it is looked for."""
         if name in ("Escape", "Undo") and self._job is not None:
-            self._job.cancel()
-            self._end()
+            self._stop_looking()
             self._document.say("taken back: no frame is accepted")
             return True
         if name != "Undo" or self._at != self._document.frame_index or not self._accepted:
             return False
-        if self._accepted.get(self._at, self._document.annotation) != self._document.annotation:
+        if self._document.annotation != self._here:
             return False  # something was done here since: that is meant
         self.take_back()
         return True
@@ -148,8 +151,10 @@ class StretchAccepting(QObject):
             frame = shot_track.tracked.get(number)
             if number not in stretch or index in annotated or frame is None:
                 continue
+            name = workspace.frames[index].name
+            if not document.proposals.allowed_in(name):
+                continue
             if frame.fit is not None and not doubt_about(frame):
-                name = workspace.frames[index].name
                 hidden = document.review.not_visible(name)
                 found.append(_Sure(index, number, name, frame.fit, hidden))
         return found
@@ -165,7 +170,8 @@ class StretchAccepting(QObject):
         if not found:
             self._document.say("no frame was accepted: too little of their lines is seen")
             return
-        self._found, self._then = found, self._tell_accepted
+        self._found, self._put, self._then = found, {}, self._tell_accepted
+        self._at, self._here = self._document.frame_index, self._document.annotation
         self._edits.start(tuple(found), self._put_frame)
 
     def _fail(self, text: str) -> None:
@@ -176,15 +182,26 @@ class StretchAccepting(QObject):
         self._job = None
         self.changed.emit()
 
+    def _stop_looking(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
+            self._end()
+
     # --- edits --------------------------------------------------------------------------------
 
     def _put_frame(self, index: int) -> str:
+        workspace = self._document.workspace
+        assert workspace is not None
+        if not self._document.proposals.allowed_in(workspace.frames[index].name):
+            return _BLIND
+
         def change(before: FrameAnnotation) -> FrameAnnotation | str:
             if before.annotated or before.unconfirmed:
                 return _ANNOTATED
             found = self._found[index]
             for polyline in found.polylines:
                 before = before.with_polyline(polyline)
+            self._put[index] = before
             return before
 
         return self._edit(index, change, "accept the track")
@@ -208,11 +225,9 @@ class StretchAccepting(QObject):
         )
 
     def _tell_accepted(self, outcome: EditedFrames) -> None:
-        document, workspace = self._document, self._document.workspace
-        if workspace is None:
-            return
-        self._accepted = {i: workspace.state(i).history.current for i in outcome.edited}
-        self._at = document.frame_index
+        document = self._document
+        self._accepted = {i: self._put[i] for i in outcome.edited}
+        self._here = self._accepted.get(self._at, self._here)
         frames = counted(len(outcome.edited), "frame")
         document.say(f"accepted {frames} along the track{_why(outcome)}; Ctrl+Z takes them back")
         self.changed.emit()
@@ -223,14 +238,14 @@ class StretchAccepting(QObject):
         self.changed.emit()
 
     def _go_on(self) -> None:
-        """Somebody looks at another frame: from now on undo means that one."""
-        self._at = -1
+        """Somebody looks at another frame: from now on undo means that one, unless the stretch is
+        accepted just now."""
+        self._at = self._document.frame_index if self._edits.running else -1
+        self._here = self._document.annotation
 
     def forget(self) -> None:
         """Accept no more and say nothing: the dataset or the window closes."""
-        if self._job is not None:
-            self._job.cancel()
-            self._end()
+        self._stop_looking()
         self._edits.forget()
         self._accepted = {}
         self._at = -1
