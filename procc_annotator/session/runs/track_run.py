@@ -6,15 +6,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol
 
-import numpy as np
-
 from procc_annotator.camera.base import Camera
-from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.dataset.usable_pictures import UsablePictures, unseen
 from procc_annotator.session.runs.execution.executor import InProcess
 from procc_annotator.session.runs.set_run import SetRun
 
@@ -103,63 +101,20 @@ class FollowShots:
         return [self._follow(shot) for shot in chunk], None
 
     def _follow(self, shot: ShotToFollow) -> FollowedShot:
-        pictures = _Pictures(shot)
+        paths = {n: frame.image_path for n, frame in zip(shot.numbers, shot.frames, strict=True)}
+        pictures = UsablePictures(
+            lambda n: decode_bgra(paths[n]), shot.numbers, lambda n: str(paths[n])
+        )
         anchors = {n: camera for n, camera in shot.anchors.items() if n in shot.numbers}
         found = self.follow(
-            pictures.frame, shot.numbers, self.field, anchors=anchors, on_frame=self.on_frame
+            pictures, shot.numbers, self.field, anchors=anchors, on_frame=self.on_frame
         )
         tracked = tuple(
-            _unseen(one, pictures.damaged[one.number]) if one.number in pictures.damaged else one
+            unseen(one, pictures.damaged[one.number]) if one.number in pictures.damaged else one
             for one in found.frames
         )
         begins = tuple(first for first, _ in found.shots if first != shot.first)
         return FollowedShot(shot.first, shot.frames, tracked, begins, pictures.damaged)
-
-
-class _Pictures:
-    """The pictures of a shot by number; those that cannot be used are black, and remembered."""
-
-    def __init__(self, shot: ShotToFollow) -> None:
-        self.damaged: dict[int, str] = {}
-        self._shot = shot
-        self._shape: tuple[int, ...] | None = None
-
-    def frame(self, number: int) -> PixelArray:
-        path = self._shot.frames[number - self._shot.first].image_path
-        try:
-            picture = decode_bgra(path)
-        except ImageError as error:
-            self.damaged[number] = str(error)
-            return self._black()
-        if self._shape is None:
-            self._shape = picture.shape
-        if picture.shape != self._shape:
-            height, width = self._shape[:2]
-            self.damaged[number] = f"{path}: is not {width}x{height} px as the first of its shot"
-            return self._black()
-        return picture
-
-    def _black(self) -> PixelArray:
-        if self._shape is None:
-            self._shape = self._first_readable()
-        black = np.zeros(self._shape, dtype=np.uint8)
-        black[..., 3] = 255
-        return black
-
-    def _first_readable(self) -> tuple[int, ...]:
-        for frame in self._shot.frames:
-            try:
-                return decode_bgra(frame.image_path).shape
-            except ImageError:
-                continue
-        return (90, 160, 4)  # nothing of it will be seen
-
-
-def _unseen(one: TrackedFrame, why: str) -> TrackedFrame:
-    return replace(
-        one, state="lost", reason=why, fit=None, coverage=0.0, residual_px=None,
-        anchor_distance=None,
-    )  # fmt: skip
 
 
 class TrackRun(SetRun[ShotToFollow, FollowedShot, None]):

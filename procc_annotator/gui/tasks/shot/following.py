@@ -20,8 +20,9 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.clicks.anchors import anchors_of
-from procc_annotator.session.dataset.frame_sequence import FrameSequence, SequencePictures
+from procc_annotator.session.dataset.frame_sequence import FrameSequence
 from procc_annotator.session.dataset.tracked_cameras import doubt_about
+from procc_annotator.session.dataset.usable_pictures import UsablePictures, unseen
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import OriginKind
 
@@ -110,7 +111,7 @@ class ShotFollowing(QObject):
         if sequence is None:
             document.say("only a video, or frames that follow one another, can be followed")
             return
-        if not document.proposals.allowed:
+        if document.blind:
             document.say("blind mode: no shot is followed, its cameras would be seen")
             return
         document.aboutToLeave.emit()
@@ -222,8 +223,13 @@ class ShotFollowing(QObject):
         sequence, index = self._document.sequence.value, self._document.frame_index
         if sequence is not None and 0 <= index < len(sequence.numbers):
             number = int(sequence.numbers[index])
-            if number in self._document.shot_track.tracked and not self._only_accepted():
+            tracked = self._document.shot_track.tracked.get(number)
+            if tracked is None or self._only_accepted():
+                return
+            if tracked.state == "anchor" or self._document.annotation.annotated:
                 self._corrected[number] = None
+            else:
+                self._corrected.pop(number, None)  # taken back: the track did not pass through it
 
     def _only_accepted(self) -> bool:
         """Whether all that is annotated here was taken over along the track: that is no news."""
@@ -238,7 +244,7 @@ class ShotFollowing(QObject):
         """Once somebody is done with it: what lies between its neighbours is followed again."""
         document = self._document
         sequence, index = document.sequence.value, document.frame_index
-        if self.running or sequence is None or not document.proposals.allowed:
+        if self.running or sequence is None or document.blind:
             return
         here = int(sequence.numbers[index]) if 0 <= index < len(sequence.numbers) else None
         for number in [n for n in self._corrected if n != here]:
@@ -261,10 +267,11 @@ def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
         control.progress(come.done, come.total)
 
     sequence = asked.sequence
-    with sequence.open_pictures() as pictures:
-        numbers, within = sequence.unbroken(asked.number), asked.within
+    numbers, within = sequence.unbroken(asked.number), asked.within
+    with sequence.open_pictures() as read:
+        pictures = UsablePictures(read, numbers, lambda n: f"frame {n}")
         if within is None:
-            within = shot_around(pictures, asked.number, numbers, go_on)
+            within = shot_around(pictures.or_last, asked.number, numbers, go_on)
         else:
             within = range(max(within[0], numbers[0]), min(within[-1], numbers[-1]) + 1)
         come.total = len(within)
@@ -276,12 +283,17 @@ def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
         found = track(
             pictures, within, asked.field, anchors=anchors, on_frame=on_frame, go_on=go_on
         )
-    frames = (f if f.number in clicked else _not_an_anchor(f) for f in found.frames)
+    frames = []
+    for frame in found.frames:
+        if (why := pictures.damaged.get(frame.number)) is not None:
+            frames.append(unseen(frame, why))
+        else:
+            frames.append(frame if frame.number in clicked else _not_an_anchor(frame))
     return replace(found, frames=tuple(frames))
 
 
 def _anchors(
-    asked: _Asked, pictures: SequencePictures, within: range, go_on: Callable[[], None]
+    asked: _Asked, pictures: UsablePictures, within: range, go_on: Callable[[], None]
 ) -> dict[int, Camera]:
     picture = pictures(asked.number)
     indices = {n: i for n, i in asked.sequence.index_of.items() if n in within}

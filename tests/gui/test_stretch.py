@@ -1,0 +1,137 @@
+"""A stretch is followed past damaged pictures, not in blind mode, nor for what is taken back."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.through_shot.track import Track, TrackedFrame
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.tasks.shot import accepting, following
+from tests.drawn_shots import soccer_shot
+from tests.gui.conftest import SIZE, Hand, MakeWindow, all_done, until_kept
+
+COUNT = 12
+DAMAGED = 6
+Key = Qt.Key
+SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
+
+
+LINE = FrameAnnotation((Polyline("Side line top", (Point(0.1, 0.2), Point(0.8, 0.3))),))
+
+
+def followed(number: int) -> TrackedFrame:
+    camera = soccer_shot(1, size=SIZE).cameras[0]
+    return TrackedFrame(number, "followed", "", given_camera(camera, SIZE), 0.9, 0.3, 1)
+
+
+@pytest.fixture
+def shot(tmp_path: Path, striped: list[bytes]) -> Path:
+    """Pictures that follow one another."""
+    folder = tmp_path / "shot"
+    folder.mkdir()
+    for number in range(COUNT):
+        (folder / f"at_{number:02d}.png").write_bytes(striped[0])
+    return folder
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, shot: Path, qtbot: QtBot) -> MainWindow:
+    """The first three frames were followed."""
+    made = make_window(shot)
+    all_done(qtbot)
+    made.document.shot_track.replace({n: followed(n) for n in range(3)}, ())
+    all_done(qtbot)
+    return made
+
+
+def press(window: MainWindow, key: Qt.Key, modifiers: Any = Qt.KeyboardModifier.NoModifier) -> None:
+    QTest.keyClick(window.canvas, key, modifiers)
+
+
+def look_finds(monkeypatch: pytest.MonkeyPatch, *indices: int) -> None:
+    """Paint is seen in these frames."""
+    monkeypatch.setattr(accepting, "_look", lambda *_: dict.fromkeys(indices, LINE))
+
+
+def accept(window: MainWindow, qtbot: QtBot) -> None:
+    press(window, Key.Key_Return, CTRL | SHIFT)
+    qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=20_000)
+    all_done(qtbot)
+
+
+def files(shot: Path) -> list[str]:
+    until_kept()
+    return sorted(path.stem[-2:] for path in shot.glob("at_*.json"))
+
+
+def commit_here(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
+    """In blind mode, with something clicked; the frame stays on screen, its cameras are shown."""
+    index = window.document.frame_index
+    window.document.set_blind(True)
+    hand.draw("Middle line", (40, 40), (200, 120))
+    press(window, Key.Key_Return, CTRL)
+    all_done(qtbot)
+    window.document.go_to(index)
+    all_done(qtbot)
+    assert window.document.state.projection_visible
+
+
+def test_what_is_taken_back_is_not_followed_again(
+    window: MainWindow, shot: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    look_finds(monkeypatch, 0, 1)
+    accept(window, qtbot)
+    press(window, Key.Key_Z, CTRL)
+    qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=20_000)
+    all_done(qtbot)
+    assert files(shot) == []
+
+    window.document.go_to(2)
+
+    assert not window.shot_following.running
+
+
+def test_a_committed_frame_opens_no_other_in_blind_mode(
+    window: MainWindow, shot: Path, qtbot: QtBot, hand_on: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    look_finds(monkeypatch, 1, 2)
+    commit_here(window, hand_on(window), qtbot)
+
+    accept(window, qtbot)
+    press(window, Key.Key_T)
+
+    assert not window.shot_following.running
+    assert files(shot) == ["00"]
+
+
+def test_a_picture_that_is_damaged_is_lost_and_the_rest_is_followed(
+    make_window: MakeWindow, shot: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (shot / f"at_{DAMAGED:02d}.png").write_bytes(b"no picture")
+
+    def track(frame: Any, numbers: range, *_: Any, **__: Any) -> Track:
+        for number in numbers:
+            assert frame(number).shape == (SIZE[1], SIZE[0], 4)
+        frames = tuple(followed(number) for number in numbers)
+        return Track(frames, ((numbers[0], numbers[-1]),))
+
+    monkeypatch.setattr(following, "track", track)
+    window = make_window(shot)
+    all_done(qtbot)
+
+    press(window, Key.Key_T)
+    qtbot.waitUntil(lambda: not window.shot_following.running, timeout=20_000)
+    all_done(qtbot)
+
+    tracked = window.document.shot_track.tracked
+    assert sorted(tracked) == list(range(COUNT))
+    assert [n for n, frame in tracked.items() if frame.fit is None] == [DAMAGED]
+    assert "cannot be" in tracked[DAMAGED].reason
