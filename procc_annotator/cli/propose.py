@@ -12,6 +12,7 @@ from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.fit.from_picture.proposal import SURE
 from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.source import open_source
@@ -46,8 +47,9 @@ coverage (share of the visible model on paint), explained (share of the paint on
 residual in px, margin (how much better than the next camera), standard deviations, seconds.
 
 --known CAMERAS tells where cameras stand: cameras of other frames of the match, or positions.csv of
-calibrate --shared-position. A known position makes it faster and surer. A position on which three
-frames or more agree, two of them sure, is known when those that are not sure are looked at again.
+calibrate --shared-position. A known position makes it faster and surer; cameras that stand
+elsewhere are not found. A position on which three frames or more agree, two of them sure, is known
+when those that are not sure are looked at again.
 
 --with NAME asks a detector, too: a package that proposes cameras or labelled points for a picture
 (docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found there is
@@ -141,6 +143,8 @@ def propose(
             found = propose_for_set(run, out, with_progress)
     except Interrupted as stopped:
         raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
+    if positions and found.states and not found.states[SURE]:
+        datasets.report_remarks([_stands_elsewhere(known)])
     raise typer.Exit(_report(found, annotated, out))
 
 
@@ -199,6 +203,13 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
     return (
         f"{count_of(stopped.written, 'sure camera')} of {count_of(stopped.total, 'frame')} written"
         f" to {out}, {TABLE_FILE} not; run it again with --overwrite to get all of them"
+    )
+
+
+def _stands_elsewhere(known: Path | None) -> str:
+    return (
+        f"no frame is sure where {known} says that cameras stand; if these pictures are of another"
+        " camera or match, leave --known out: every place is searched then"
     )
 
 

@@ -13,10 +13,7 @@ from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposal import SURE
-from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.fit.through_shot.following_shot import track as follow_shot
-from procc_annotator.image.decode import decode_bgra
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.report.targets import Interrupted, is_archive
@@ -30,7 +27,6 @@ from procc_annotator.report.tracks import (
     summary_words,
     write_tracks,
 )
-from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.shots import find_shots
@@ -126,7 +122,7 @@ def track(
     table = _table(out, tuple(frame.name for frame in pictures.frames), overwrite=overwrite)
     size = options.shown_size(camera_size)
     anchors = _anchors(pictures, shown, annotations, cameras, camera_format, size)
-    shots = _shots(pictures, anchors, start, shown)
+    shots = _shots(pictures, anchors, start)
     if overwrite:
         for shot in shots:
             table.forget(shot.frames)
@@ -219,20 +215,12 @@ def _anchors(
     return found
 
 
-def _shots(
-    pictures: PictureSource, anchors: Anchors, start: int | None, field: Field
-) -> list[ShotToFollow]:
-    """The shots to follow.
-
-    Raises:
-        UsageError: the one shot that is asked for has no camera to begin with.
-    """
+def _shots(pictures: PictureSource, anchors: Anchors, start: int | None) -> list[ShotToFollow]:
+    """The shots to follow: all, or that of one frame."""
     with progress_bar("looking for cuts") as progress:
         ranges = find_shots(pictures, progress)
     if start is not None:
         ranges = [own for own in ranges if start in own]
-        if not any(number in ranges[0] for number in anchors.cameras):
-            _propose_for(pictures.frames[start], start, anchors, field)
     return [
         ShotToFollow(
             own[0],
@@ -241,15 +229,6 @@ def _shots(
         )
         for own in ranges
     ]
-
-
-def _propose_for(frame: Frame, number: int, anchors: Anchors, field: Field) -> None:
-    proposal = propose_camera(decode_bgra(frame.image_path), field)
-    if proposal.state != SURE or proposal.fit.camera is None:
-        raise UsageError(
-            f"--from {frame.name}: no camera is known there, and none was found: {proposal.reason}"
-        )
-    anchors.cameras[number] = proposal.fit.camera
 
 
 def _what_is_there(stopped: Interrupted, out: Path) -> str:

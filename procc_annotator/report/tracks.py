@@ -101,6 +101,7 @@ def read_table(out: Path, names: tuple[str, ...]) -> TrackTable:
 def write_tracks(run: TrackRun, out: Path, table: TrackTable, progress: Progress) -> None:
     """Follow all shots of a run and write what comes of it.
 
+    The table is there before the first camera: without one, cameras are not those of a track.
     Cameras are written as frames are followed; those of a shot once more when it is done, refined
     over all of it, and only then its rows. So a table that was left by a run that was stopped says
     which shots need not be followed again; of those that are it says nothing any more before their
@@ -117,8 +118,7 @@ def write_tracks(run: TrackRun, out: Path, table: TrackTable, progress: Progress
         Interrupted: in place of a KeyboardInterrupt: so many frames of shots that are done.
     """
     make_folder(out)
-    if (out / TABLE_FILE).exists():
-        write_atomic(out / TABLE_FILE, table.encoded())
+    write_atomic(out / TABLE_FILE, table.encoded())
     names = table.names
     seen = 0
 

@@ -130,6 +130,19 @@ def test_only_the_shot_of_a_frame(cli, video, cameras, tmp_path) -> None:
         assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(CUT, FRAMES)]
 
 
+def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_path) -> None:
+    given = []
+
+    def followed(frame, numbers, field, *, anchors, on_frame) -> Track:
+        given.append((numbers, dict(anchors)))
+        return nothing_found(frame, numbers, field, anchors=anchors, on_frame=on_frame)
+
+    monkeypatch.setattr(command, "follow_shot", followed)
+    done = cli("track", video, tmp_path / "out", "--from", "14")
+    assert done.exit_code == 0, done.output
+    assert given == [(range(CUT, FRAMES), {})]
+
+
 def test_a_shot_is_followed_again_and_the_other_one_kept(cli, video, cameras, tmp_path) -> None:
     out = tmp_path / "out"
     assert cli("track", video, out, "--cameras", cameras).exit_code == 0
@@ -209,25 +222,31 @@ def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_pa
     assert "cannot be decoded" in rows[0]["reason"]
 
 
-def test_a_run_that_was_stopped_goes_on(cli, video, cameras, monkeypatch, tmp_path) -> None:
+@pytest.mark.parametrize("stopped_in", [0, CUT])
+def test_a_run_that_was_stopped_goes_on(
+    cli, video, cameras, monkeypatch, tmp_path, stopped_in
+) -> None:
     whole, out = tmp_path / "whole", tmp_path / "out"
     arguments = ("--cameras", cameras)
     assert cli("track", video, whole, *arguments).exit_code == 0
     followed = command.follow_shot
 
     def stopped(frame, numbers, *rest, **options) -> Track:
-        if numbers[0] == CUT:
-            raise KeyboardInterrupt
-        return followed(frame, numbers, *rest, **options)
+        found = followed(frame, numbers, *rest, **options)
+        if numbers[0] == stopped_in:
+            raise KeyboardInterrupt  # its cameras are written, those of frames
+        return found
 
     with monkeypatch.context() as patched:
         patched.setattr(command, "follow_shot", stopped)
         done = cli("track", video, out, *arguments)
     assert done.exit_code == 130
-    assert f"interrupted: {CUT} of {FRAMES} frames are in {out}/track.csv" in done.stderr
-    assert len(table(out)) == CUT
+    assert f"interrupted: {stopped_in} of {FRAMES} frames are in {out}/track.csv" in done.stderr
+    assert len(table(out)) == stopped_in
+    assert len(files(out)) > stopped_in + 1  # also cameras of the shot that was not done
     again = cli("track", video, out, *arguments)
-    assert "followed before: 1 shot" in again.stdout
+    assert again.exit_code == 0, again.output
+    assert ("followed before: 1 shot" in again.stdout) == (stopped_in > 0)
     assert files(out) == files(whole)
 
 

@@ -32,7 +32,7 @@ class OnPaint:
         coverage: share of the visible model that was found on paint, 0 to 1.
         residual_px: median distance of that paint, px of the picture; None if there was too little.
         shares: class in sight -> share of it that was found.
-        marks_px: how many places of paint it goes by.
+        marks: how many places of paint it goes by.
     """
 
     fit: FitResult

@@ -124,7 +124,7 @@ def test_an_unknown_field_is_named() -> None:
         ("[dimensions]", "x = " + "[" * 5000 + "\n[dimensions]", "is not valid TOML"),
         ('kind = "circle"', 'kind = ["circle"]', "expected one of line, arc, circle"),
         ('name = "Circle left"', 'name = " "', "element ' '.name: expected text"),
-        ('shortcut = "3"', 'shortcut = "t"', "'T' is used twice"),
+        ('shortcut = "3"', 'shortcut = "k"', "'K' is used twice"),
         (
             '"Line unknown"]',
             '"Line unknown ", "Line unknown"]',
