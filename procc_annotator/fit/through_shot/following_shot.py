@@ -37,9 +37,11 @@ _TRIES = (*range(0, 200, 20), *range(200, 1000, 50), *range(1000, 20000, 250))
 # What was followed from one anchor to the next may be so far off there, solver px, to be believed.
 _ARRIVED_PX = 6.0
 # When a camera that moves is tried: elements lie so far beside the model, solver px, or less of
-# the frames asked for is explained. And by how much it must be better.
-_MOVES_PX, _HELD = 0.7, 0.96
-_MORE, _LESS_BESIDE = 1.03, 0.6
+# the frames asked for is explained, or less of the model is found on paint than in the best frames:
+# where a position is held that is not, lines are left behind one by one. And by how much it must be
+# better.
+_MOVES_PX, _HELD, _FOUND = 0.7, 0.96, 0.8
+_MORE, _LESS_BESIDE, _MORE_FOUND = 1.03, 0.6, 0.1
 
 
 def _never_stop() -> None:
@@ -197,7 +199,7 @@ class _Work:
         """Smooth together what was followed, and keep it."""
         found = smoothed(chain_of(runs, given), self.field, self.picture)
         asked = len({number for run in runs for number in run.asked})
-        if found.beside_px > _MOVES_PX or found.explained < _HELD * asked:
+        if _may_move(found, asked):
             again = [self._follow(run.asked, given, MOVING) for run in runs]
             moving = smoothed(chain_of(again, given), self.field, self.picture, MOVING)
             if _explains_more(moving, found):
@@ -260,11 +262,22 @@ class _Work:
         self.on_frame(self.found[number])
 
 
+def _may_move(still: Smoothed, asked: int) -> bool:
+    """Whether one position leaves so much open that a camera that moves has to be tried."""
+    found = still.coverages()
+    return (
+        still.beside_px > _MOVES_PX
+        or still.explained < _HELD * asked
+        or float(found.mean()) < _FOUND * float(np.percentile(found, 95))
+    )
+
+
 def _explains_more(moving: Smoothed, still: Smoothed) -> bool:
     """Whether a camera that moves explains so much more that it is worth its freedom."""
     return (
         moving.explained > _MORE * still.explained
         or moving.beside_px < _LESS_BESIDE * still.beside_px
+        or moving.coverages().sum() > still.coverages().sum() + _MORE_FOUND * len(still.coverages())
     )
 
 

@@ -68,6 +68,10 @@ class Smoothed:
     beside_px: float
     explained: float
 
+    def coverages(self) -> FloatArray:
+        """(K,) of each frame, the share of the visible model that was found on paint."""
+        return np.array([step.coverage for step in self.chain.steps])
+
 
 def smoothed(chain: Chain, field: Field, frame: PictureFrame, stand: Stand = TRIPOD) -> Smoothed:
     """The same frames, each with the camera that is best for all of them together."""

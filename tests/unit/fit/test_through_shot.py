@@ -20,6 +20,7 @@ from procc_annotator.fit.through_shot.reading import glimpses
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.fit.through_shot.turning import OWN, small_grey, turn_between
 from procc_annotator.image.pixels import PixelArray
+from tests.drawn_shots import Aim, DrawnShot, Look, course, stage_of
 from tests.unit.fit.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
 
 COUNT = 20
@@ -220,4 +221,21 @@ def test_a_camera_on_rails_is_followed_as_one() -> None:
         assert isinstance(frame.fit.camera, PinholeCamera)
         assert apart_px(cameras[frame.number], frame.fit.camera) < 1.5
         apart = np.subtract(frame.fit.camera.position_world, cameras[frame.number].position_world)
+        assert np.abs(apart).max() < 0.5
+
+
+def test_a_camera_that_moves_where_each_place_leaves_a_few_lines_behind() -> None:
+    """Held at one place it would lose a line after the other, and agree with those that it has."""
+    count, (x, y, z) = 30, (-20.0, 50.0, -12.0)
+    aims = tuple(Aim(x + 0.5 * dx, 0, 600.0, (x + dx, y, z)) for dx in (0.0, 4.5, 9.0))
+    cameras = course((x, y, z), aims, count, (640, 360))
+    shot = DrawnShot(stage_of("soccer"), (cameras,), (640, 360), Look(people=False))
+    pictures = [shot.frame(number) for number in range(count)]
+    anchors = {0: shot.cameras[0]}
+    found = track(pictures.__getitem__, range(count), shot.stage.field, anchors=anchors)
+    for frame, true in zip(found.frames, shot.cameras, strict=True):
+        assert frame.fit is not None
+        assert isinstance(frame.fit.camera, PinholeCamera)
+        assert frame.coverage > 0.9
+        apart = np.subtract(frame.fit.camera.position_world, true.position_world)
         assert np.abs(apart).max() < 0.5
