@@ -28,6 +28,9 @@ _NEIGHBOURS = 2  # to either side, whose cuts are averaged with a place's own
 _BEYOND = _WIDTH_STEPS // 2 + _GAP_STEPS + _FLANK_STEPS
 _LEAST_CONTRAST = 5.0  # grey levels, of the band against the nearer of its flanks
 _RIVAL = 0.75  # of a band's contrast: another one that convinces as much
+# The share of a colour in the brightness by which the ground beside paint may be another one, and
+# what such a band counts less at most: some lines run where the ground changes.
+_FOREIGN, _MOST_FOREIGN, _DARK = 0.6, 0.75, 10.0
 _RIVAL_STEPS = 5  # from the band's middle: nearer ones are itself
 
 
@@ -72,8 +75,10 @@ def offsets_of(
     tone = painted.tone[expected.rows]
     response = _responses(cuts, tone, painted.element[expected.rows])
     response = _averaged(response, expected.run)
+    on_ground = painted.across[:, expected.rows].any(axis=0)
+    belief = np.where(on_ground[:, None], _averaged(_believed(cuts), expected.run), 1)
     within = np.abs(np.arange(-half, half + 1)) * step[:, None] <= reach[:, None]
-    at, contrast, found = _best(response, within)
+    at, contrast, found = _best(response, belief, within)
     return Offsets((at - half) * step * frame.scale, found, contrast)
 
 
@@ -127,6 +132,20 @@ def _standing_out(values: Values) -> Values:
     return np.asarray(band / (2 * inner) - np.maximum(left, right))
 
 
+def _believed(cuts: PixelArray) -> Values:
+    """(n, m) what a band counts, by its flanks: less where one of them has not the colour that most
+    of what is cut has, as beside the foot of a board."""
+    flanks = cv2.blur(cuts, (_FLANK_STEPS, 1)).astype(np.float32) + _DARK
+    share = flanks / flanks.mean(axis=2, keepdims=True)
+    ground = np.median(share[:, ::_FLANK_STEPS].reshape(-1, 3), axis=0)
+    foreign = np.abs(share - ground).max(axis=2)
+    width = cuts.shape[1] - 2 * _BEYOND
+    # The middles of the flanks on both sides of a band in the middle.
+    away = _WIDTH_STEPS // 2 + _GAP_STEPS + (_FLANK_STEPS + 1) // 2
+    left, right = (foreign[:, _BEYOND + side : _BEYOND + side + width] for side in (-away, away))
+    return np.asarray(1 - np.minimum(np.maximum(left, right) / _FOREIGN, _MOST_FOREIGN))
+
+
 def _averaged(response: Values, run: IntArray) -> Values:
     """The mean over each place and its neighbours on the same stretch."""
     rows = np.arange(len(run))
@@ -141,14 +160,19 @@ def _averaged(response: Values, run: IntArray) -> Values:
 
 
 def _best(
-    response: Values, within: NDArray[np.bool_]
+    response: Values, belief: Values, within: NDArray[np.bool_]
 ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
     """(n,) column of each place's band, between columns; its contrast; whether it convinces."""
     columns = np.arange(response.shape[1])
-    allowed = np.where(within, response, -np.inf)
+    allowed = np.where(within, np.where(response > 0, response * belief, response), -np.inf)
     best = allowed.argmax(axis=1)
     rows = np.arange(len(best))
-    contrast = allowed[rows, best].astype(np.float64)
+    convincing = allowed[rows, best]
+    # Belief changes along a cut: where the band's middle is the contrast tells.
+    beside = np.clip(best[:, None] + (-1, 0, 1), 0, response.shape[1] - 1)
+    raw = np.where(within[rows[:, None], beside], response[rows[:, None], beside], -np.inf)
+    best = beside[rows, raw.argmax(axis=1)]
+    contrast = raw.max(axis=1).astype(np.float64)
     # The slope of a band beyond the reach is no band.
     left = response[rows, np.maximum(best - 1, 0)]
     right = response[rows, np.minimum(best + 1, response.shape[1] - 1)]
@@ -158,4 +182,4 @@ def _best(
     rival = np.where(far, allowed, -np.inf).max(axis=1)
     bend = np.maximum(2 * contrast - left - right, 1e-6)
     at = best + np.clip((right - left) / (2 * bend), -0.5, 0.5)
-    return at, contrast, convinces & (rival < _RIVAL * contrast)
+    return at, contrast, convinces & (rival < _RIVAL * convincing)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from dataclasses import field as dataclass_field
 from itertools import pairwise
@@ -19,8 +19,8 @@ from procc_annotator.fit.on_paint.painted import Painted, painted_of
 from procc_annotator.fit.on_paint.result import fit_result
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import X, Z
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.fit.through_shot.chain import chain_of
+from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.through_shot.chain import Chain, chain_of
 from procc_annotator.fit.through_shot.following import Followed, follow
 from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
 from procc_annotator.fit.through_shot.smoothing import Smoothed, smoothed
@@ -200,7 +200,13 @@ class _Work:
         found = smoothed(chain_of(runs, given), self.field, self.picture)
         asked = len({number for run in runs for number in run.asked})
         if _may_move(found, asked):
-            again = [self._follow(run.asked, given, MOVING) for run in runs]
+            # Once more from what all frames told of its place: lines that it lost on the way stay.
+            start = _beliefs(found.chain, given)
+            again = [self._follow(run.asked, start) for run in runs]
+            second = smoothed(chain_of(again, given), self.field, self.picture)
+            found = max(found, second, key=lambda one: one.explained)
+        if _may_move(found, asked):
+            again = [self._follow(run.asked, start, MOVING) for run in runs]
             moving = smoothed(chain_of(again, given), self.field, self.picture, MOVING)
             if _explains_more(moving, found):
                 found = moving
@@ -216,20 +222,22 @@ class _Work:
         """Find cameras in a run of frames of which nothing is known, and follow them."""
         begin = gap[0]
         while begin <= gap[-1]:
-            at, vector = self._found_from(begin, gap[-1])
-            if vector is None:
+            at, found = self._found_from(begin, gap[-1])
+            if found is None:
                 return
-            given = {at: belief_at(vector, self.field, self.painted, self.picture)}
-            back = self._follow(range(at, begin - 1, -1), given)
-            onwards = self._follow(range(at, gap[-1] + 1), given)
+            start = {at: found}
+            back = self._follow(range(at, begin - 1, -1), start)
+            onwards = self._follow(range(at, gap[-1] + 1), start)
+            # All its paint is measured once more by following: it must not count twice.
+            given = {at: belief_at(found.vector, self.field, self.painted, self.picture)}
             self._keep([back, onwards], given)
             for number in range(begin, at):
                 if number not in self.found:
                     self._lose(number, "no camera was found yet")
             begin = onwards.numbers[-1] + 1
 
-    def _found_from(self, begin: int, end: int) -> tuple[int, FloatArray | None]:
-        """The first frame for which a camera is proposed and sure, and its parameters (11,)."""
+    def _found_from(self, begin: int, end: int) -> tuple[int, Belief | None]:
+        """The first frame for which a camera is proposed and sure, and what is believed of it."""
         since, reason = begin, ""
         known = self._position_near(begin)
         for now in glimpses(self.frame, range(begin, end + 1)):
@@ -240,8 +248,8 @@ class _Work:
             if now.number - since in _TRIES:
                 proposal = self.propose(now.picture, self.field, known)
                 reason = proposal.reason
-                if proposal.state == SURE and proposal.fit.vector is not None:
-                    return now.number, proposal.fit.vector
+                if proposal.state == SURE:
+                    return now.number, _belief_of(proposal.fit)
             if now.number not in self.found:
                 self._lose(now.number, reason)
         return end, None
@@ -260,6 +268,19 @@ class _Work:
     def _lose(self, number: int, reason: str) -> None:
         self.found[number] = TrackedFrame(number, "lost", reason, None, 0.0, None, None)
         self.on_frame(self.found[number])
+
+
+def _beliefs(chain: Chain, numbers: Iterable[int]) -> dict[int, Belief]:
+    """What is believed of the cameras of some frames of a chain."""
+    steps = dict(zip(chain.numbers, chain.steps, strict=True))
+    return {number: steps[number].belief for number in numbers}
+
+
+def _belief_of(fit: FitResult) -> Belief:
+    """What is believed of a camera that was refined on the paint of its picture."""
+    assert fit.vector is not None
+    assert fit.covariance is not None
+    return Belief(fit.vector, np.asarray(np.linalg.inv(fit.covariance)))
 
 
 def _may_move(still: Smoothed, asked: int) -> bool:

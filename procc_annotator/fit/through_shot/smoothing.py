@@ -15,11 +15,11 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.on_paint.belief import COUNTS, Belief, usual, weights_of
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE
 from procc_annotator.fit.solving.jacobian import Lens, project
-from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, X, Z
+from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, LOG_FOCAL, X, Z
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
 from procc_annotator.fit.through_shot.banded import Normal, Solution, solve_normal
 from procc_annotator.fit.through_shot.chain import Chain
-from procc_annotator.fit.through_shot.stand import TRIPOD, Stand
+from procc_annotator.fit.through_shot.stand import TRIPOD, Stand, lens_change
 from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.turning import OWN, Turn
 
@@ -141,6 +141,8 @@ def _normal(
         stiff[np.ix_(OWN, OWN)] = np.linalg.inv(told.covariance + np.diag(stand.apparent**2))
         off = vectors[k, :PARAMETERS_FREE] - vectors[k + 1, :PARAMETERS_FREE]
         off[OWN] += told.step
+        zoomed = vectors[k + 1, LOG_FOCAL] - vectors[k, LOG_FOCAL]
+        stiff[KAPPA, KAPPA] = lens_change(float(zoomed)) ** -2
         information[k] += stiff
         information[k + 1] += stiff
         beside[k] = -stiff

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,15 +30,21 @@ class Stand:
     apparent: FloatArray
 
 
+# Radial coefficients: of a lens at rest, from frame to frame, and of one that zooms e times.
+_KAPPA, _KAPPA_ZOOMING = 0.0003, 0.02
 _PLACE = (X, X + 1, Z)
 # Tripods give a little, and no field is quite what it should be.
-TRIPOD = Stand(
-    np.array([PAN, TILT, ROLL, LOG_FOCAL]), np.array([*_PLACE, KAPPA]), 0.015, np.zeros(4)
-)
+TRIPOD = Stand(np.array([PAN, TILT, ROLL, LOG_FOCAL, KAPPA]), np.array(_PLACE), 0.015, np.zeros(4))
 # Rails, cranes and cameras on ropes: some metres a second, 60 m from what they film.
 MOVING = Stand(
-    np.array([PAN, TILT, ROLL, *_PLACE, LOG_FOCAL]),
-    np.array([KAPPA]),
+    np.array([PAN, TILT, ROLL, *_PLACE, LOG_FOCAL, KAPPA]),
+    np.array([], dtype=np.intp),
     0.15,
     np.array([0.004, 0.004, 0.0005, 0.004]),
 )
+
+
+def lens_change(log_focal: float) -> float:
+    """Standard deviation of the radial coefficient's change while the logarithm of the focal length
+    changes by so much: lenses distort otherwise when they zoom."""
+    return math.sqrt(_KAPPA**2 + _KAPPA_ZOOMING**2 * abs(log_focal))

@@ -20,14 +20,13 @@ from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.on_paint.result import Worth, worth_of
 from procc_annotator.fit.solving.covariance import projected_covariance, worst_sd
 from procc_annotator.fit.solving.jacobian import Lens
-from procc_annotator.fit.solving.models import KAPPA, ROLL, X, Z
+from procc_annotator.fit.solving.models import KAPPA, LOG_FOCAL, ROLL, X, Z
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.fit.through_shot.stand import TRIPOD, Stand
+from procc_annotator.fit.through_shot.stand import TRIPOD, Stand, lens_change
 from procc_annotator.fit.through_shot.turning import OWN, Turn
 from procc_annotator.image.pixels import PixelArray
 
-# What a frame may add to what is believed, standard deviations: lenses breathe, tripods lean.
-_KAPPA, _ROLL_RAD = 0.0005, 2e-5
+_ROLL_RAD = 2e-5  # what a frame may add to what is believed, standard deviation: tripods lean
 # Of a step that nothing foretells: pan, tilt, roll, logarithm of the focal length.
 _UNKNOWN_STEP = np.array([np.deg2rad(0.25), np.deg2rad(0.15), np.deg2rad(0.03), 0.01])
 _SLOWING = 0.7
@@ -87,7 +86,7 @@ def foretold(belief: Belief, turn: Turn | None, last: FloatArray, stand: Stand =
         vector[OWN] += turn.step
         step[np.ix_(OWN, OWN)] = turn.covariance + np.diag(stand.apparent**2)
     step[range(X, Z + 1), range(X, Z + 1)] += stand.position_m**2
-    step[KAPPA, KAPPA] += _KAPPA**2
+    step[KAPPA, KAPPA] += lens_change(float(vector[LOG_FOCAL] - belief.vector[LOG_FOCAL])) ** 2
     step[ROLL, ROLL] += _ROLL_RAD**2
     return Belief(vector, np.asarray(np.linalg.inv(covariance + step)))
 
