@@ -7,6 +7,7 @@ ground tells where to look, and a ridge counts only where others of its directio
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import cv2
@@ -17,6 +18,7 @@ from procc_annotator.image.ground import ground_of
 from procc_annotator.image.pixels import PixelArray
 
 FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.intp]
 BoolArray = NDArray[np.bool_]
 Values = NDArray[np.float32]
 
@@ -60,13 +62,15 @@ def paint_map(picture: PixelArray, *, light: bool = True, dark: bool = False) ->
     """
     height, width = picture.shape[:2]
     shrink = max(width / _WIDTH_PX, 1.0)
-    small = np.ascontiguousarray(picture[:, :, :3])
+    small = np.ascontiguousarray(picture)
     if shrink > 1:
         size = (_WIDTH_PX, max(round(height / shrink), 1))
         small = np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
+    small = np.ascontiguousarray(small[:, :, :3])
     ground = ground_of(small)
     # White paint is light in all colours, coloured paint dark in one of them.
-    grey = np.asarray(small.min(axis=2), dtype=np.float32)
+    blue, green, red = cv2.split(small)
+    grey = cv2.min(cv2.min(blue, green), red).astype(np.float32)
     wide = cv2.resize(ground, small.shape[1::-1], interpolation=cv2.INTER_NEAREST)
     beside = cv2.dilate(wide, np.ones((2 * _BESIDE_PX + 1,) * 2, np.uint8)) > 0
     beside[:_BORDER_PX] = beside[-_BORDER_PX:] = False
@@ -85,9 +89,10 @@ def paint_map(picture: PixelArray, *, light: bool = True, dark: bool = False) ->
 
 def _ridges(grey: Values, where: BoolArray) -> tuple[FloatArray, FloatArray]:
     """(2, n) px on the middle of light ridges, and (n,) rad their directions."""
-    strength, apart, mixed = _curvature(grey)
+    strength, directed = _curvature(grey)
     rows, columns = np.nonzero((strength > _LEAST_RIDGE) & where)
-    along = 0.5 * np.arctan2(mixed[rows, columns], apart[rows, columns])
+    apart, mixed = directed(rows, columns)
+    along = 0.5 * np.arctan2(mixed, apart)
     across = np.stack([-np.sin(along), np.cos(along)])
     step = np.rint(across).astype(np.intp)
     here = strength[rows, columns]
@@ -104,24 +109,33 @@ def _ridges(grey: Values, where: BoolArray) -> tuple[FloatArray, FloatArray]:
     return places[:, kept], np.mod(along[kept], np.pi)
 
 
-def _curvature(grey: Values) -> tuple[Values, Values, Values]:
+def _curvature(
+    grey: Values,
+) -> tuple[Values, Callable[[IntArray, IntArray], tuple[Values, Values]]]:
     """How much a picture curves across less how much along, at the scale where that is most; and
-    the two numbers that tell the direction, half (xx - yy) and xy."""
-    best: list[Values] = []
+    what tells, at rows and columns, the two numbers for the direction, xx - yy and twice xy."""
+    scales = []
     for sigma in _SIGMAS:
         smooth = cv2.GaussianBlur(grey, (0, 0), sigma)
         xx, yy, xy = (
-            cv2.Sobel(smooth, cv2.CV_32F, *order, ksize=3, scale=sigma**2 / 4)
-            for order in ((2, 0), (0, 2), (1, 1))
+            cv2.Sobel(smooth, cv2.CV_32F, *order, ksize=3, scale=times * sigma**2 / 4)
+            for order, times in (((2, 0), 1), ((0, 2), 1), ((1, 1), 2))
         )
-        half, apart = (xx + yy) / 2, (xx - yy) / 2
-        root = cv2.magnitude(apart, xy)
-        new = [
-            np.asarray(a, dtype=np.float32) for a in (root - half - np.abs(half + root), apart, xy)
-        ]
-        stronger = new[0] > best[0] if best else np.ones(grey.shape, dtype=bool)
-        best = [np.where(stronger, a, b) for a, b in zip(new, best or new, strict=True)]
-    return best[0], best[1], best[2]
+        apart = cv2.subtract(xx, yy)
+        # Less one curvature than the other, or than nothing where the other is no hollow's.
+        strength = cv2.min(-cv2.add(xx, yy), cv2.magnitude(apart, xy))
+        scales.append((np.asarray(strength, dtype=np.float32), apart, xy))
+    (fine, *_), (wide, *_) = scales
+
+    def directed(rows: IntArray, columns: IntArray) -> tuple[Values, Values]:
+        wider = wide[rows, columns] > fine[rows, columns]
+        apart, xy = (
+            np.where(wider, scales[1][i][rows, columns], scales[0][i][rows, columns])
+            for i in (1, 2)
+        )
+        return apart, xy
+
+    return np.maximum(fine, wide), directed
 
 
 def _contrast(grey: Values, places: FloatArray, across: FloatArray) -> FloatArray:

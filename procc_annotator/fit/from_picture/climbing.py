@@ -11,7 +11,7 @@ import numpy as np
 from procc_annotator.fit.from_picture.field_lines import FieldLines
 from procc_annotator.fit.from_picture.in_view import in_view
 from procc_annotator.fit.from_picture.pulls import Pulls, lines_to_paint, paint_to_lines
-from procc_annotator.fit.from_picture.seen_paint import NearestPaint, SeenPaint
+from procc_annotator.fit.from_picture.seen_paint import SeenPaint
 from procc_annotator.fit.solving.models import FREE, Z
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 from procc_annotator.fit.solving.solver import Prior
@@ -33,14 +33,12 @@ class Scene:
     Attributes:
         lines: of the field.
         paint: of the picture.
-        near: its maps.
         known: where its camera stands, (1, 8) means and inverse standard deviations; None if it
             may stand anywhere.
     """
 
     lines: FieldLines
     paint: SeenPaint
-    near: NearestPaint
     known: Prior | None = None
 
     def prior(self, vectors: FloatArray, free: int) -> Prior:
@@ -95,7 +93,7 @@ def climb(
     mean, inverse = prior.mean, prior.inverse_sd
     diagonal = np.arange(free)
     for scale in scales_px:
-        pulls = lines_to_paint(vectors, chosen, scene.lines.coarse, scene.paint, scene.near, free)
+        pulls = lines_to_paint(vectors, chosen, scene.lines.coarse, scene.paint, free)
         normal, gradient = _normal_of(pulls, scale)
         if len(some):
             pulls = paint_to_lines(vectors, some, scene.lines, scene.paint, free)
@@ -149,7 +147,7 @@ def agreement(
 ) -> Agreement:
     """Judge cameras (B, 11) by so many places on lines, and of the paint."""
     chosen = in_view(vectors, scene.lines.coarse, scene.paint.half_height, places).places
-    pulls = lines_to_paint(vectors, chosen, scene.lines.coarse, scene.paint, scene.near, 0)
+    pulls = lines_to_paint(vectors, chosen, scene.lines.coarse, scene.paint, 0)
     on_paint = pulls.known & (np.abs(pulls.off) < within_px) & (pulls.away < 3 * within_px)
     coverage = on_paint.sum(axis=1) / np.maximum(pulls.in_view.sum(axis=1), 1)
     some = scene.paint.some(paint)

@@ -15,8 +15,8 @@ from procc_annotator.fit.from_picture.field_lines import FieldLines, lines_of
 from procc_annotator.fit.from_picture.hypotheses import at_places, on_side
 from procc_annotator.fit.from_picture.in_view import apart_px
 from procc_annotator.fit.from_picture.proposal import NONE, KnownPosition, Proposal
-from procc_annotator.fit.from_picture.searching import STAGES, search
-from procc_annotator.fit.from_picture.seen_paint import NearestPaint, SeenPaint, see_paint
+from procc_annotator.fit.from_picture.searching import STAGES, STAGES_KNOWN, search
+from procc_annotator.fit.from_picture.seen_paint import SeenPaint, see_paint
 from procc_annotator.fit.on_paint.belief import Belief
 from procc_annotator.fit.on_paint.refining import OnPaint, refine_on_paint
 from procc_annotator.fit.result import FitResult
@@ -35,11 +35,11 @@ from procc_annotator.fit.solving.solver import Prior
 from procc_annotator.fit.solving.starts import SIDES, prior_near
 from procc_annotator.image.pixels import PixelArray
 
-_CELL_PX = 2
 _FEWEST = 60  # places of paint
-_REFINED, _REFINED_KNOWN, _REACHES_PX = 5, 3, (8.0, 4.0, 4.0)
+_REFINED, _REACHES_PX = 5, (8.0, 4.0, 4.0)
+_WORTH_REFINING = 0.7  # of the best one's score before any is refined
 # Cameras that climb: of the main side, of each other one, at a known position.
-_CLIMB, _CLIMB_OTHER, _CLIMB_KNOWN = 1000, 600, 250
+_CLIMB, _CLIMB_OTHER, _CLIMB_KNOWN = 1000, 600, 160
 _WITHIN_PX, _JUDGED = 3.0, 800
 _OTHER_PX = 15.0  # farther apart, two cameras show something else
 _ON_PAINT = 0.5  # of an element in sight, for it to be found
@@ -108,10 +108,17 @@ class _Candidate:
 
 @dataclass(frozen=True, eq=False)
 class _Best:
-    """The best candidate of a search, and the best of those that show something else."""
+    """The best candidate of a search.
+
+    Attributes:
+        candidate: it.
+        other: (11,) the best of those that show something else; None without any.
+        other_score: its.
+    """
 
     candidate: _Candidate
-    other: _Candidate | None
+    other: FloatArray | None
+    other_score: float
 
     @property
     def score(self) -> float:
@@ -119,9 +126,8 @@ class _Best:
 
     def proposal(self, frame: PictureFrame) -> Proposal:
         """What is proposed."""
-        best, other, margin = self.candidate, self.other, 1.0
-        if other is not None:
-            margin = min(max(1 - other.score / max(self.score, 1e-6), 0.0), 1.0)
+        best, other = self.candidate, self.other
+        margin = min(max(1 - self.other_score / max(self.score, 1e-6), 0.0), 1.0)
         refined = best.refined
         elements = sum(share >= _ON_PAINT for share in refined.shares.values())
         state, reason = decide(
@@ -144,7 +150,7 @@ class _Best:
             best.explained,
             refined.residual_px,
             margin,
-            None if other is None else camera_from_vector(other.vector, frame),
+            None if other is None else camera_from_vector(other, frame),
         )
 
 
@@ -157,23 +163,22 @@ def _best(
     go_on: Callable[[], None],
 ) -> _Best | None:
     half_height = float(round(paint.half_height))
-    near = NearestPaint.of(paint, _CELL_PX)
     if place is None:
-        scene = Scene(lines, paint, near)
+        scene = Scene(lines, paint)
         hypotheses = [
             (on_side(lines, half_height, side), _CLIMB if side == 0 else _CLIMB_OTHER)
             for side in _sides(field)
         ]
     else:
         x, y, z = place.position_m.tolist()
-        scene = Scene(lines, paint, near, _prior_at(place, lines))
+        scene = Scene(lines, paint, _prior_at(place, lines))
         hypotheses = [(at_places(lines, half_height, ((x, y, z),)), _CLIMB_KNOWN)]
-    most = _REFINED if place is None else _REFINED_KNOWN
-    vectors = search(scene, hypotheses, go_on).vectors[:most]
+    found = search(scene, hypotheses, go_on, STAGES if place is None else STAGES_KNOWN)
+    vectors = found.vectors[:_REFINED]
     if place is None and _half_turn(field):
         # Labels are those of a camera on the main side.
         vectors = np.where(vectors[:, [Y]] < 0, half_turned(vectors), vectors)
-    return _refined(picture, field, scene, vectors)
+    return _refined(picture, field, scene, vectors, found.scores[:_REFINED])
 
 
 def _half_turn(field: Field) -> bool:
@@ -199,10 +204,17 @@ def _prior_at(place: KnownPosition, lines: FieldLines) -> Prior:
     return Prior(mean, inverse)
 
 
-def _refined(picture: PixelArray, field: Field, scene: Scene, vectors: FloatArray) -> _Best | None:
-    """The best of some cameras once they are refined; None if there is paint beside none."""
-    tried = []
-    for vector in vectors:
+def _refined(
+    picture: PixelArray, field: Field, scene: Scene, vectors: FloatArray, scores: FloatArray
+) -> _Best | None:
+    """The best of some cameras (B, 11) with their scores (B,), those that come near the first one
+    refined; None if there is paint beside none."""
+    tried: list[OnPaint] = []
+    kept: list[tuple[FloatArray, float]] = []
+    for vector, score in zip(vectors, scores, strict=True):
+        if score < _WORTH_REFINING * scores[0] and tried:
+            kept.append((vector, float(score)))
+            continue
         prior = scene.prior(vector[None], FREE["R"])
         belief = Belief(_filled(prior), np.diag(prior.inverse_sd[0] ** 2))
         refined = refine_on_paint(picture, field, vector, belief=belief, reaches_px=_REACHES_PX)
@@ -210,6 +222,19 @@ def _refined(picture: PixelArray, field: Field, scene: Scene, vectors: FloatArra
             tried.append(refined)
     if not tried:
         return None
+    candidates = _judged(scene, tried)
+    best = candidates[0]
+    others = [*((one.vector, one.score) for one in candidates), *kept]
+    away = apart_px(
+        best.vector, np.array([v for v, _ in others]), scene.lines, scene.paint.half_height
+    )
+    apart = [other for other, px in zip(others, away, strict=True) if px > _OTHER_PX]
+    vector, score = max(apart, key=lambda other: other[1], default=(None, 0.0))
+    return _Best(best, vector, score)
+
+
+def _judged(scene: Scene, tried: Sequence[OnPaint]) -> list[_Candidate]:
+    """Refined cameras, the best first."""
     final = np.array([refined.fit.vector for refined in tried])
     judged = agreement(scene, final, _WITHIN_PX, places=1, paint=_JUDGED)
     unlikeliness = scene.unlikeliness(final)
@@ -219,13 +244,7 @@ def _refined(picture: PixelArray, field: Field, scene: Scene, vectors: FloatArra
             final, tried, judged.explained, unlikeliness, strict=True
         )
     ]
-    candidates.sort(key=lambda one: -one.score)
-    best = candidates[0]
-    half_height = scene.paint.half_height
-    others = np.array([one.vector for one in candidates])
-    away = apart_px(best.vector, others, scene.lines, half_height)
-    other = next((one for one, px in zip(candidates, away, strict=True) if px > _OTHER_PX), None)
-    return _Best(best, other)
+    return sorted(candidates, key=lambda one: -one.score)
 
 
 def _filled(prior: Prior) -> FloatArray:

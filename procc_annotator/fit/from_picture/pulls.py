@@ -11,7 +11,6 @@ from procc_annotator.fit.from_picture.field_lines import FieldLines
 from procc_annotator.fit.from_picture.seen_paint import (
     HALF_WIDTH,
     LIKE_RAD,
-    NearestPaint,
     SeenPaint,
     cells_of,
     directions_of,
@@ -48,11 +47,10 @@ def lines_to_paint(
     places: IntArray,
     lines: FieldLines,
     paint: SeenPaint,
-    near: NearestPaint,
     free: int,
 ) -> Pulls:
     """Places of lines (B, K), pulled to the nearest paint of their direction."""
-    lens = Lens.of(vectors, paint.frame.half_diagonal)
+    lens, near = Lens.of(vectors, paint.frame.half_diagonal), paint.near
     world, along = (one[:, places].transpose(1, 0, 2) for one in (lines.world, lines.along))
     depth = (lens.linear[:, 2:, :3] @ world)[:, 0] + lens.linear[:, 2, 3:]
     ahead = depth > _NEAREST_M

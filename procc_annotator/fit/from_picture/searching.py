@@ -10,7 +10,6 @@ import numpy as np
 from procc_annotator.fit.from_picture.climbing import Agreement, Scene, agreement, climb
 from procc_annotator.fit.from_picture.hypotheses import CELL_PX, Hypotheses
 from procc_annotator.fit.from_picture.in_view import apart_px
-from procc_annotator.fit.from_picture.seen_paint import NearestPaint
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
 
@@ -48,6 +47,12 @@ STAGES = (
     Stage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 25, 6.0),
     Stage((7, 6, 5, 4), 120, 150, 3.0, (240, 800), 0.005, 12, 12.0, "R", 4),
 )
+# Where the position is known, few cameras are left that differ.
+STAGES_KNOWN = (
+    Stage((30, 24, 16), 48, 0, 8.0, (80, 150), 0.02, 40),
+    Stage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 10, 6.0),
+    Stage((7, 6, 5, 4), 120, 150, 3.0, (240, 800), 0.005, 3, 12.0, "R", 2),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,17 +76,20 @@ class Found:
 
 
 def search(
-    scene: Scene, hypotheses: Sequence[tuple[Hypotheses, int]], go_on: Callable[[], None]
+    scene: Scene,
+    hypotheses: Sequence[tuple[Hypotheses, int]],
+    go_on: Callable[[], None],
+    stages: Sequence[Stage] = STAGES,
 ) -> Found:
     """The best cameras of all hypotheses, led to the paint; so many of each kind climb."""
-    near = NearestPaint.of(scene.paint, CELL_PX)
+    near = scene.paint.near.coarser(CELL_PX // scene.paint.near.cell)
     chosen = []
     for some, most in hypotheses:
         scores = some.scores(near, scene.paint)
         count = min(most, len(scores))
         chosen.append(some.vectors[np.argpartition(-scores, count - 1)[:count]])
     vectors = np.concatenate(chosen)
-    for stage in STAGES:
+    for stage in stages:
         go_on()
         found = _round(scene, vectors, stage)
         vectors = found.vectors

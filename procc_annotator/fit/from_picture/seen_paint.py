@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import cv2
 import numpy as np
@@ -22,6 +23,7 @@ from procc_annotator.image.pixels import PixelArray
 DIRECTIONS = 12
 LIKE_RAD = np.radians(20.0)  # directions that may be those of one line
 _FAR_PX = 1e3
+_CELL_PX = 2
 HALF_WIDTH = REFERENCE_WIDTH / 2
 
 
@@ -47,6 +49,11 @@ class SeenPaint:
     def half_height(self) -> float:
         """Of the picture, solver px."""
         return self.frame.size[1] * self.frame.scale / 2
+
+    @cached_property
+    def near(self) -> NearestPaint:
+        """Its maps."""
+        return NearestPaint.of(self, _CELL_PX)
 
     def some(self, count: int) -> IntArray:
         """At most so many of the places on the ground, evenly chosen."""
@@ -102,6 +109,11 @@ class NearestPaint:
             of_label[labels[row[own], column[own]]] = own
             away[direction], place[direction] = far * cell, of_label[labels]
         return cls(cell, away, place)
+
+    def coarser(self, times: int) -> NearestPaint:
+        """Maps with cells so many times as large."""
+        every = np.s_[:, ::times, ::times]
+        return NearestPaint(self.cell * times, self.away[every], self.place[every])
 
 
 def shape_of(half_height: float, cell: int) -> tuple[int, int]:

@@ -31,6 +31,7 @@ _RIVAL = 0.75  # of a band's contrast: another one that convinces as much
 # The share of a colour in the brightness by which the ground beside paint may be another one, and
 # what such a band counts less at most: some lines run where the ground changes.
 _FOREIGN, _MOST_FOREIGN, _DARK = 0.6, 0.75, 10.0
+_SOME = 3  # of places and of samples that tell the usual colour, every so manieth
 _RIVAL_STEPS = 5  # from the band's middle: nearer ones are itself
 
 
@@ -75,8 +76,8 @@ def offsets_of(
     tone = painted.tone[expected.rows]
     response = _responses(cuts, tone, painted.element[expected.rows])
     response = _averaged(response, expected.run)
-    on_ground = painted.across[:, expected.rows].any(axis=0)
-    belief = np.where(on_ground[:, None], _averaged(_believed(cuts), expected.run), 1)
+    is_bar = ~painted.across[:, expected.rows].any(axis=0, keepdims=True).T
+    belief = np.where(is_bar, 1, _averaged(_believed(cuts), expected.run))
     within = np.abs(np.arange(-half, half + 1)) * step[:, None] <= reach[:, None]
     at, contrast, found = _best(response, belief, within)
     return Offsets((at - half) * step * frame.scale, found, contrast)
@@ -135,10 +136,16 @@ def _standing_out(values: Values) -> Values:
 def _believed(cuts: PixelArray) -> Values:
     """(n, m) what a band counts, by its flanks: less where one of them has not the colour that most
     of what is cut has, as beside the foot of a board."""
-    flanks = cv2.blur(cuts, (_FLANK_STEPS, 1)).astype(np.float32) + _DARK
-    share = flanks / flanks.mean(axis=2, keepdims=True)
-    ground = np.median(share[:, ::_FLANK_STEPS].reshape(-1, 3), axis=0)
-    foreign = np.abs(share - ground).max(axis=2)
+    flanks = [
+        band.astype(np.float32) + np.float32(_DARK)
+        for band in cv2.split(cv2.blur(cuts, (_FLANK_STEPS, 1)))
+    ]
+    bright = (flanks[0] + flanks[1] + flanks[2]) / 3
+    foreign = np.zeros_like(bright)
+    for band in flanks:
+        share = band / bright
+        usual = np.median(share[::_SOME, ::_SOME])
+        np.maximum(foreign, np.abs(share - usual), out=foreign)
     width = cuts.shape[1] - 2 * _BEYOND
     # The middles of the flanks on both sides of a band in the middle.
     away = _WIDTH_STEPS // 2 + _GAP_STEPS + (_FLANK_STEPS + 1) // 2
