@@ -28,10 +28,6 @@ _NEIGHBOURS = 2  # to either side, whose cuts are averaged with a place's own
 _BEYOND = _WIDTH_STEPS // 2 + _GAP_STEPS + _FLANK_STEPS
 _LEAST_CONTRAST = 5.0  # grey levels, of the band against the nearer of its flanks
 _RIVAL = 0.75  # of a band's contrast: another one that convinces as much
-# The share of a colour in the brightness by which the ground beside paint may be another one, and
-# what such a band counts less at most: some lines run where the ground changes.
-_FOREIGN, _MOST_FOREIGN, _DARK = 0.6, 0.75, 10.0
-_SOME = 3  # of places and of samples that tell the usual colour, every so manieth
 _RIVAL_STEPS = 5  # from the band's middle: nearer ones are itself
 
 
@@ -76,10 +72,8 @@ def offsets_of(
     tone = painted.tone[expected.rows]
     response = _responses(cuts, tone, painted.element[expected.rows])
     response = _averaged(response, expected.run)
-    is_bar = ~painted.across[:, expected.rows].any(axis=0, keepdims=True).T
-    belief = np.where(is_bar, 1, _averaged(_believed(cuts), expected.run))
     within = np.abs(np.arange(-half, half + 1)) * step[:, None] <= reach[:, None]
-    at, contrast, found = _best(response, belief, within)
+    at, contrast, found = _best(response, within)
     return Offsets((at - half) * step * frame.scale, found, contrast)
 
 
@@ -133,26 +127,6 @@ def _standing_out(values: Values) -> Values:
     return np.asarray(band / (2 * inner) - np.maximum(left, right))
 
 
-def _believed(cuts: PixelArray) -> Values:
-    """(n, m) what a band counts, by its flanks: less where one of them has not the colour that most
-    of what is cut has, as beside the foot of a board."""
-    flanks = [
-        band.astype(np.float32) + np.float32(_DARK)
-        for band in cv2.split(cv2.blur(cuts, (_FLANK_STEPS, 1)))
-    ]
-    bright = (flanks[0] + flanks[1] + flanks[2]) / 3
-    foreign = np.zeros_like(bright)
-    for band in flanks:
-        share = band / bright
-        usual = np.median(share[::_SOME, ::_SOME])
-        np.maximum(foreign, np.abs(share - usual), out=foreign)
-    width = cuts.shape[1] - 2 * _BEYOND
-    # The middles of the flanks on both sides of a band in the middle.
-    away = _WIDTH_STEPS // 2 + _GAP_STEPS + (_FLANK_STEPS + 1) // 2
-    left, right = (foreign[:, _BEYOND + side : _BEYOND + side + width] for side in (-away, away))
-    return np.asarray(1 - np.minimum(np.maximum(left, right) / _FOREIGN, _MOST_FOREIGN))
-
-
 def _averaged(response: Values, run: IntArray) -> Values:
     """The mean over each place and its neighbours on the same stretch."""
     rows = np.arange(len(run))
@@ -167,19 +141,14 @@ def _averaged(response: Values, run: IntArray) -> Values:
 
 
 def _best(
-    response: Values, belief: Values, within: NDArray[np.bool_]
+    response: Values, within: NDArray[np.bool_]
 ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
     """(n,) column of each place's band, between columns; its contrast; whether it convinces."""
     columns = np.arange(response.shape[1])
-    allowed = np.where(within, np.where(response > 0, response * belief, response), -np.inf)
+    allowed = np.where(within, response, -np.inf)
     best = allowed.argmax(axis=1)
     rows = np.arange(len(best))
-    convincing = allowed[rows, best]
-    # Belief changes along a cut: where the band's middle is the contrast tells.
-    beside = np.clip(best[:, None] + (-1, 0, 1), 0, response.shape[1] - 1)
-    raw = np.where(within[rows[:, None], beside], response[rows[:, None], beside], -np.inf)
-    best = beside[rows, raw.argmax(axis=1)]
-    contrast = raw.max(axis=1).astype(np.float64)
+    contrast = allowed[rows, best].astype(np.float64)
     # The slope of a band beyond the reach is no band.
     left = response[rows, np.maximum(best - 1, 0)]
     right = response[rows, np.minimum(best + 1, response.shape[1] - 1)]
@@ -189,4 +158,4 @@ def _best(
     rival = np.where(far, allowed, -np.inf).max(axis=1)
     bend = np.maximum(2 * contrast - left - right, 1e-6)
     at = best + np.clip((right - left) / (2 * bend), -0.5, 0.5)
-    return at, contrast, convinces & (rival < _RIVAL * convincing)
+    return at, contrast, convinces & (rival < _RIVAL * contrast)
