@@ -138,7 +138,7 @@ def shots_from(begins: Sequence[range], frames: Sequence[str]) -> list[ShotFrame
 
 def _without_gaps(numbered: list[tuple[int, str]]) -> list[list[tuple[int, str]]]:
     steps = sorted(b[0] - a[0] for a, b in pairwise(numbered) if b[0] > a[0])
-    most = _MOST_STEPS_MISSING * (steps[len(steps) // 2] if steps else 1)
+    most = _MOST_STEPS_MISSING * (steps[(len(steps) - 1) // 2] if steps else 1)
     runs = [[numbered[0]]]
     for before, now in pairwise(numbered):
         if now[0] == before[0]:
