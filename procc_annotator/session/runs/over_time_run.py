@@ -124,7 +124,7 @@ class ShotOverTime:
         return float(known.mean()) if len(known) else None
 
     def jac_third(self, third: int) -> float | None:
-        """Mean JaC at the beginning (0), in the middle (1) and at the end (2) of the shot."""
+        """Mean JaC in the first (0), the middle (1) and the last (2) third of the shot."""
         own = np.array_split(self.jac, 3)[third]
         known = own[np.isfinite(own)]
         return float(known.mean()) if len(known) else None
