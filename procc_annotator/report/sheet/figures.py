@@ -1,0 +1,162 @@
+"""Every figure the program tells, once: a new one is a row here, and where it is computed.
+
+Keys are those of files, and the names of the values' attributes where a table is made from values
+(`SetSummary`, `FrameScore`, ...). What a table of figures shows follows the order here.
+"""
+
+from __future__ import annotations
+
+from procc_annotator.report.sheet.figure import Figure
+
+FAR = 1000.0  # metres or px: next to a horizon distances are as large as one likes
+
+# --- a frame at a threshold: attributes of `FrameScore`, keys of score files ----------------------
+
+JAC = Figure(
+    "jac", "JaC", "%", "higher",
+    definition="The Jaccard index for camera calibration of a frame, TP / (TP + FP + FN).",
+)  # fmt: skip
+TP = Figure(
+    "tp", "tp", "", None, 0,
+    "An annotated and projected element all of whose annotated points have an error below tau.",
+)  # fmt: skip
+FP = Figure(
+    "fp", "fp", "", None, 0,
+    "An element that is projected and annotated but has a point tau or more away (too far), or one"
+    " that is projected and not annotated.",
+)  # fmt: skip
+FN = Figure(
+    "fn", "fn", "", None, 0, "An element that is annotated and not projected (missed)."
+)  # fmt: skip
+PRECISION = Figure("precision", "precision", "%", "higher", definition="TP / (TP + FP).")
+RECALL = Figure("recall", "recall", "%", "higher", definition="TP / (TP + FN).")
+FRAME_ERROR = Figure(
+    "mean_reprojection_error", "mean error", "px", "lower",
+    definition="The mean reprojection error of a frame's points.", attribute="mean_error",
+)  # fmt: skip
+OF_FRAME = (PRECISION, RECALL, FRAME_ERROR)  # besides JaC and the counts it comes from
+
+# --- a set at a threshold: attributes of `SetSummary`, keys of score files and reports ------------
+
+MEAN_JAC = Figure(
+    "mean_jac", "JaC", "%", "higher",
+    definition="The mean of the frames' JaC over the frames that have a camera. In tables of"
+    " classes points are counted instead of elements, as the official code does.",
+)  # fmt: skip
+SD_JAC = Figure(
+    "sd_jac", "sd", "%", definition="The standard deviation of the frames' JaC, divided by n."
+)
+MEDIAN_JAC = Figure(
+    "median_jac", "median", "%", "higher", definition="The median of the frames' JaC."
+)
+COMPLETENESS = Figure(
+    "completeness", "completeness", "%", "higher",
+    definition="Frames with a usable camera over all annotated frames.",
+)  # fmt: skip
+FINAL_SCORE = Figure(
+    "final_score", "final score", "%", "higher",
+    definition="Completeness times mean JaC, as the SoccerNet challenge ranks methods.",
+)  # fmt: skip
+MEAN_PRECISION = Figure(
+    "mean_precision", "precision", "%", "higher",
+    definition="The mean of TP / (TP + FP) over the frames in which it is defined.",
+)  # fmt: skip
+MEAN_RECALL = Figure(
+    "mean_recall", "recall", "%", "higher",
+    definition="The mean of TP / (TP + FN) over the frames in which it is defined.",
+)  # fmt: skip
+MEAN_ERROR = Figure(
+    "mean_reprojection_error", "mean error", "px", "lower",
+    definition="The distance of an annotated point to the nearest place of its element as the"
+    " camera projects it, mean over all points of the set together of elements that are annotated"
+    " and projected, under the labelling that counts at the tau named beside it.",
+)  # fmt: skip
+
+OF_SET = (
+    MEAN_JAC, SD_JAC, MEDIAN_JAC, COMPLETENESS, FINAL_SCORE, MEAN_PRECISION, MEAN_RECALL,
+    MEAN_ERROR,
+)  # fmt: skip
+OF_CLASS = (TP, FP, FN, JAC, PRECISION, RECALL)
+
+# --- how errors are spread and where they lean ----------------------------------------------------
+
+MEDIAN_PX = Figure("median", "median", "px", "lower", definition="Half of the distances are below.")
+P95_PX = Figure("p95", "95 %", "px", "lower", definition="95 of 100 distances are below.")
+LARGEST_PX = Figure(
+    "max", "max", "px", "lower", definition="The largest distance.", attribute="largest"
+)
+BIAS_RIGHT = Figure(
+    "bias_right", "bias right", "px", signed=True,
+    definition="The median of the differences, projection minus click, to the right.",
+)  # fmt: skip
+BIAS_DOWN = Figure(
+    "bias_down", "bias down", "px", signed=True,
+    definition="The median of the differences, projection minus click, down the picture.",
+)  # fmt: skip
+
+# --- two sources of cameras: attributes of `Spread` and `LegacyMetrics`, keys of comparisons ------
+
+METRES = tuple(
+    Figure(key, title, "m", "lower", most=FAR, definition=f"The {words} distance on the ground.")
+    for key, title, words in (
+        ("minimum", "min", "least"),
+        ("median", "median", "median"),
+        ("maximum", "max", "largest"),
+    )
+)
+PIXELS = tuple(
+    Figure(key, title, "px", "lower", most=FAR, definition=f"The {words} distance in the picture.")
+    for key, title, words in (
+        ("minimum", "min", "least"),
+        ("median", "median", "median"),
+        ("maximum", "max", "largest"),
+    )
+)
+WITHIN = Figure(
+    "within_offside_accuracy", "within 0.5 m", "%", "higher", 1,
+    "The share of the compared area in which two cameras are at most 0.5 m apart on the ground.",
+)  # fmt: skip
+LEGACY = (
+    Figure(
+        "iou_part", "IoU part", "%", "higher",
+        definition="Overlap on the ground of the part of the field that the reference shows and the"
+        " part that the camera shows.",
+    ),
+    Figure(
+        "iou_whole", "IoU whole", "%", "higher",
+        definition="Overlap of the field's rectangle with itself projected by the reference and"
+        " traced back by the camera.",
+    ),
+    Figure(
+        "projection_m", "projection error", "m", "lower", most=FAR,
+        definition="Mean distance on the ground of pixels that show the visible field.",
+    ),
+    Figure(
+        "reprojection", "reprojection error, of image height", "%", "lower", most=FAR,
+        definition="Mean distance in the picture of points of the visible field, over the picture's"
+        " height.",
+    ),
+    Figure(
+        "six_point_rmse_cm", "six points, root mean square", "cm", "lower", most=FAR,
+        definition="Root of the mean squared difference of six ground points, as the basketball"
+        " challenge has it.",
+    ),
+)  # fmt: skip
+
+# --- how surely a camera is known: standard deviations, keys of tables of cameras -----------------
+
+DEVIATIONS = tuple(
+    Figure(
+        f"sd_{key}", title, unit, digits=3, significant=True,
+        definition=f"Standard deviation of the {words}, from the fit's covariance.",
+    )
+    for key, title, unit, words in (
+        ("pan_degrees", "pan", "°", "pan angle"),
+        ("tilt_degrees", "tilt", "°", "tilt angle"),
+        ("roll_degrees", "roll", "°", "roll angle"),
+        ("focal_px", "focal", "px", "focal length"),
+        ("x_m", "x", "m", "position along the field"),
+        ("y_m", "y", "m", "position across the field"),
+        ("z_m", "z", "m", "height"),
+    )
+)  # fmt: skip
