@@ -41,6 +41,7 @@ from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.runs.execution.executor import Executor
+from procc_annotator.session.runs.frame_jitter import moves_on
 from procc_annotator.session.runs.frame_order import ShotFrames
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
@@ -55,8 +56,6 @@ from procc_annotator.session.runs.set_run import (
 # width of 960 px. One wild frame must not decide.
 _FARTHEST_OFF_PX = 20.0
 _MOST_PAIRS = 120  # of pictures of a shot whose motion is looked at
-_TOO_FAR = 0.25  # of the picture's width: a step by which nothing follows
-_FEWEST_STEPS = 5
 _FEWEST_CARRIED = 6
 
 
@@ -132,10 +131,7 @@ class ShotOverTime:
     @property
     def follows(self) -> bool:
         """Whether the frames of the shot show what those before them showed."""
-        steps = self.steady.step_px[np.isfinite(self.steady.step_px)]
-        if len(steps) < _FEWEST_STEPS:
-            return True
-        return bool(np.median(steps) < _TOO_FAR * self.size[0])
+        return moves_on(self.steady.step_px, self.size)
 
 
 @dataclass(frozen=True)
