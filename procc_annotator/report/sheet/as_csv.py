@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from procc_annotator.io.csv_text import no_formula
+from procc_annotator.report.sheet.figure import shortest
 from procc_annotator.report.sheet.sheet import Column, Row, Sheet, Value
 
 CRLF = "\r\n"  # what RFC 4180 asks for
@@ -51,9 +52,3 @@ def _written(value: Value, form: str) -> str | int | float:
     if form == "shortest":
         return shortest(value)
     return f"{value:{form}}" if form else value
-
-
-def shortest(value: float) -> str:
-    """A number as short as it is exact: ``5``, ``2.5``."""
-    short = f"{value:g}"
-    return short if float(short) == value and "e" not in short else repr(value)

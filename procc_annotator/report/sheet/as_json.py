@@ -12,8 +12,8 @@ from procc_annotator.report.sheet.sheet import Sheet, records
 
 
 def figure_entry(figures: Iterable[Figure], values: object) -> dict[str, Any]:
-    """Figures by their keys, from the attributes of a value that are called so."""
-    return {figure.key: getattr(values, figure.key) for figure in figures}
+    """Figures by their keys, taken from values that have them as attributes."""
+    return {figure.key: figure.of(values) for figure in figures}
 
 
 def sheet_entry(sheet: Sheet) -> dict[str, Any]:

@@ -17,23 +17,24 @@ JAC = Figure(
     definition="The Jaccard index for camera calibration of a frame, TP / (TP + FP + FN).",
 )  # fmt: skip
 TP = Figure(
-    "tp", "tp", "", "higher", 0,
+    "tp", "tp", "", None, 0,
     "An annotated and projected element all of whose annotated points have an error below tau.",
 )  # fmt: skip
 FP = Figure(
-    "fp", "fp", "", "lower", 0,
+    "fp", "fp", "", None, 0,
     "An element that is projected and annotated but has a point tau or more away (too far), or one"
     " that is projected and not annotated.",
 )  # fmt: skip
 FN = Figure(
-    "fn", "fn", "", "lower", 0, "An element that is annotated and not projected (missed)."
+    "fn", "fn", "", None, 0, "An element that is annotated and not projected (missed)."
 )  # fmt: skip
 PRECISION = Figure("precision", "precision", "%", "higher", definition="TP / (TP + FP).")
 RECALL = Figure("recall", "recall", "%", "higher", definition="TP / (TP + FN).")
 FRAME_ERROR = Figure(
     "mean_reprojection_error", "mean error", "px", "lower",
-    definition="The mean reprojection error of a frame's points.",
+    definition="The mean reprojection error of a frame's points.", attribute="mean_error",
 )  # fmt: skip
+OF_FRAME = (PRECISION, RECALL, FRAME_ERROR)  # besides JaC and the counts it comes from
 
 # --- a set at a threshold: attributes of `SetSummary`, keys of score files and reports ------------
 
@@ -81,7 +82,9 @@ OF_CLASS = (TP, FP, FN, JAC, PRECISION, RECALL)
 
 MEDIAN_PX = Figure("median", "median", "px", "lower", definition="Half of the distances are below.")
 P95_PX = Figure("p95", "95 %", "px", "lower", definition="95 of 100 distances are below.")
-LARGEST_PX = Figure("max", "max", "px", "lower", definition="The largest distance.")
+LARGEST_PX = Figure(
+    "max", "max", "px", "lower", definition="The largest distance.", attribute="largest"
+)
 BIAS_RIGHT = Figure(
     "bias_right", "bias right", "px", signed=True,
     definition="The median of the differences, projection minus click, to the right.",

@@ -71,6 +71,9 @@ def of(
     return Column(key or figure.key, heading or said, "number", figure, group, joined)
 
 
+TAU = Column("threshold", "tau px", "number", written="shortest")
+
+
 def whole(key: str, heading: str = "", *, group: str = "", joined: str = "") -> Column:
     """A count as a column."""
     return Column(key, heading or key, "whole", group=group, joined=joined)
