@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import combinations
 
@@ -104,7 +104,8 @@ class Certainty:
         for source in self.sources:
             ratios = Ratios.beside([source.ratios(key) for key in BETTER])
             ends = intervals(self._sampled(ratios), self.draws, self.method)
-            found.append(dict(zip(keys, ends, strict=True)))
+            possible = (_possible(key, own) for (key, _), own in zip(keys, ends, strict=True))
+            found.append(dict(zip(keys, possible, strict=True)))
         return tuple(found)
 
     @cached_property
@@ -147,6 +148,12 @@ class Certainty:
             tau: chances_of_being_best(list(drawn[:, at::count].T), +1)
             for at, tau in enumerate(self.thresholds)
         }
+
+    def jac_alone(self, source: int) -> tuple[Sampled, int]:
+        """The mean JaC of a source at each threshold, and its frames with a camera."""
+        ratios = self.sources[source].ratios("mean_jac")
+        frames = int(self.sources[source].with_camera.sum())
+        return sample(ratios, self.clusters.numbers, None), frames
 
     def curve(self, source: int) -> CurveBand:
         """The mean JaC of a source over `TAU_GRID`, with its band."""
@@ -199,6 +206,14 @@ class Certainty:
     def _only(self, a: int, b: int) -> tuple[str, ...]:
         own = self.sources[a].with_camera & ~self.sources[b].with_camera
         return tuple(np.array(self.sources[a].names, dtype=object)[own])
+
+
+def _possible(key: str, interval: Interval | None) -> Interval | None:
+    """No share lies below 0 or above 1, and no error below 0."""
+    if interval is None:
+        return None
+    highest = 1.0 if BETTER[key] > 0 else interval.high
+    return replace(interval, low=max(0.0, interval.low), high=min(highest, interval.high))
 
 
 def same_frames(sources: Sequence[SourceSums]) -> tuple[SourceSums, ...]:

@@ -13,7 +13,12 @@ from procc_annotator.metric.chance.sampling import Ratios
 from procc_annotator.metric.polylines import BoolArray, FloatArray
 from procc_annotator.metric.score import FrameScore, jac_curve
 from procc_annotator.session.runs.audit import TAU_GRID, Pose, pose_in_degrees
-from procc_annotator.session.runs.evaluation_run import Evaluated
+from procc_annotator.session.runs.moved_clicks import ClickNoise, moved_jac
+from procc_annotator.session.runs.score_chunk import Evaluated
+
+# Where a difference is followed over tau with moved clicks: every 0.5 px.
+SPARSE = slice(0, None, 5)
+SPARSE_TAUS = tuple(TAU_GRID[SPARSE].tolist())
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -28,7 +33,8 @@ class FrameSums:
         elements: how many elements are annotated.
         pose: of the camera; None without one, or where its model has none.
         model: of the camera; empty without one.
-        groups: values of what the set is grouped by.
+        moved: (R, T + S) JaC with all points moved R times, at each threshold and each of
+            `SPARSE_TAUS`; None unless it was asked for.
     """
 
     frame: str
@@ -37,10 +43,12 @@ class FrameSums:
     elements: int = 0
     pose: Pose | None = None
     model: str = ""
-    groups: tuple[str | None, ...] = ()
+    moved: NDArray[np.float32] | None = None
 
 
-def frame_sums(evaluated: Evaluated, thresholds: Sequence[float]) -> FrameSums | None:
+def frame_sums(
+    evaluated: Evaluated, thresholds: Sequence[float], noise: ClickNoise | None = None
+) -> FrameSums | None:
     """Keep what a frame adds; None for one that belongs to no figure of the set."""
     result = evaluated.result
     if not result.counted:
@@ -48,7 +56,11 @@ def frame_sums(evaluated: Evaluated, thresholds: Sequence[float]) -> FrameSums |
     measurement = evaluated.measurement
     if measurement is None or evaluated.camera is None:
         nothing = np.full((len(thresholds), 5), np.nan)
-        return FrameSums(result.name, nothing, None, groups=result.groups)
+        return FrameSums(result.name, nothing, None)
+    moved = None
+    if noise is not None and evaluated.annotation is not None:
+        taus = (*thresholds, *SPARSE_TAUS)
+        moved = moved_jac(result.name, evaluated.annotation, measurement, noise, taus)
     return FrameSums(
         result.name,
         np.array([_figures(result.scores[tau]) for tau in thresholds]),
@@ -56,7 +68,7 @@ def frame_sums(evaluated: Evaluated, thresholds: Sequence[float]) -> FrameSums |
         len(measurement.plain.names),
         pose_in_degrees(evaluated.camera),
         evaluated.model,
-        result.groups,
+        moved,
     )
 
 
