@@ -12,13 +12,12 @@ from procc_annotator.errors import UsageError
 from procc_annotator.metric.chance.intervals import METHODS, Method
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report.scores.chance import ChanceTerms
+from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
 from procc_annotator.session.runs.clusters import NONE, SHOT
 from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.moved_clicks import ClickNoise
 from procc_annotator.session.runs.strata import DERIVED
 from procc_annotator.session.runs.tags import Tags
-
-_FRAMES_FILE = "frames.csv"
 
 
 def _known_method(text: str) -> str:
@@ -118,20 +117,14 @@ def tags_by_set(tags: Tags | None, sets: Sequence[str]) -> dict[str, dict[str, A
     }
 
 
-def orders_by_set(annotations: Mapping[str, Path]) -> dict[str, FrameOrder]:
-    """Set -> its table of frames, where one lies with its annotations or beside their folder.
+def orders_by_set(annotations: Mapping[str, Path], shots: Path | None) -> dict[str, FrameOrder]:
+    """Set -> its table of frames: the one given, or that of its dataset, if it has one.
 
     Raises:
         InputError: a table that cannot be used.
     """
-    found = {}
-    for of_set, path in annotations.items():
-        for folder in (path, path.parent):
-            table = folder / _FRAMES_FILE
-            if table.is_file():
-                found[of_set] = FrameOrder.read(table)
-                break
-    return found
+    tables = {s: shots or folder_of_dataset(p) / FRAMES_FILE for s, p in annotations.items()}
+    return {s: FrameOrder.read(table) for s, table in tables.items() if shots or table.is_file()}
 
 
 def chance_terms(
@@ -143,6 +136,7 @@ def chance_terms(
     draws: int,
     seed: int,
     *,
+    shots: Path | None = None,
     power: bool = False,
     click_noise: float | None = None,
 ) -> ChanceTerms:
@@ -150,7 +144,7 @@ def chance_terms(
 
     Args:
         annotations: set -> its folder or archive.
-        by: what to break differences down by.
+        by: what to break differences down by. shots: a table of frames.
 
     Raises:
         UsageError, InputError: no such tag; a table of frames that cannot be used.
@@ -158,7 +152,7 @@ def chance_terms(
     return ChanceTerms(
         cluster_of(cluster, tags),
         tags_by_set(tags, list(annotations)),
-        orders_by_set(annotations),
+        orders_by_set(annotations, shots),
         Draws(draws, seed),
         cast(Method, method),
         power,

@@ -10,18 +10,20 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import chance_options, options, outputs
+from procc_annotator.cli import chance_options, options, outputs, over_time
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
     report_like_cameras,
     report_mismatch,
     report_notices,
     report_remarks,
+    report_unreadable,
 )
 from procc_annotator.cli.evaluations import Plan
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.over_time import SourceOverTime
 from procc_annotator.report.scores import tables
 from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet
 from procc_annotator.report.scores.score_table import append_rows, check_table
@@ -119,6 +121,7 @@ class _Call:
         by: what to group frames by.
         written_to: files of figures.
         table: the table that grows, if any.
+        over_time: what is asked over the shots of the sets, if anything.
     """
 
     plan: Plan
@@ -130,7 +133,8 @@ class _Call:
     camera_size: tuple[int, int] | None
     written_to: Sequence[Path]
     table: Path | None
-    chance: ChanceTerms | None = None
+    over_time: over_time.OverTimeCall | None
+    chance: ChanceTerms | None
 
 
 def evaluate(
@@ -159,6 +163,10 @@ def evaluate(
     seed: chance_options.Seed = 1,
     output: options.FigureFiles = None,
     table: TableFile = None,
+    steady: over_time.OverTime = False,
+    shots: over_time.Shots = None,
+    pictures: over_time.Pictures = None,
+    over_time_output: over_time.Output = None,
     workers: options.Workers = None,
     dask: options.Dask = None,
 ) -> None:
@@ -182,16 +190,21 @@ def evaluate(
         parts = [name for name in (*groups, *derived) if name != MODEL]
         terms = chance_options.chance_terms(
             read_tags, dict(plan.sets), cluster, parts, interval_method, draws, seed,
-            power=power, click_noise=click_noise,
+            shots=shots, power=power, click_noise=click_noise,
         )  # fmt: skip
     call = _Call(
         plan, fields, setups, thresholds, read_tags, groups,
-        options.shown_size(camera_size), written_to, table, terms,
+        options.shown_size(camera_size), written_to, table,
+        over_time.OverTimeCall.of(steady, shots, pictures, over_time_output), terms,
     )  # fmt: skip
     # The figures took long to make: a file that cannot be written must not take them along.
     unwritten: dict[Path, ProccError] = {}
-    scored, told = _score(call, workers, dask, unwritten)
+    scored, told, steadiness = _score(call, workers, dask, unwritten)
     code = _tell(call, scored, told, unwritten)
+    if call.over_time is not None:
+        call.over_time.tell(steadiness)
+        known = {error for one in scored for error in one.errors}
+        code = max(code, report_unreadable(over_time.errors(steadiness, known)))
     for failure in unwritten.values():
         typer.echo(f"procc-annotator: {failure}", err=True)
     raise typer.Exit(2 if unwritten else code)
@@ -199,7 +212,7 @@ def evaluate(
 
 def _score(
     call: _Call, workers: int | None, dask: str | None, unwritten: dict[Path, ProccError]
-) -> tuple[list[Scored], Sequence[ToldOfSet]]:
+) -> tuple[list[Scored], Sequence[ToldOfSet], list[SourceOverTime]]:
     """Do the work; what could not be written goes to ``unwritten``."""
     named = call.plan.named or len(call.setups) > 1
     outcome = Outcome(call.written_to, named=named, rows=call.table is not None, chance=call.chance)
@@ -211,15 +224,18 @@ def _score(
             of = f"{one.set_name}: " if len(call.plan.sets) > 1 else ""
             report_mismatch(one.annotations, one.setup.field, of)
             report_like_cameras(one.annotations, of)
+        more = call.over_time.written_to if call.over_time else ()
         inputs: list[outputs.Input] = [s for one in asked for s in (one.annotations, one.cameras)]
         if call.tags is not None:
             inputs.append(call.tags.path)
-        for path in (*call.written_to, *([call.table] if call.table else [])):
+        for path in (*call.written_to, *([call.table] if call.table else []), *more):
             outputs.check_not_an_input(path, inputs)
         evaluations = Evaluations.prepare(asked, call.thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
+            steady = call.over_time
+            found = [] if steady is None else steady.run(asked, call.thresholds[0], executor)
             scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
-        return scored, evaluations.told
+            return scored, evaluations.told, found
 
 
 def _tell(

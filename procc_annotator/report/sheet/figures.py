@@ -97,7 +97,7 @@ BIAS_DOWN = Figure(
 # --- two sources of cameras: attributes of `Spread` and `LegacyMetrics`, keys of comparisons ------
 
 METRES = tuple(
-    Figure(key, title, "m", "lower", most=FAR, definition=f"The {words} distance on the ground.")
+    Figure(key, title, "m", most=FAR, definition=f"The {words} distance on the ground.")
     for key, title, words in (
         ("minimum", "min", "least"),
         ("median", "median", "median"),
@@ -105,7 +105,7 @@ METRES = tuple(
     )
 )
 PIXELS = tuple(
-    Figure(key, title, "px", "lower", most=FAR, definition=f"The {words} distance in the picture.")
+    Figure(key, title, "px", most=FAR, definition=f"The {words} distance in the picture.")
     for key, title, words in (
         ("minimum", "min", "least"),
         ("median", "median", "median"),
@@ -113,7 +113,7 @@ PIXELS = tuple(
     )
 )
 WITHIN = Figure(
-    "within_offside_accuracy", "within 0.5 m", "%", "higher", 1,
+    "within_offside_accuracy", "within 0.5 m", "%", None, 1,
     "The share of the compared area in which two cameras are at most 0.5 m apart on the ground.",
 )  # fmt: skip
 LEGACY = (
@@ -160,6 +160,72 @@ DEVIATIONS = tuple(
         ("z_m", "z", "m", "height"),
     )
 )  # fmt: skip
+
+# --- how steady cameras are over a shot: second differences, as the error of one frame ------------
+
+JITTER_PX = Figure(
+    "jitter_px", "jitter", "px", "lower",
+    definition="How far the field's points in sight lie from where steady motion from the frame"
+    " before to the frame after would have them: second differences divided by the root of 6, root"
+    " mean square; frames of a jump left out.",
+)  # fmt: skip
+JITTER_M = Figure(
+    "jitter_m", "jitter on the ground", "m", "lower", 3,
+    "The same on the ground: how far away the pixels of these points then mean.",
+)  # fmt: skip
+POSE_JITTER = tuple(
+    Figure(
+        f"jitter_{key}", title, unit, "lower", 3,
+        f"Second differences of the {words} over a shot, as the error of one frame.",
+    )
+    for key, title, unit, words in (
+        ("pan_degrees", "pan", "°", "pan angle"),
+        ("tilt_degrees", "tilt", "°", "tilt angle"),
+        ("roll_degrees", "roll", "°", "roll angle"),
+        ("zoom", "zoom", "%", "focal length, as a share of it"),
+        ("position_m", "position", "m", "position, implied by the homography if there is no other"),
+    )
+)  # fmt: skip
+WANDER_M = Figure(
+    "wander_m", "wander", "m", "lower",
+    definition="How far the position, implied or not, is from its median over the shot, root mean"
+    " square.",
+)  # fmt: skip
+FARTHEST_M = Figure(
+    "wander_largest_m", "farthest", "m", "lower",
+    definition="How far the position is from its median over the shot in the worst frame.",
+)  # fmt: skip
+VERTIGO = Figure(
+    "vertigo", "vertigo",
+    definition="Correlation over a shot of the way the camera backs off along its axis and its"
+    " focal length: near 1 position and zoom make up for each other's errors.",
+)  # fmt: skip
+VERTIGO_WAY = Figure(
+    "vertigo_m_a_percent", "backs off", "m a %",
+    definition="How far the camera backs off for each percent of focal length.",
+)  # fmt: skip
+OUTAGE_SHARE = Figure(
+    "outage_share", "without a camera", "%", "lower", 1, "Frames of the shot without a camera."
+)
+JAC_THIRDS = tuple(
+    Figure(f"jac_{key}", key, "%", "higher", 1, f"Mean JaC in the {key} third of the shot.")
+    for key in ("first", "middle", "last")
+)
+OFFSET_COST = Figure(
+    "offset_cost_px", "then", "px", "lower",
+    definition="Mean distance of the clicks at the shift that fits best; what is farther off than"
+    " 20 px, or not shown, counts as 20.",
+)  # fmt: skip
+OFFSET_AS_IS = Figure(
+    "offset_cost_as_is_px", "as it is", "px", "lower", definition="The same without a shift."
+)
+OFFSET_MARGIN = Figure(
+    "offset_margin_px", "margin", "px", "higher",
+    definition="By how much the next best shift is worse.",
+)  # fmt: skip
+STEP_PX = Figure(
+    "step_px", "moved", "px", definition="How far the field moved since the frame before."
+)
 
 # --- is a difference real: two sources on the frames both have ------------------------------------
 
