@@ -21,7 +21,8 @@ from procc_annotator.metric.legacy import Average
 from procc_annotator.metric.spread import Spread
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.scores.tables import DASH, percent_text
+from procc_annotator.report.scores.tables import percent_text
+from procc_annotator.report.sheet.figure import DASH
 from procc_annotator.session.runs.comparison_run import (
     CameraPair,
     ComparedFrame,

@@ -19,7 +19,7 @@ from procc_annotator.metric.legacy import LegacyMetrics
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.metric.spread import Spread
 from procc_annotator.report.comparison import LEGACY_ROWS, ComparisonScene, spread_cells
-from procc_annotator.report.scores.tables import DASH
+from procc_annotator.report.sheet.figure import DASH
 
 PANEL_SIZE = (430.0, 540.0)
 """Width and height in points; the panel may be higher than that."""

@@ -20,7 +20,8 @@ from procc_annotator.report.page.report_tables import (
     frames_table,
     terms,
 )
-from procc_annotator.report.scores.tables import DASH, percent_text
+from procc_annotator.report.scores.tables import percent_text
+from procc_annotator.report.sheet.figure import DASH
 from procc_annotator.resources import resources_dir
 
 if TYPE_CHECKING:

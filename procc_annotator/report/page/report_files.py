@@ -13,7 +13,8 @@ from procc_annotator.metric.sets import ClassSummary
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.page.audit_report import AuditReport, FrameFigures, ReportedSource
 from procc_annotator.report.page.report_pairs import ReportedPair
-from procc_annotator.report.scores.score_files import summary_entry, threshold_key
+from procc_annotator.report.scores.score_files import summary_entry
+from procc_annotator.report.sheet.figure import shortest
 
 CSV_COLUMNS = (
     "source", "model", "protocol", "options", "width", "height", "threshold", "class",
@@ -45,13 +46,13 @@ def _source_entry(source: ReportedSource) -> dict[str, Any]:
         "model": source.model or None,
         "described": source.described,
         "failure": source.failure or None,
-        "summary": {threshold_key(t): summary_entry(s) for t, s in source.summaries.items()},
+        "summary": {shortest(t): summary_entry(s) for t, s in source.summaries.items()},
         "unmatched_cameras": list(source.unmatched),
         "images": [
             {
                 "name": frame.name,
                 "error": frame.error,
-                "results": {threshold_key(t): _frame_entry(f) for t, f in frame.figures.items()},
+                "results": {shortest(t): _frame_entry(f) for t, f in frame.figures.items()},
             }
             for frame in source.frames
         ],
@@ -87,7 +88,7 @@ def report_csv(report: AuditReport) -> bytes:
     rows.writeheader()
     for source in report.evaluated:
         for tau, summary in source.summaries.items():
-            terms = _terms(report, source) | {"threshold": threshold_key(tau)}
+            terms = _terms(report, source) | {"threshold": shortest(tau)}
             figures = {name: getattr(summary, name) for name in CSV_COLUMNS[8:18]}
             rows.writerow(terms | figures)
             for name, found in summary.per_class.items():

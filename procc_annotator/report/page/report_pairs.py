@@ -17,7 +17,7 @@ from procc_annotator.report.comparison import (
     spread_cells,
 )
 from procc_annotator.report.page.report_tables import Cell, ReportColumn, ReportTable
-from procc_annotator.report.scores.tables import DASH
+from procc_annotator.report.sheet.figure import DASH
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.comparison_run import (
     ComparedFrame,

@@ -9,7 +9,8 @@ import numpy as np
 
 from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
-from procc_annotator.report.scores.tables import DASH, percent_text, pixels
+from procc_annotator.report.scores.tables import percent_text, pixels
+from procc_annotator.report.sheet.figure import DASH
 from procc_annotator.session.runs.audit_figures import bias, gather
 
 
