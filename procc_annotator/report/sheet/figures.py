@@ -97,7 +97,7 @@ BIAS_DOWN = Figure(
 # --- two sources of cameras: attributes of `Spread` and `LegacyMetrics`, keys of comparisons ------
 
 METRES = tuple(
-    Figure(key, title, "m", "lower", most=FAR, definition=f"The {words} distance on the ground.")
+    Figure(key, title, "m", most=FAR, definition=f"The {words} distance on the ground.")
     for key, title, words in (
         ("minimum", "min", "least"),
         ("median", "median", "median"),
@@ -105,7 +105,7 @@ METRES = tuple(
     )
 )
 PIXELS = tuple(
-    Figure(key, title, "px", "lower", most=FAR, definition=f"The {words} distance in the picture.")
+    Figure(key, title, "px", most=FAR, definition=f"The {words} distance in the picture.")
     for key, title, words in (
         ("minimum", "min", "least"),
         ("median", "median", "median"),
@@ -113,7 +113,7 @@ PIXELS = tuple(
     )
 )
 WITHIN = Figure(
-    "within_offside_accuracy", "within 0.5 m", "%", "higher", 1,
+    "within_offside_accuracy", "within 0.5 m", "%", None, 1,
     "The share of the compared area in which two cameras are at most 0.5 m apart on the ground.",
 )  # fmt: skip
 LEGACY = (
