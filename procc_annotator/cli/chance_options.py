@@ -123,8 +123,13 @@ def orders_by_set(annotations: Mapping[str, Path], shots: Path | None) -> dict[s
     Raises:
         InputError: a table that cannot be used.
     """
-    tables = {s: shots or folder_of_dataset(p) / FRAMES_FILE for s, p in annotations.items()}
-    return {s: FrameOrder.read(table) for s, table in tables.items() if shots or table.is_file()}
+    found = {}
+    for of_set, path in annotations.items():
+        folder = folder_of_dataset(path)
+        table = shots or (folder / FRAMES_FILE if folder is not None else None)
+        if table is not None and (shots or table.is_file()):
+            found[of_set] = FrameOrder.read(table)
+    return found
 
 
 def chance_terms(
