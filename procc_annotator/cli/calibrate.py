@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -208,9 +209,8 @@ def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) 
         first = next(iter(report.summaries))
         told.append(tables.worst_frames_table(report.worst, first, report.described))
     for table in told:
-        table.caption = calibration.TIES if setup.considers_mirrored else None
-        table.caption_justify = "left"
-        console.print(table)
+        ties = (calibration.TIES,) if setup.considers_mirrored else ()
+        console.print(replace(table, notes=ties))
     if report.deviations:
         console.print(calibration.deviations_table(report))
     if report.failures:

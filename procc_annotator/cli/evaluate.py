@@ -10,18 +10,20 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import options, outputs
+from procc_annotator.cli import options, outputs, over_time
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
     report_like_cameras,
     report_mismatch,
     report_notices,
     report_remarks,
+    report_unreadable,
 )
 from procc_annotator.cli.evaluations import Plan
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.over_time import SourceOverTime
 from procc_annotator.report.scores import tables
 from procc_annotator.report.scores.score_table import append_rows, check_table
 from procc_annotator.report.scores.scoring import Evaluations, Outcome, Scored
@@ -117,6 +119,7 @@ class _Call:
         by: what to group frames by.
         written_to: files of figures.
         table: the table that grows, if any.
+        over_time: what is asked over the shots of the sets, if anything.
     """
 
     plan: Plan
@@ -128,6 +131,7 @@ class _Call:
     camera_size: tuple[int, int] | None
     written_to: Sequence[Path]
     table: Path | None
+    over_time: over_time.OverTimeCall | None
 
 
 def evaluate(
@@ -149,6 +153,10 @@ def evaluate(
     by: By = None,
     output: options.FigureFiles = None,
     table: TableFile = None,
+    steady: over_time.OverTime = False,
+    shots: over_time.Shots = None,
+    pictures: over_time.Pictures = None,
+    over_time_output: over_time.Output = None,
     workers: options.Workers = None,
     dask: options.Dask = None,
 ) -> None:
@@ -168,11 +176,16 @@ def evaluate(
     call = _Call(
         plan, fields, setups, thresholds, read_tags, check_by(by or [], read_tags),
         options.shown_size(camera_size), written_to, table,
+        over_time.OverTimeCall.of(steady, shots, pictures, over_time_output),
     )  # fmt: skip
     # The figures took long to make: a file that cannot be written must not take them along.
     unwritten: dict[Path, ProccError] = {}
-    scored = _score(call, workers, dask, unwritten)
+    scored, steadiness = _score(call, workers, dask, unwritten)
     code = _tell(call, scored, unwritten)
+    if call.over_time is not None:
+        call.over_time.tell(steadiness)
+        known = {error for one in scored for error in one.errors}
+        code = max(code, report_unreadable(over_time.errors(steadiness, known)))
     for failure in unwritten.values():
         typer.echo(f"procc-annotator: {failure}", err=True)
     raise typer.Exit(2 if unwritten else code)
@@ -180,7 +193,7 @@ def evaluate(
 
 def _score(
     call: _Call, workers: int | None, dask: str | None, unwritten: dict[Path, ProccError]
-) -> list[Scored]:
+) -> tuple[list[Scored], list[SourceOverTime]]:
     """Do the work; what could not be written goes to ``unwritten``."""
     named = call.plan.named or len(call.setups) > 1
     outcome = Outcome(call.written_to, named=named, rows=call.table is not None)
@@ -192,14 +205,18 @@ def _score(
             of = f"{one.set_name}: " if len(call.plan.sets) > 1 else ""
             report_mismatch(one.annotations, one.setup.field, of)
             report_like_cameras(one.annotations, of)
+        more = call.over_time.written_to if call.over_time else ()
         inputs: list[outputs.Input] = [s for one in asked for s in (one.annotations, one.cameras)]
         if call.tags is not None:
             inputs.append(call.tags.path)
-        for path in (*call.written_to, *([call.table] if call.table else [])):
+        for path in (*call.written_to, *([call.table] if call.table else []), *more):
             outputs.check_not_an_input(path, inputs)
         evaluations = Evaluations.prepare(asked, call.thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
-            return evaluations.score(executor, progress=with_progress, unwritten=unwritten)
+            steady = call.over_time
+            found = [] if steady is None else steady.run(asked, call.thresholds[0], executor)
+            scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
+            return scored, found
 
 
 def _tell(call: _Call, scored: list[Scored], unwritten: dict[Path, ProccError]) -> int:

@@ -24,8 +24,9 @@ from procc_annotator.metric.agreement import (
     quantile,
 )
 from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.scores.score_files import replacing, score_format, threshold_key
-from procc_annotator.report.scores.tables import DASH, percent_text, pixels, worst_words
+from procc_annotator.report.scores.score_files import replacing, score_format
+from procc_annotator.report.scores.tables import percent_text, pixels, worst_words
+from procc_annotator.report.sheet.figure import DASH, shortest
 from procc_annotator.session.runs.agreement_run import AgreementResult, AgreementRun
 from procc_annotator.words import count_of
 
@@ -153,7 +154,7 @@ def jac_table(agreed: Agreed) -> Table:
     found = summary.overall
     counts = [str(count) for count in (found.common, found.only_a, found.only_b)]
     for tau, jac in summary.mean_jac.items():
-        table.add_row(threshold_key(tau), percent_text(jac), *counts)
+        table.add_row(shortest(tau), percent_text(jac), *counts)
     return table
 
 
@@ -249,7 +250,7 @@ class _JsonWriter:
         entry: dict[str, Any] = {"name": result.name, "errors": list(result.errors)}
         if frame is not None:
             entry |= {
-                "jac": {threshold_key(tau): frame.jac(tau) for tau in self._thresholds},
+                "jac": {shortest(tau): frame.jac(tau) for tau in self._thresholds},
                 "only_a": list(frame.only_a),
                 "only_b": list(frame.only_b),
                 "mirrored_hint": frame.mirrored_hint,
@@ -280,7 +281,7 @@ def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
         "frames_only_a": list(summary.frames_only_a),
         "frames_only_b": list(summary.frames_only_b),
         "mirrored_hint": list(summary.mirrored),
-        "mean_jac": {threshold_key(tau): jac for tau, jac in summary.mean_jac.items()},
+        "mean_jac": {shortest(tau): jac for tau, jac in summary.mean_jac.items()},
         "noise_floor": _figures_entry(summary.overall),
         "per_class": {name: _figures_entry(f) for name, f in summary.per_class.items()},
     }

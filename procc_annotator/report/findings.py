@@ -134,7 +134,7 @@ def check_set(
         SaveError: writing failed.
     """
     report = CheckReport(wrong_field=wrong_field)
-    for name, checked in progress(run, run.total, "checking"):
+    for name, checked in run.together(progress(run, run.total, "checking")):
         if isinstance(checked, str):
             report.unreadable.append((name, checked))
             continue

@@ -8,7 +8,7 @@ from rich.table import Table
 
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.camera_tables import csv_bytes
-from procc_annotator.report.scores.tables import DASH
+from procc_annotator.report.sheet.figure import DASH
 from procc_annotator.session.runs.together_run import FieldSize, SharedPlace, SharedRun
 
 POSITIONS_FILE = "positions.csv"

@@ -15,7 +15,6 @@ from procc_annotator.io.source import FileSource
 from procc_annotator.report.page.audit_report import AuditReport, Work
 from procc_annotator.report.page.charts import draw_charts
 from procc_annotator.report.page.html_report import Heading, Page, report_html
-from procc_annotator.report.page.latex import latex_tables
 from procc_annotator.report.page.report_files import report_csv, report_json
 from procc_annotator.report.page.report_pairs import (
     PairPainters,
@@ -30,7 +29,9 @@ from procc_annotator.report.page.report_pictures import (
     Painters,
     choose_frames,
 )
-from procc_annotator.report.page.report_tables import ReportTable, comparison_table, terms
+from procc_annotator.report.page.report_tables import comparison_table, terms
+from procc_annotator.report.sheet.as_latex import latex_tables
+from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 REPORT_SUFFIXES = (".html", ".csv", ".json", ".tex")
@@ -144,7 +145,7 @@ def write_report(
     )
     legacy = _legacy_pairs(request, report, pairs)
     disagreeing = tuple(pairs.compared(a, b) for a, b in request.disagreement)
-    tables: list[ReportTable] = []
+    tables: list[Sheet] = []
     if disagreeing:
         tables.append(disagreement_section(disagreeing))
     if legacy:
@@ -196,7 +197,7 @@ def _page(
     request: ReportRequest,
     drawing: Drawing,
     pairs: Pairs,
-    tables: Sequence[ReportTable],
+    tables: Sequence[Sheet],
     work: Work,
     problems: Sequence[str],
 ) -> Page:

@@ -18,15 +18,17 @@ from procc_annotator.report.scores.tables import (
     pixels,
     summary_table,
 )
+from procc_annotator.report.sheet.as_terminal import terminal_table
+from procc_annotator.report.sheet.sheet import Sheet
 
 
 def row(name: str, jac: float, error: float | None = 1.0) -> FrameRow:
     return FrameRow(name, jac, 1, 2, 3, False, error, "Middle line", 4.0)
 
 
-def shown(table: object) -> str:
+def shown(sheet: Sheet) -> str:
     stream = io.StringIO()
-    Console(file=stream, width=140).print(table)
+    Console(file=stream, width=140).print(terminal_table(sheet))
     return stream.getvalue()
 
 

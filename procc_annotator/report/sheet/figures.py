@@ -1,0 +1,228 @@
+"""Every figure the program tells, once: a new one is a row here, and where it is computed.
+
+Keys are those of files, and the names of the values' attributes where a table is made from values
+(`SetSummary`, `FrameScore`, ...). What a table of figures shows follows the order here.
+"""
+
+from __future__ import annotations
+
+from procc_annotator.report.sheet.figure import Figure
+
+FAR = 1000.0  # metres or px: next to a horizon distances are as large as one likes
+
+# --- a frame at a threshold: attributes of `FrameScore`, keys of score files ----------------------
+
+JAC = Figure(
+    "jac", "JaC", "%", "higher",
+    definition="The Jaccard index for camera calibration of a frame, TP / (TP + FP + FN).",
+)  # fmt: skip
+TP = Figure(
+    "tp", "tp", "", None, 0,
+    "An annotated and projected element all of whose annotated points have an error below tau.",
+)  # fmt: skip
+FP = Figure(
+    "fp", "fp", "", None, 0,
+    "An element that is projected and annotated but has a point tau or more away (too far), or one"
+    " that is projected and not annotated.",
+)  # fmt: skip
+FN = Figure(
+    "fn", "fn", "", None, 0, "An element that is annotated and not projected (missed)."
+)  # fmt: skip
+PRECISION = Figure("precision", "precision", "%", "higher", definition="TP / (TP + FP).")
+RECALL = Figure("recall", "recall", "%", "higher", definition="TP / (TP + FN).")
+FRAME_ERROR = Figure(
+    "mean_reprojection_error", "mean error", "px", "lower",
+    definition="The mean reprojection error of a frame's points.", attribute="mean_error",
+)  # fmt: skip
+OF_FRAME = (PRECISION, RECALL, FRAME_ERROR)  # besides JaC and the counts it comes from
+
+# --- a set at a threshold: attributes of `SetSummary`, keys of score files and reports ------------
+
+MEAN_JAC = Figure(
+    "mean_jac", "JaC", "%", "higher",
+    definition="The mean of the frames' JaC over the frames that have a camera. In tables of"
+    " classes points are counted instead of elements, as the official code does.",
+)  # fmt: skip
+SD_JAC = Figure(
+    "sd_jac", "sd", "%", definition="The standard deviation of the frames' JaC, divided by n."
+)
+MEDIAN_JAC = Figure(
+    "median_jac", "median", "%", "higher", definition="The median of the frames' JaC."
+)
+COMPLETENESS = Figure(
+    "completeness", "completeness", "%", "higher",
+    definition="Frames with a usable camera over all annotated frames.",
+)  # fmt: skip
+FINAL_SCORE = Figure(
+    "final_score", "final score", "%", "higher",
+    definition="Completeness times mean JaC, as the SoccerNet challenge ranks methods.",
+)  # fmt: skip
+MEAN_PRECISION = Figure(
+    "mean_precision", "precision", "%", "higher",
+    definition="The mean of TP / (TP + FP) over the frames in which it is defined.",
+)  # fmt: skip
+MEAN_RECALL = Figure(
+    "mean_recall", "recall", "%", "higher",
+    definition="The mean of TP / (TP + FN) over the frames in which it is defined.",
+)  # fmt: skip
+MEAN_ERROR = Figure(
+    "mean_reprojection_error", "mean error", "px", "lower",
+    definition="The distance of an annotated point to the nearest place of its element as the"
+    " camera projects it, mean over all points of the set together of elements that are annotated"
+    " and projected, under the labelling that counts at the tau named beside it.",
+)  # fmt: skip
+
+OF_SET = (
+    MEAN_JAC, SD_JAC, MEDIAN_JAC, COMPLETENESS, FINAL_SCORE, MEAN_PRECISION, MEAN_RECALL,
+    MEAN_ERROR,
+)  # fmt: skip
+OF_CLASS = (TP, FP, FN, JAC, PRECISION, RECALL)
+
+# --- how errors are spread and where they lean ----------------------------------------------------
+
+MEDIAN_PX = Figure("median", "median", "px", "lower", definition="Half of the distances are below.")
+P95_PX = Figure("p95", "95 %", "px", "lower", definition="95 of 100 distances are below.")
+LARGEST_PX = Figure(
+    "max", "max", "px", "lower", definition="The largest distance.", attribute="largest"
+)
+BIAS_RIGHT = Figure(
+    "bias_right", "bias right", "px", signed=True,
+    definition="The median of the differences, projection minus click, to the right.",
+)  # fmt: skip
+BIAS_DOWN = Figure(
+    "bias_down", "bias down", "px", signed=True,
+    definition="The median of the differences, projection minus click, down the picture.",
+)  # fmt: skip
+
+# --- two sources of cameras: attributes of `Spread` and `LegacyMetrics`, keys of comparisons ------
+
+METRES = tuple(
+    Figure(key, title, "m", most=FAR, definition=f"The {words} distance on the ground.")
+    for key, title, words in (
+        ("minimum", "min", "least"),
+        ("median", "median", "median"),
+        ("maximum", "max", "largest"),
+    )
+)
+PIXELS = tuple(
+    Figure(key, title, "px", most=FAR, definition=f"The {words} distance in the picture.")
+    for key, title, words in (
+        ("minimum", "min", "least"),
+        ("median", "median", "median"),
+        ("maximum", "max", "largest"),
+    )
+)
+WITHIN = Figure(
+    "within_offside_accuracy", "within 0.5 m", "%", None, 1,
+    "The share of the compared area in which two cameras are at most 0.5 m apart on the ground.",
+)  # fmt: skip
+LEGACY = (
+    Figure(
+        "iou_part", "IoU part", "%", "higher",
+        definition="Overlap on the ground of the part of the field that the reference shows and the"
+        " part that the camera shows.",
+    ),
+    Figure(
+        "iou_whole", "IoU whole", "%", "higher",
+        definition="Overlap of the field's rectangle with itself projected by the reference and"
+        " traced back by the camera.",
+    ),
+    Figure(
+        "projection_m", "projection error", "m", "lower", most=FAR,
+        definition="Mean distance on the ground of pixels that show the visible field.",
+    ),
+    Figure(
+        "reprojection", "reprojection error, of image height", "%", "lower", most=FAR,
+        definition="Mean distance in the picture of points of the visible field, over the picture's"
+        " height.",
+    ),
+    Figure(
+        "six_point_rmse_cm", "six points, root mean square", "cm", "lower", most=FAR,
+        definition="Root of the mean squared difference of six ground points, as the basketball"
+        " challenge has it.",
+    ),
+)  # fmt: skip
+
+# --- how surely a camera is known: standard deviations, keys of tables of cameras -----------------
+
+DEVIATIONS = tuple(
+    Figure(
+        f"sd_{key}", title, unit, digits=3, significant=True,
+        definition=f"Standard deviation of the {words}, from the fit's covariance.",
+    )
+    for key, title, unit, words in (
+        ("pan_degrees", "pan", "°", "pan angle"),
+        ("tilt_degrees", "tilt", "°", "tilt angle"),
+        ("roll_degrees", "roll", "°", "roll angle"),
+        ("focal_px", "focal", "px", "focal length"),
+        ("x_m", "x", "m", "position along the field"),
+        ("y_m", "y", "m", "position across the field"),
+        ("z_m", "z", "m", "height"),
+    )
+)  # fmt: skip
+
+# --- how steady cameras are over a shot: second differences, as the error of one frame ------------
+
+JITTER_PX = Figure(
+    "jitter_px", "jitter", "px", "lower",
+    definition="How far the field's points in sight lie from where steady motion from the frame"
+    " before to the frame after would have them: second differences divided by the root of 6, root"
+    " mean square; frames of a jump left out.",
+)  # fmt: skip
+JITTER_M = Figure(
+    "jitter_m", "jitter on the ground", "m", "lower", 3,
+    "The same on the ground: how far away the pixels of these points then mean.",
+)  # fmt: skip
+POSE_JITTER = tuple(
+    Figure(
+        f"jitter_{key}", title, unit, "lower", 3,
+        f"Second differences of the {words} over a shot, as the error of one frame.",
+    )
+    for key, title, unit, words in (
+        ("pan_degrees", "pan", "°", "pan angle"),
+        ("tilt_degrees", "tilt", "°", "tilt angle"),
+        ("roll_degrees", "roll", "°", "roll angle"),
+        ("zoom", "zoom", "%", "focal length, as a share of it"),
+        ("position_m", "position", "m", "position, implied by the homography if there is no other"),
+    )
+)  # fmt: skip
+WANDER_M = Figure(
+    "wander_m", "wander", "m", "lower",
+    definition="How far the position, implied or not, is from its median over the shot, root mean"
+    " square.",
+)  # fmt: skip
+FARTHEST_M = Figure(
+    "wander_largest_m", "farthest", "m", "lower",
+    definition="How far the position is from its median over the shot in the worst frame.",
+)  # fmt: skip
+VERTIGO = Figure(
+    "vertigo", "vertigo",
+    definition="Correlation over a shot of the way the camera backs off along its axis and its"
+    " focal length: near 1 position and zoom make up for each other's errors.",
+)  # fmt: skip
+VERTIGO_WAY = Figure(
+    "vertigo_m_a_percent", "backs off", "m a %",
+    definition="How far the camera backs off for each percent of focal length.",
+)  # fmt: skip
+OUTAGE_SHARE = Figure(
+    "outage_share", "without a camera", "%", "lower", 1, "Frames of the shot without a camera."
+)
+JAC_THIRDS = tuple(
+    Figure(f"jac_{key}", key, "%", "higher", 1, f"Mean JaC in the {key} third of the shot.")
+    for key in ("first", "middle", "last")
+)
+OFFSET_COST = Figure(
+    "offset_cost_px", "then", "px", "lower",
+    definition="Mean distance of the clicks at the shift that fits best; what is farther off than"
+    " 20 px, or not shown, counts as 20.",
+)  # fmt: skip
+OFFSET_AS_IS = Figure(
+    "offset_cost_as_is_px", "as it is", "px", "lower", definition="The same without a shift."
+)
+OFFSET_MARGIN = Figure(
+    "offset_margin_px", "margin", "px", "higher",
+    definition="By how much the next best shift is worse.",
+)  # fmt: skip
+STEP_PX = Figure(
+    "step_px", "moved", "px", definition="How far the field moved since the frame before."
+)
