@@ -25,11 +25,6 @@ from procc_annotator.session.runs.calibration_run import Calibrated
 from procc_annotator.words import count_of
 
 TABLE_FILE = "calibration.csv"
-# A fit is judged by what was clicked; evaluate scores as the official evaluation does.
-TIES = (
-    "errors with the labels as they are where mirrored ones fit no better (evaluate takes the"
-    " mirrored ones)"
-)
 _FAILURES_SHOWN = 20
 
 Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
@@ -155,14 +150,15 @@ def _header(thresholds: tuple[float, ...]) -> list[Any]:
     jacs = [f"jac_{threshold:g}" for threshold in thresholds]
     return [
         "name", "model", "elements", "left_out", *jacs, "mean_reprojection_error",
-        *DEVIATION_COLUMNS, "camera", "failure", "position", "width", "height", "hardly_determined",
+        "mean_error", *DEVIATION_COLUMNS, "camera", "failure", "position", "width", "height",
+        "hardly_determined",
     ]  # fmt: skip
 
 
 def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     size = ("", "") if result.size is None else result.size.fitted
     if not result.has_camera:
-        blank = [""] * (len(thresholds) + 1 + len(DEVIATION_COLUMNS))
+        blank = [""] * (len(thresholds) + 2 + len(DEVIATION_COLUMNS))
         why = result.error or result.failure
         return [result.name, result.model, "", "", *blank, "", why, "", *size, ""]
     scores = [result.scores[threshold] for threshold in thresholds]
@@ -170,8 +166,9 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     left_out = "; ".join(result.left_out)
     jacs = [score.jac for score in scores]
     return [
-        result.name, result.model, result.elements, left_out, *jacs, scores[0].mean_error,
-        *deviations, result.file_name, "", result.place, *size, result.open,
+        result.name, result.model, result.elements, left_out, *jacs,
+        scores[0].mean_reprojection_error, scores[0].mean_error, *deviations, result.file_name,
+        "", result.place, *size, result.open,
     ]  # fmt: skip
 
 

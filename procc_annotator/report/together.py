@@ -80,7 +80,7 @@ def before_after_table(
         table.add_row(
             word,
             *(_percent(s.mean_jac) for s in summaries.values()),
-            DASH if (error := first.mean_reprojection_error) is None else f"{error:.2f}",
+            DASH if (error := first.mean_error) is None else f"{error:.2f}",
             f"{first.evaluated} of {first.images}",
         )
     return table
@@ -146,7 +146,7 @@ def _scores(size: FieldSize) -> list[str]:
         for t in size.before
     ]
     first = next(iter(size.before))
-    errors = [s[first].mean_reprojection_error for s in (size.before, size.after)]
+    errors = [s[first].mean_error for s in (size.before, size.after)]
     shown = [DASH if error is None else f"{error:.3f}" for error in errors]
     return [*pairs, " → ".join(shown)]
 

@@ -44,6 +44,7 @@ class FrameFigures:
     mirrored: bool
     precision: float | None
     recall: float | None
+    mean_reprojection_error: float | None
     mean_error: float | None
 
     @classmethod
@@ -56,6 +57,7 @@ class FrameFigures:
             score.mirrored,
             score.precision,
             score.recall,
+            score.mean_reprojection_error,
             score.mean_error,
         )
 
