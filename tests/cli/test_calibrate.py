@@ -367,5 +367,4 @@ def test_a_camera_has_one_mean_error_in_calibrate_and_in_evaluate(cli, dataset, 
             assert float(own[image["name"]][key]) == pytest.approx(result[key], abs=1e-6)
         assert result["mean_error"] < 1
     results = [image["results"]["0.001"] for image in images]
-    assert any(result["mirrored"] for result in results)
-    assert all(r["mirrored"] == (r["mean_reprojection_error"] > 1) for r in results)
+    assert any(r["mirrored"] and r["mean_reprojection_error"] > 100 for r in results)

@@ -105,6 +105,7 @@ P95_PX = Figure("p95", "95 %", "px", "lower", definition="95 of 100 distances ar
 LARGEST_PX = Figure(
     "max", "max", "px", "lower", definition="The largest distance.", attribute="largest"
 )
+DISTANCES = (MEDIAN_PX, P95_PX, LARGEST_PX)
 BIAS_RIGHT = Figure(
     "bias_right", "bias right", "px", signed=True,
     definition="The median of the differences, projection minus click, to the right.",
@@ -113,6 +114,16 @@ BIAS_DOWN = Figure(
     "bias_down", "bias down", "px", signed=True,
     definition="The median of the differences, projection minus click, down the picture.",
 )  # fmt: skip
+
+# --- two annotators: attributes of `AgreementFigures`, keys of agreements -------------------------
+
+COMMON = Figure("common", "elements in common", "", None, 0, "Elements both annotated.")
+APART = Figure("apart", "apart", "", None, 0, "Elements both annotated, sharing hardly a stretch.")
+ONLY_A = Figure("only_a", "only A", "", None, 0, "Elements only the first annotated.")
+ONLY_B = Figure("only_b", "only B", "", None, 0, "Elements only the second annotated.")
+POINTS = Figure("points", "points", "", None, 0, "Points whose distance was taken.")
+LEFT_OUT = Figure("left_out", "beyond", "", None, 0, "Clicks beyond the other's ends.")
+OF_AGREEMENT = (COMMON, APART, ONLY_A, ONLY_B, POINTS, LEFT_OUT, *DISTANCES)
 
 # --- two sources of cameras: attributes of `Spread` and `LegacyMetrics`, keys of comparisons ------
 
@@ -162,6 +173,24 @@ LEGACY = (
         " challenge has it.",
     ),
 )  # fmt: skip
+
+# --- cameras found in pictures: medians in tables, keys of tables of cameras ----------------------
+
+COVERAGE = Figure(
+    "coverage", "coverage", "%", "higher", 0,
+    "The share of the projected lines on which paint was found.",
+)  # fmt: skip
+EXPLAINED = Figure(
+    "explained", "explained", "%", "higher", 0,
+    "The share of the paint found that lies on a projected line.",
+)  # fmt: skip
+RESIDUAL = Figure(
+    "residual_px", "residual", "px", "lower", definition="How far paint is off the lines."
+)
+MARGIN = Figure(
+    "margin", "margin", better="higher", definition="How much better than the next best camera."
+)
+SECONDS = Figure("seconds", "s", better="lower", definition="Time it took.")
 
 # --- how surely a camera is known: standard deviations, keys of tables of cameras -----------------
 
@@ -246,3 +275,55 @@ OFFSET_MARGIN = Figure(
 STEP_PX = Figure(
     "step_px", "moved", "px", definition="How far the field moved since the frame before."
 )
+
+# --- is a difference real: two sources on the frames both have ------------------------------------
+
+JAC_DIFFERENCE = Figure(
+    "jac_difference", "JaC, A less B", "%", signed=True,
+    definition="The mean JaC of A less that of B, on the frames both have a camera for.",
+)  # fmt: skip
+SCORE_DIFFERENCE = Figure(
+    "final_score_difference", "final score, A less B", "%", signed=True,
+    definition="The final score of A less that of B, over all annotated frames.",
+)  # fmt: skip
+ERROR_DIFFERENCE = Figure(
+    "mean_reprojection_error_difference", "mean error, A less B", "px", signed=True,
+    definition="The mean reprojection error of A less that of B, on the frames both have.",
+)  # fmt: skip
+P_VALUE = Figure(
+    "p", "p", digits=4,
+    definition="The share of exchanges of the two sources, whole clusters at once, that differ at"
+    " least as much (permutation test).",
+)  # fmt: skip
+P_CORRECTED = Figure(
+    "p_holm", "p, Holm", digits=4,
+    definition="The same, corrected for as many comparisons as the table makes at a tau.",
+)  # fmt: skip
+BEST_IN = Figure(
+    "best_in", "best in", "%", digits=1,
+    definition="The share of the sets drawn in which the source has the highest mean JaC, on the"
+    " frames all sources have.",
+)  # fmt: skip
+LEAST_DIFFERENCE = Figure(
+    "least_difference", "least difference found", "%", digits=2,
+    definition="The true difference that sets like this one find beyond chance in 80 of 100 cases.",
+)  # fmt: skip
+CLICKED_JAC = Figure(
+    "moved_jac", "JaC, points moved", "%",
+    definition="The mean JaC after every point was moved at random, mean over the repeats.",
+)  # fmt: skip
+CLICK_DEVIATION = Figure(
+    "click_sd", "sd of clicks", "%",
+    definition="The standard deviation of a set's figure from repeat to repeat, each with every"
+    " point moved at random.",
+)  # fmt: skip
+CLICK_SHARE = Figure(
+    "click_share", "share of clicks", "%", digits=1,
+    definition="How much of the variance of a set's figure comes from where points were clicked;"
+    " the rest from which frames the set has.",
+)  # fmt: skip
+TOLD_APART_FROM = Figure(
+    "told_apart_from", "told apart from tau", "px", digits=1,
+    definition="The least tau at which the band about the difference lies beside 0, and so does"
+    " what other clicks on these frames would make of it.",
+)  # fmt: skip
