@@ -11,7 +11,7 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli import chance_options, datasets, options, outputs
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.sources import SourceSpec, parse_sources
 from procc_annotator.errors import UsageError
@@ -33,11 +33,13 @@ from procc_annotator.report.page.reporting import (
     report_kind,
     write_report,
 )
+from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.tags import Tags, check_by
 
 HELP = """\
 DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone: overlay
@@ -94,7 +96,16 @@ Worst = Annotated[
     int, typer.Option(min=0, max=1000, metavar="N", help="Worst frames to draw, a source.")
 ]
 Random = Annotated[int, typer.Option(min=0, max=1000, metavar="N", help="Frames to draw by lot.")]
-Seed = Annotated[int, typer.Option(metavar="N", help="Of the lot.")]
+Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the lot, and of sets drawn.")]
+By = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="TAG|zoom|elements|side|shot",
+        show_default=False,
+        help="Break everything down by this tag, by zoom, number of elements, the camera's side or"
+        " shot; repeat for several.  [default: every tag of --tags]",
+    ),
+]
 Disagreement = Annotated[
     list[str] | None,
     typer.Option(
@@ -134,6 +145,13 @@ def report(
     off_plane: options.OffPlane = "missed",
     planar_only: options.PlanarOnly = False,
     mirrored: options.Mirrored = False,
+    tags: chance_options.TagsFile = None,
+    by: By = None,
+    cluster: chance_options.Cluster = None,
+    interval_method: chance_options.IntervalMethod = "t",
+    power: chance_options.Power = False,
+    click_noise: chance_options.Noise = None,
+    draws: chance_options.Count = 10_000,
     title: Title = None,
     date: Date = None,
     worst: Worst = 4,
@@ -159,7 +177,14 @@ def report(
     )  # fmt: skip
     check_request(request, [spec.name for spec in specs])
     place = annotation_place(dataset, setup.field, annotations)
-    call = _Call(name, specs, setup, thresholds, request, written, picture_width)
+    read_tags = None if tags is None else Tags.read(tags)
+    grouped, derived = chance_options.parted_by(by, read_tags, cluster)
+    parts = (*(check_by(grouped, read_tags) if grouped else ()), *derived)
+    chance = chance_options.chance_terms(
+        read_tags, {name: place[0]}, cluster, parts, interval_method, draws, seed,
+        power=power, click_noise=click_noise,
+    )  # fmt: skip
+    call = _Call(name, specs, setup, thresholds, request, written, picture_width, chance)
     gathered, problems = _make(call, *place, options.shown_size(camera_size), workers, dask)
     raise typer.Exit(_tell(call, gathered, problems))
 
@@ -175,6 +200,7 @@ class _Call:
     request: ReportRequest
     written: Sequence[Path]
     picture_width: int
+    chance: ChanceTerms
 
 
 def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]:
@@ -214,7 +240,9 @@ def _make(
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
         work = Work(executor, camera_size, with_progress)
         judged = [NamedCameras(spec.name, collection) for spec, collection in named]
-        gathered = gather_report(call.name, source, judged, call.setup, call.thresholds, work)
+        gathered = gather_report(
+            call.name, source, judged, call.setup, call.thresholds, work, call.chance
+        )
         sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
         material = Material(source, sets, pictures)
         drawing = _drawing(call)

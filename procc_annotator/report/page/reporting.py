@@ -160,7 +160,9 @@ def write_report(
         contents["json"] = report_json(report, every_pair)
     if "tex" in kinds:
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
-        contents["tex"] = latex_tables([comparison_table(report), *tables], remarks).encode()
+        contents["tex"] = latex_tables(
+            [comparison_table(report), *report.told.sheets, *tables], remarks
+        ).encode()
     if "html" in kinds:
         page = _page(report, material, request, drawing, pairs, tables, work, problems)
         contents["html"] = report_html(report, heading(report, request), page)
@@ -181,6 +183,7 @@ def heading(report: AuditReport, request: ReportRequest) -> Heading:
             (f"Source {source.name}", f"{source.folder} (format {source.format})")
             for source in report.sources
         ),
+        ("Intervals", report.certainty.described),
         ("Worst frames a source", str(request.worst)),
         ("Frames drawn by lot", f"{request.lot}, seed {request.seed}"),
     ]
