@@ -20,6 +20,7 @@ from procc_annotator.cli.datasets import (
     report_unreadable,
 )
 from procc_annotator.cli.evaluations import Plan
+from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.setup import EvaluationSetup
@@ -112,6 +113,7 @@ class _Call:
         by: what to group frames by.
         written_to: files of figures.
         table: the table that grows, if any.
+        recipe: where what the figures were made from is written, if anywhere.
         over_time: what is asked over the shots of the sets, if anything.
     """
 
@@ -124,11 +126,13 @@ class _Call:
     camera_size: tuple[int, int] | None
     written_to: Sequence[Path]
     table: Path | None
+    recipe: RecipeFor | None
     over_time: over_time.OverTimeCall | None
     chance: ChanceTerms | None
 
 
 def evaluate(
+    context: typer.Context,
     annotations: Annotations = None,
     cameras: Cameras = None,
     sets: Sets = None,
@@ -154,6 +158,7 @@ def evaluate(
     seed: chance_options.Seed = 1,
     output: options.FigureFiles = None,
     table: TableFile = None,
+    recipe: RecipeOption = None,
     steady: over_time.OverTime = False,
     shots: over_time.Shots = None,
     pictures: over_time.Pictures = None,
@@ -165,6 +170,8 @@ def evaluate(
     if table is not None:
         check_table(table)
         outputs.check_output_folder(table)
+    if recipe is not None:
+        outputs.check_output_folder(recipe)
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
     fields = plan.fields(field, lines)
     first = next(iter(fields.values()))
@@ -186,6 +193,7 @@ def evaluate(
     call = _Call(
         plan, fields, setups, thresholds, read_tags, groups,
         options.shown_size(camera_size), written_to, table,
+        None if recipe is None else RecipeFor(recipe, context, FieldAsked(field, lines)),
         over_time.OverTimeCall.of(steady, shots, pictures, over_time_output), terms,
     )  # fmt: skip
     # The figures took long to make: a file that cannot be written must not take them along.
@@ -219,14 +227,19 @@ def _score(
         inputs: list[outputs.Input] = [s for one in asked for s in (one.annotations, one.cameras)]
         if call.tags is not None:
             inputs.append(call.tags.path)
-        for path in (*call.written_to, *([call.table] if call.table else []), *more):
+        own = [] if call.table is None else [call.table]
+        own += [] if call.recipe is None else [call.recipe.path]
+        for path in (*call.written_to, *own, *more):
             outputs.check_not_an_input(path, inputs)
         evaluations = Evaluations.prepare(asked, call.thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
             steady = call.over_time
             found = [] if steady is None else steady.run(asked, call.thresholds[0], executor)
             scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
-            return scored, evaluations.told, found
+        if call.recipe is not None:
+            tags = None if call.tags is None else call.tags.path
+            call.recipe.write(asked, [one.summaries for one in scored], tags)
+        return scored, evaluations.told, found
 
 
 def _tell(
@@ -237,6 +250,7 @@ def _tell(
 ) -> int:
     """Add to the table, print everything; returns the exit code for what was read."""
     said = [f"written: {path}" for path in call.written_to if path not in unwritten]
+    said += [] if call.recipe is None else [f"written: {call.recipe.path}"]
     if call.table is not None:
         try:
             said.append(_add_to_table(call.table, scored))

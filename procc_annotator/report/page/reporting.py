@@ -47,6 +47,7 @@ class ReportRequest:
         worst: frames a source to draw; lot: frames to draw by lot, with ``seed``.
         disagreement: pairs of sources; pictures: how many of each.
         reference: the source that the metrics of earlier papers take as true; empty for none.
+        recipe: name of the file that holds what all figures were made from; empty for none.
     """
 
     title: str
@@ -57,6 +58,7 @@ class ReportRequest:
     disagreement: tuple[tuple[str, str], ...] = ()
     pictures: int = 3
     reference: str = ""
+    recipe: str = ""
 
 
 @dataclass(frozen=True)
@@ -160,9 +162,9 @@ def write_report(
         contents["json"] = report_json(report, every_pair)
     if "tex" in kinds:
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
-        contents["tex"] = latex_tables(
-            [comparison_table(report), *report.told.sheets, *tables], remarks
-        ).encode()
+        remarks += [f"recipe: {request.recipe}"] if request.recipe else []
+        first = [comparison_table(report), *report.told.sheets]
+        contents["tex"] = latex_tables([*first, *tables], remarks).encode()
     if "html" in kinds:
         page = _page(report, material, request, drawing, pairs, tables, work, problems)
         contents["html"] = report_html(report, heading(report, request), page)

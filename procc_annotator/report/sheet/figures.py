@@ -85,6 +85,7 @@ P95_PX = Figure("p95", "95 %", "px", "lower", definition="95 of 100 distances ar
 LARGEST_PX = Figure(
     "max", "max", "px", "lower", definition="The largest distance.", attribute="largest"
 )
+DISTANCES = (MEDIAN_PX, P95_PX, LARGEST_PX)
 BIAS_RIGHT = Figure(
     "bias_right", "bias right", "px", signed=True,
     definition="The median of the differences, projection minus click, to the right.",
@@ -93,6 +94,16 @@ BIAS_DOWN = Figure(
     "bias_down", "bias down", "px", signed=True,
     definition="The median of the differences, projection minus click, down the picture.",
 )  # fmt: skip
+
+# --- two annotators: attributes of `AgreementFigures`, keys of agreements -------------------------
+
+COMMON = Figure("common", "elements in common", "", None, 0, "Elements both annotated.")
+APART = Figure("apart", "apart", "", None, 0, "Elements both annotated, sharing hardly a stretch.")
+ONLY_A = Figure("only_a", "only A", "", None, 0, "Elements only the first annotated.")
+ONLY_B = Figure("only_b", "only B", "", None, 0, "Elements only the second annotated.")
+POINTS = Figure("points", "points", "", None, 0, "Points whose distance was taken.")
+LEFT_OUT = Figure("left_out", "beyond", "", None, 0, "Clicks beyond the other's ends.")
+OF_AGREEMENT = (COMMON, APART, ONLY_A, ONLY_B, POINTS, LEFT_OUT, *DISTANCES)
 
 # --- two sources of cameras: attributes of `Spread` and `LegacyMetrics`, keys of comparisons ------
 
@@ -142,6 +153,24 @@ LEGACY = (
         " challenge has it.",
     ),
 )  # fmt: skip
+
+# --- cameras found in pictures: medians in tables, keys of tables of cameras ----------------------
+
+COVERAGE = Figure(
+    "coverage", "coverage", "%", "higher", 0,
+    "The share of the projected lines on which paint was found.",
+)  # fmt: skip
+EXPLAINED = Figure(
+    "explained", "explained", "%", "higher", 0,
+    "The share of the paint found that lies on a projected line.",
+)  # fmt: skip
+RESIDUAL = Figure(
+    "residual_px", "residual", "px", "lower", definition="How far paint is off the lines."
+)
+MARGIN = Figure(
+    "margin", "margin", better="higher", definition="How much better than the next best camera."
+)
+SECONDS = Figure("seconds", "s", better="lower", definition="Time it took.")
 
 # --- how surely a camera is known: standard deviations, keys of tables of cameras -----------------
 
