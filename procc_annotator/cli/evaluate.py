@@ -21,6 +21,7 @@ from procc_annotator.cli.datasets import (
 )
 from procc_annotator.cli.evaluations import Plan
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
+from procc_annotator.cli.submissions import Submission, require_submitted_for, submitted_source
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.setup import EvaluationSetup
@@ -156,6 +157,7 @@ def evaluate(
     click_noise: chance_options.Noise = None,
     draws: chance_options.Count = 10_000,
     seed: chance_options.Seed = 1,
+    submission: Submission = None,
     output: options.FigureFiles = None,
     table: TableFile = None,
     recipe: RecipeOption = None,
@@ -172,6 +174,8 @@ def evaluate(
         outputs.check_output_folder(table)
     if recipe is not None:
         outputs.check_output_folder(recipe)
+    if submission is not None:
+        cameras, sources = None, [*(sources or []), submitted_source(submission)]
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
     fields = plan.fields(field, lines)
     first = next(iter(fields.values()))
@@ -179,6 +183,8 @@ def evaluate(
         options.setup_for(first, text, protocol, off_plane, mirrored, planar_only)
         for text in dict.fromkeys(size or [options.DEFAULT_SIZE])
     ]
+    if submission is not None:
+        require_submitted_for(submission, setups[0], plan.frames())
     thresholds = options.thresholds_or_default(threshold)
     read_tags = None if tags is None else Tags.read(tags)
     grouped, derived = chance_options.parted_by(by, read_tags, cluster)
