@@ -16,7 +16,7 @@ from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
 from procc_annotator.report.sheet.as_terminal import terminal_table
 from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.sheet import Column, Sheet, Value, of, whole, with_best_bold
+from procc_annotator.report.sheet.sheet import Column, Sheet, Value, of, whole
 from procc_annotator.report.sheet.shown import shown
 
 LOW = Figure("low", "low", "%")
@@ -48,16 +48,6 @@ def test_a_figure_is_shown_by_its_unit_and_digits() -> None:
 def test_keys_of_figures_that_stand_together_differ() -> None:
     for together in (figures.OF_SET, figures.OF_CLASS, figures.LEGACY, figures.DEVIATIONS):
         assert len({figure.key for figure in together}) == len(together)
-
-
-def test_the_best_of_a_column_stands_out_and_what_looks_the_same_is_as_good() -> None:
-    rows = (
-        ("a", 0.381, None, None, 2.0, 3, False),
-        ("b", 0.389101, None, None, None, 4, True),
-        ("c", 0.389102, None, None, None, 4, False),
-        ("d", math.nan, None, None, None, 4, False),
-    )
-    assert with_best_bold(sheet(*rows)).bold == {(1, 1), (2, 1)}  # one error alone is not the best
 
 
 def test_columns_that_are_joined_share_a_cell_on_a_page() -> None:
