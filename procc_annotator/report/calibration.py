@@ -149,7 +149,8 @@ def _columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:
         Column("name"), Column("model"), whole("elements"), Column("left_out"),
         *(of(JAC, key=f"jac_{threshold:g}") for threshold in thresholds),
         of(FRAME_ERROR_COUNTED), of(FRAME_ERROR), *DEVIATION_COLUMNS, Column("camera"),
-        Column("failure"), Column("position"), whole("width"), whole("height"), Column("hardly_determined"),
+        Column("failure"), Column("position"), whole("width"), whole("height"),
+        Column("hardly_determined"),
     )  # fmt: skip
 
 
