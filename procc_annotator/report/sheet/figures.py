@@ -287,7 +287,7 @@ SCORE_DIFFERENCE = Figure(
     definition="The final score of A less that of B, over all annotated frames.",
 )  # fmt: skip
 ERROR_DIFFERENCE = Figure(
-    "mean_reprojection_error_difference", "mean error, A less B", "px", signed=True,
+    "mean_error_difference", "mean error, A less B", "px", signed=True,
     definition="The mean reprojection error of A less that of B, on the frames both have.",
 )  # fmt: skip
 P_VALUE = Figure(
