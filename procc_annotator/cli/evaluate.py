@@ -21,6 +21,7 @@ from procc_annotator.cli.datasets import (
 )
 from procc_annotator.cli.evaluations import Plan
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
+from procc_annotator.cli.submissions import Submission, require_submitted_for, submitted_source
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.setup import EvaluationSetup
@@ -80,15 +81,6 @@ Sets = Annotated[
         metavar="NAME=ANNOTATIONS",
         show_default=False,
         help="A set of annotations; repeat for several.",
-    ),
-]
-TagsFile = Annotated[
-    Path | None,
-    typer.Option(
-        metavar="FILE.csv",
-        show_default=False,
-        help="Tags of frames: a column 'frame' and one or more others (and 'set', if there are"
-        " several).",
     ),
 ]
 By = Annotated[
@@ -156,7 +148,7 @@ def evaluate(
     off_plane: options.OffPlane = "missed",
     planar_only: options.PlanarOnly = False,
     mirrored: options.Mirrored = False,
-    tags: TagsFile = None,
+    tags: chance_options.TagsFile = None,
     by: By = None,
     intervals: chance_options.Intervals = False,
     cluster: chance_options.Cluster = None,
@@ -165,6 +157,7 @@ def evaluate(
     click_noise: chance_options.Noise = None,
     draws: chance_options.Count = 10_000,
     seed: chance_options.Seed = 1,
+    submission: Submission = None,
     output: options.FigureFiles = None,
     table: TableFile = None,
     recipe: RecipeOption = None,
@@ -181,6 +174,8 @@ def evaluate(
         outputs.check_output_folder(table)
     if recipe is not None:
         outputs.check_output_folder(recipe)
+    if submission is not None:
+        cameras, sources = None, [*(sources or []), submitted_source(submission)]
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
     fields = plan.fields(field, lines)
     first = next(iter(fields.values()))
@@ -188,6 +183,8 @@ def evaluate(
         options.setup_for(first, text, protocol, off_plane, mirrored, planar_only)
         for text in dict.fromkeys(size or [options.DEFAULT_SIZE])
     ]
+    if submission is not None:
+        require_submitted_for(submission, setups[0], plan.frames())
     thresholds = options.thresholds_or_default(threshold)
     read_tags = None if tags is None else Tags.read(tags)
     grouped, derived = chance_options.parted_by(by, read_tags, cluster)

@@ -85,7 +85,7 @@ def _score(dataset: Path, cameras: Path, out: Path, setup: EvaluationSetup) -> S
 def _merit(scored: Scored) -> tuple[float, float]:
     """Final score, and among equals the smaller error."""
     figures = scored.summaries[THRESHOLDS[0]]
-    return figures.final_score or 0.0, -(figures.mean_reprojection_error or 0.0)
+    return figures.final_score or 0.0, -(figures.mean_error or 0.0)
 
 
 def _print_table(scored: dict[Path, Scored]) -> None:

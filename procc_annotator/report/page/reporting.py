@@ -164,7 +164,8 @@ def write_report(
     if "tex" in kinds:
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
         remarks += [f"recipe: {request.recipe}"] if request.recipe else []
-        contents["tex"] = latex_tables([comparison_table(report), *tables], remarks).encode()
+        first = [comparison_table(report), *report.told.sheets]
+        contents["tex"] = latex_tables([*first, *tables], remarks).encode()
     if "html" in kinds and drawing is not None:
         page = _page(report, material, request, drawing, pairs, tables, work, problems)
         contents["html"] = report_html(report, heading(report, request), page)
@@ -185,6 +186,7 @@ def heading(report: AuditReport, request: ReportRequest) -> Heading:
             (f"Source {source.name}", f"{source.folder} (format {source.format})")
             for source in report.sources
         ),
+        ("Intervals", report.certainty.described),
         ("Worst frames a source", str(request.worst)),
         ("Frames drawn by lot", f"{request.lot}, seed {request.seed}"),
     ]
