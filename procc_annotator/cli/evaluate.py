@@ -83,15 +83,6 @@ Sets = Annotated[
         help="A set of annotations; repeat for several.",
     ),
 ]
-TagsFile = Annotated[
-    Path | None,
-    typer.Option(
-        metavar="FILE.csv",
-        show_default=False,
-        help="Tags of frames: a column 'frame' and one or more others (and 'set', if there are"
-        " several).",
-    ),
-]
 By = Annotated[
     list[str] | None,
     typer.Option(
@@ -157,7 +148,7 @@ def evaluate(
     off_plane: options.OffPlane = "missed",
     planar_only: options.PlanarOnly = False,
     mirrored: options.Mirrored = False,
-    tags: TagsFile = None,
+    tags: chance_options.TagsFile = None,
     by: By = None,
     intervals: chance_options.Intervals = False,
     cluster: chance_options.Cluster = None,

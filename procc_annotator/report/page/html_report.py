@@ -83,6 +83,7 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
         page=page,
         terms=terms(report),
         tables=[comparison_table(report), frames_table(report), errors_table(report)],
+        chance=report.told.sheets,
         classes=classes_section(report),
         frames=every_frame_table(report) if len(report.frames) <= MOST_FRAMES else None,
         failures=failures[:MOST_FAILURES],
