@@ -32,7 +32,9 @@ class CurveBand:
         return np.where(self.low > 0, 1.0, np.where(self.high < 0, -1.0, 0.0))
 
 
-def curve_band(sampled: Sampled, draws: Draws) -> CurveBand:
+def curve_band(
+    sampled: Sampled, draws: Draws, least: float = -np.inf, most: float = np.inf
+) -> CurveBand:
     """The band of a curve whose places are the figures sampled.
 
     The largest deviation among all thresholds, in standard deviations of each, is taken from the
@@ -51,4 +53,5 @@ def curve_band(sampled: Sampled, draws: Draws) -> CurveBand:
         few = reach(float(sampled.effective[there].min()), draws.level)
         few /= normal_quantile((1 + draws.level) / 2)
         half[there] = largest * few * deviation[there]
-    return CurveBand(sampled.values, sampled.values - half, sampled.values + half)
+    low, high = (np.clip(sampled.values + side * half, least, most) for side in (-1, 1))
+    return CurveBand(sampled.values, low, high)
