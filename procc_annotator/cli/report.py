@@ -13,6 +13,7 @@ import typer
 
 from procc_annotator.cli import chance_options, datasets, options, outputs
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.painters import overlay_painter, pair_painter
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
 from procc_annotator.cli.sources import SourceSpec, parse_sources
 from procc_annotator.errors import UsageError
@@ -34,6 +35,7 @@ from procc_annotator.report.page.reporting import (
     report_kind,
     write_report,
 )
+from procc_annotator.report.scenes import OverlayLook
 from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.session.dataset.camera_set import CameraSet
@@ -330,16 +332,16 @@ def _pair(text: str) -> tuple[str, str]:
     return names[0], names[1]
 
 
-def _drawing(call: _Call) -> Drawing:
-    if "html" in map(report_kind, call.written):
-        # What charts need comes first: Qt reads the source of every module imported after it.
-        import matplotlib.backends.backend_svg  # noqa: F401
-
-    from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
-    from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
+def _drawing(call: _Call) -> Drawing | None:
+    if "html" not in map(report_kind, call.written):
+        return None
+    # What charts need comes first: Qt reads the source of every module imported after it.
+    import matplotlib.backends.backend_svg  # noqa: F401
 
     # Two pictures share the width of the page.
     look = OverlayLook(widest=call.picture_width, caption=False, emphasis=1.7)
-    painters = Painters(OverlayPictures(".jpg", look), OverlayPictures(".png", look))
-    pairs = PairPainters(ComparisonPictures(".jpg"), ComparisonPictures(".png"))
-    return Drawing(painters, pairs, SOURCE_COLOURS)
+    overlays = Painters(overlay_painter(".jpg", look), overlay_painter(".png", look))
+    pairs = None
+    if call.request.disagreement and (photograph := pair_painter(".jpg")):
+        pairs = PairPainters(photograph, pair_painter(".png") or photograph)
+    return Drawing(overlays, pairs, SOURCE_COLOURS)

@@ -242,7 +242,7 @@ def test_the_page_shows_them_and_loads_nothing(compared) -> None:
     for tau in ("2", "5", "10"):
         assert f"{100 * summary[tau]['mean_jac']:.2f}" in page.text
     assert "60.00" in page.text  # completeness of the poor source
-    assert f"{summary['5']['mean_reprojection_error']:.2f}" in page.text
+    assert f"{summary['5']['mean_error']:.2f}" in page.text
     assert "soccernet, 960x540" in page.text
     assert "camera_11.json" in page.text
     for folder in (compared.dataset.root.parent, out.parent):

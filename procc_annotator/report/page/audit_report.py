@@ -48,6 +48,7 @@ class FrameFigures:
     mirrored: bool
     precision: float | None
     recall: float | None
+    mean_reprojection_error: float | None
     mean_error: float | None
 
     @classmethod
@@ -60,6 +61,7 @@ class FrameFigures:
             score.mirrored,
             score.precision,
             score.recall,
+            score.mean_reprojection_error,
             score.mean_error,
         )
 

@@ -49,7 +49,7 @@ def _figures(source: ReportedSource, taus: list[float], leading: float) -> list[
     first = source.summaries[leading]
     return [
         *(source.summaries[tau].mean_jac for tau in taus),
-        source.summaries[taus[-1]].mean_reprojection_error,
+        source.summaries[taus[-1]].mean_error,
         first.completeness,
         first.final_score,
     ]

@@ -67,12 +67,12 @@ class Drawing:
 
     Attributes:
         overlays: paint one frame under one source.
-        pairs: paint the disagreement of two sources.
+        pairs: paint the disagreement of two sources; None leaves these pictures out.
         colours: of the sources in charts.
     """
 
     overlays: Painters
-    pairs: PairPainters
+    pairs: PairPainters | None
     colours: Sequence[str]
 
 
@@ -123,7 +123,7 @@ def write_report(
     report: AuditReport,
     material: Material,
     request: ReportRequest,
-    drawing: Drawing,
+    drawing: Drawing | None,
     outputs: Sequence[Path],
     work: Work,
 ) -> list[str]:
@@ -131,6 +131,7 @@ def write_report(
 
     Args:
         report: gathered from the material.
+        drawing: needed for a page only.
         outputs: paths with suffixes of `REPORT_SUFFIXES`.
         work: who shares the comparison of sources, and who watches.
 
@@ -165,7 +166,7 @@ def write_report(
         remarks += [f"recipe: {request.recipe}"] if request.recipe else []
         first = [comparison_table(report), *report.told.sheets]
         contents["tex"] = latex_tables([*first, *tables], remarks).encode()
-    if "html" in kinds:
+    if "html" in kinds and drawing is not None:
         page = _page(report, material, request, drawing, pairs, tables, work, problems)
         contents["html"] = report_html(report, heading(report, request), page)
         problems = list(page.failures)
@@ -223,7 +224,9 @@ def _page(
             b,
             None,
             pairs.compared(a, b).described,
-            pairs.pictures(a, b, request.pictures, drawing.pairs, material.pictures),
+            pairs.pictures(a, b, request.pictures, drawing.pairs, material.pictures)
+            if drawing.pairs is not None
+            else (),
         )
         for a, b in request.disagreement
     ]

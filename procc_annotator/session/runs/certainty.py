@@ -30,10 +30,10 @@ BETTER = {
     "final_score": +1,
     "mean_precision": +1,
     "mean_recall": +1,
-    "mean_reprojection_error": -1,
+    "mean_error": -1,
 }
 # Those that sources are compared by; the others follow from them.
-COMPARED = ("mean_jac", "final_score", "mean_reprojection_error", "completeness")
+COMPARED = ("mean_jac", "final_score", "mean_error", "completeness")
 # Taken over all frames that count, with a camera or not.
 _OVER_ALL = ("completeness", "final_score")
 _BAND_DRAWS = 2000  # the largest deviation of a whole curve takes no more

@@ -70,7 +70,7 @@ def test_columns_that_are_joined_share_a_cell_on_a_page() -> None:
 def test_csv_holds_exact_values_and_no_formula() -> None:
     text = csv_bytes(sheet(("=1+1", 0.1 + 0.2, None, math.nan, 2.0, 3, True))).decode()
     head, row = csv.reader(io.StringIO(text))
-    assert head == ["source", "jac@5", "low", "high", "mean_reprojection_error", "frames", "fitted"]
+    assert head == ["source", "jac@5", "low", "high", "mean_error", "frames", "fitted"]
     assert row == ["'=1+1", repr(0.1 + 0.2), "", "", "2.0", "3", "true"]
 
 
@@ -97,7 +97,7 @@ def test_json_holds_the_same_values_and_null_for_what_is_undefined() -> None:
     assert entry["rows"] == [
         {
             "source": "=1", "jac@5": 0.25, "low": None, "high": None,
-            "mean_reprojection_error": 2.0, "frames": 3, "fitted": True,
+            "mean_error": 2.0, "frames": 3, "fitted": True,
         }
     ]  # fmt: skip
     assert entry["described"] == "soccernet, 960x540"
