@@ -40,6 +40,9 @@ def curve_band(
     The largest deviation among all thresholds, in standard deviations of each, is taken from the
     sets drawn (Montiel Olea and Plagborg-Møller, Journal of Applied Econometrics 2019); few
     clusters widen it as they do an interval. Where no set drawn deviates the band has no width.
+
+    Args:
+        least, most: beyond which no curve can be.
     """
     deviation = sampled.deviation
     half = np.where(np.isfinite(deviation), 0.0, np.nan)
