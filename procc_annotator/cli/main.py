@@ -54,6 +54,7 @@ COMMANDS = (
         "Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.",
     ),
     LazyCommand("convert", "Write annotations or cameras in another format."),
+    LazyCommand("release", "Write what the keeper of a dataset publishes, for people and hubs."),
     LazyCommand(
         "render",
         "Draw the pictures of a dataset with annotation and, given cameras, the projected field.",

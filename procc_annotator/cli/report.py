@@ -11,7 +11,7 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import chance_options, datasets, options, outputs
+from procc_annotator.cli import chance_options, datasets, options, outputs, over_time
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.painters import overlay_painter, pair_painter
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
@@ -166,6 +166,8 @@ def report(
     reference: Reference = None,
     picture_width: PictureWidth = 960,
     recipe: RecipeOption = None,
+    steady: over_time.OverTime = False,
+    shots: over_time.Shots = None,
     workers: options.Workers = None,
     dask: options.Dask = None,
 ) -> None:
@@ -194,7 +196,10 @@ def report(
     if recipe is not None:
         outputs.check_output_folder(recipe)
     asked = None if recipe is None else RecipeFor(recipe, context, FieldAsked(field, lines))
-    call = _Call(name, specs, setup, thresholds, request, written, picture_width, chance, asked)
+    call = _Call(
+        name, specs, setup, thresholds, request, written, picture_width, chance, asked,
+        over_time.OverTimeCall.of(steady, shots, None, None),
+    )  # fmt: skip
     gathered, problems = _make(call, *place, options.shown_size(camera_size), workers, dask)
     raise typer.Exit(_tell(call, gathered, problems))
 
@@ -212,6 +217,7 @@ class _Call:
     picture_width: int
     chance: ChanceTerms
     recipe: RecipeFor | None
+    over_time: over_time.OverTimeCall | None
 
 
 def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]:
@@ -254,16 +260,18 @@ def _make(
         gathered = gather_report(
             call.name, source, judged, call.setup, call.thresholds, work, call.chance
         )
+        asked = [
+            Asked(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
+            for spec, cameras in named
+        ]
         if call.recipe is not None:
-            asked = [
-                Asked(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
-                for spec, cameras in named
-            ]
             figures = [one.summaries for one in gathered.sources]
             used = [(one, found) for one, found in zip(asked, figures, strict=True) if found]
             call.recipe.write([one for one, _ in used], [found for _, found in used])
         sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
-        material = Material(source, sets, pictures)
+        steady = call.over_time
+        found = () if steady is None else steady.run(asked, call.thresholds[0], executor)
+        material = Material(source, sets, pictures, tuple(found))
         drawing = _drawing(call)
         return gathered, write_report(gathered, material, call.request, drawing, call.written, work)
 

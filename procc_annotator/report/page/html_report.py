@@ -58,6 +58,7 @@ class Page:
         lot: frame -> pictures of a frame drawn by lot, one a source.
         pairs: disagreement of pairs of sources, with pictures.
         pair_tables: their tables.
+        over_time, over_time_charts: how steady sources are over their shots, where that was asked.
         failures: what could not be used, besides what the report itself lists.
     """
 
@@ -67,6 +68,8 @@ class Page:
     pairs: Sequence[ReportedPair] = ()
     pair_tables: Sequence[Sheet] = ()
     failures: Sequence[str] = ()
+    over_time: Sequence[Sheet] = ()
+    over_time_charts: Sequence[Chart] = ()
 
 
 def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:

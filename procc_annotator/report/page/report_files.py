@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import msgspec
 
 from procc_annotator.metric.sets import ClassSummary, SetSummary
 from procc_annotator.report.field_terms import field_terms
+from procc_annotator.report.over_time import SourceOverTime, over_time_entries
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.page.report_pairs import ReportedPair
 from procc_annotator.report.scores.chance import chance_entries
@@ -29,7 +31,11 @@ _COLUMNS = (
 )  # fmt: skip
 
 
-def report_json(report: AuditReport, pairs: tuple[ReportedPair, ...] = ()) -> bytes:
+def report_json(
+    report: AuditReport,
+    pairs: tuple[ReportedPair, ...] = (),
+    over_time: Sequence[SourceOverTime] = (),
+) -> bytes:
     """Everything that is a number, in the words of `evaluate`'s score files."""
     setup = report.setup
     content = {
@@ -42,6 +48,7 @@ def report_json(report: AuditReport, pairs: tuple[ReportedPair, ...] = ()) -> by
         "pairs": [_pair_entry(pair) for pair in pairs],
         "failures": report.failures(),
         **chance_entries([report.told]),
+        **(over_time_entries(over_time) if over_time else {}),
     }
     return json_bytes(content)
 
