@@ -94,12 +94,12 @@ By = Annotated[
     ),
 ]
 TableFile = Annotated[
-    Path | None,
+    list[Path] | None,
     typer.Option(
         metavar="FILE",
         show_default=False,
-        help="Add a row a frame and threshold to a .csv or .parquet table; rows of the same"
-        " set, method, frame, threshold and way of evaluating are replaced.",
+        help="Add a row a frame and threshold to a .csv or .parquet table, or to several; rows of"
+        " the same set, method, frame, threshold and way of evaluating are replaced.",
     ),
 ]
 
@@ -113,7 +113,7 @@ class _Call:
         setups: one a picture size.
         by: what to group frames by.
         written_to: files of figures.
-        table: the table that grows, if any.
+        tables: those that grow.
         recipe: where what the figures were made from is written, if anywhere.
         over_time: what is asked over the shots of the sets, if anything.
     """
@@ -126,7 +126,7 @@ class _Call:
     by: tuple[str, ...]
     camera_size: tuple[int, int] | None
     written_to: Sequence[Path]
-    table: Path | None
+    tables: Sequence[Path]
     recipe: RecipeFor | None
     over_time: over_time.OverTimeCall | None
     chance: ChanceTerms | None
@@ -169,9 +169,10 @@ def evaluate(
     dask: options.Dask = None,
 ) -> None:
     written_to = outputs.figure_files(output)
-    if table is not None:
-        check_table(table)
-        outputs.check_output_folder(table)
+    growing = outputs.each_once(table or ())
+    for path in growing:
+        check_table(path)
+        outputs.check_output_folder(path)
     if recipe is not None:
         outputs.check_output_folder(recipe)
     if submission is not None:
@@ -198,7 +199,7 @@ def evaluate(
         )  # fmt: skip
     call = _Call(
         plan, fields, setups, thresholds, read_tags, groups,
-        options.shown_size(camera_size), written_to, table,
+        options.shown_size(camera_size), written_to, growing,
         None if recipe is None else RecipeFor(recipe, context, FieldAsked(field, lines)),
         over_time.OverTimeCall.of(steady, shots, pictures, over_time_output), terms,
     )  # fmt: skip
@@ -220,7 +221,7 @@ def _score(
 ) -> tuple[list[Scored], Sequence[ToldOfSet], list[SourceOverTime]]:
     """Do the work; what could not be written goes to ``unwritten``."""
     named = call.plan.named or len(call.setups) > 1
-    outcome = Outcome(call.written_to, named=named, rows=call.table is not None, chance=call.chance)
+    outcome = Outcome(call.written_to, named=named, rows=bool(call.tables), chance=call.chance)
     with ExitStack() as files:
         asked = call.plan.open(
             files, call.fields, call.setups, call.by, call.tags, camera_size=call.camera_size
@@ -233,7 +234,7 @@ def _score(
         inputs: list[outputs.Input] = [s for one in asked for s in (one.annotations, one.cameras)]
         if call.tags is not None:
             inputs.append(call.tags.path)
-        own = [] if call.table is None else [call.table]
+        own = [*call.tables]
         own += [] if call.recipe is None else [call.recipe.path]
         for path in (*call.written_to, *own, *more):
             outputs.check_not_an_input(path, inputs)
@@ -257,11 +258,11 @@ def _tell(
     """Add to the table, print everything; returns the exit code for what was read."""
     said = [f"written: {path}" for path in call.written_to if path not in unwritten]
     said += [] if call.recipe is None else [f"written: {call.recipe.path}"]
-    if call.table is not None:
+    for table in call.tables:
         try:
-            said.append(_add_to_table(call.table, scored))
+            said.append(_add_to_table(table, scored))
         except ProccError as error:
-            unwritten[call.table] = error
+            unwritten[table] = error
     print_all(scored)
     print_chance(told)
     for line in said:

@@ -38,6 +38,7 @@ from procc_annotator.report.page.reporting import (
 from procc_annotator.report.scenes import OverlayLook
 from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.report.sheet.as_latex import ARTICLE_PT
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.workspace import Workspace
@@ -134,6 +135,17 @@ PictureWidth = Annotated[
 ]
 
 
+LatexWidth = Annotated[
+    float,
+    typer.Option(
+        min=100,
+        metavar="PT",
+        help="Width that tables in a .tex file may have: 345 is the text of an article, 237 a"
+        " column of a paper with two; wider ones span both columns.",
+    ),
+]
+
+
 def report(
     context: typer.Context,
     dataset: Dataset,
@@ -165,6 +177,7 @@ def report(
     disagreement: Disagreement = None,
     reference: Reference = None,
     picture_width: PictureWidth = 960,
+    latex_width: LatexWidth = ARTICLE_PT,
     recipe: RecipeOption = None,
     steady: over_time.OverTime = False,
     shots: over_time.Shots = None,
@@ -182,7 +195,7 @@ def report(
         title or f"Cameras of {name}", date or datetime.date.today().isoformat(),
         worst, random, seed,
         tuple(_pair(text) for text in disagreement or ()), reference=reference or "",
-        recipe="" if recipe is None else recipe.name,
+        recipe="" if recipe is None else recipe.name, latex_width_pt=latex_width,
     )  # fmt: skip
     check_request(request, [spec.name for spec in specs])
     place = annotation_place(dataset, setup.field, annotations)

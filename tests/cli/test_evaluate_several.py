@@ -238,3 +238,13 @@ def test_a_reader_that_has_seen_enough_is_no_error(sets) -> None:
         )  # fmt: skip
     assert (done.returncode, done.stderr) == (141, "")
     assert len(table(sets / "b.csv")) == 18
+
+
+def test_several_tables_grow_at_once_in_folders_that_are_made(cli, dataset, tmp_path) -> None:
+    tables = [tmp_path / "new" / "deep" / "a.csv", tmp_path / "b.csv"]
+    scores = tmp_path / "other" / "scores.json"
+    options = [word for table in tables for word in ("--table", table)]
+    done = cli("evaluate", dataset.annotations, dataset.cameras, *options, "--output", scores)
+    assert done.exit_code == 0, done.stderr
+    assert scores.exists()
+    assert tables[0].read_bytes() == tables[1].read_bytes() != b""

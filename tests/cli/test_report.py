@@ -17,6 +17,7 @@ import pytest
 from typer.testing import Result
 
 from procc_annotator.io.camera_files.registry import CAMERA_FORMATS
+from procc_annotator.resources import resources_dir
 
 pytestmark = pytest.mark.usefixtures("qapp")
 
@@ -265,10 +266,13 @@ def test_the_page_shows_them_and_loads_nothing(compared) -> None:
     assert r"\textbf" not in best[0]  # five frames tell nothing beyond chance
 
 
+RESOURCES = resources_dir() / "report"
+
+
 def check_self_contained(page: Page) -> None:
     names = {attributes.get("id") for _, attributes in page.elements}
     for tag, attributes in page.elements:
-        assert tag not in ("script", "link", "iframe", "object", "base")
+        assert tag not in ("link", "iframe", "object", "base")
         assert not any(name.startswith("on") for name in attributes), (tag, attributes)
         for key in ("src", "href", "xlink:href", "data", "srcset"):
             target = attributes.get(key)
@@ -277,6 +281,8 @@ def check_self_contained(page: Page) -> None:
             assert target.startswith(("data:image/", "#")), (tag, key, target[:80])
             if target.startswith("#"):
                 assert target[1:] in names, target
+    scripts = [data for owner, data in page.texts if owner == "script"]
+    assert "".join(scripts) in ("", (RESOURCES / "sort.js").read_text())  # none but ours
     style = " ".join(data for owner, data in page.texts if owner == "style")
     assert "url(" not in style
     assert "@import" not in style
@@ -416,7 +422,7 @@ def test_an_empty_frame_and_a_damaged_annotation(damaged) -> None:
         (["--output", "r.html", "--reference", "nobody"], "no source called 'nobody'"),
         (["--output", "r.html", "--disagreement", "one"], "is no pair of sources"),
         (["--output", "r.html", "--disagreement", "good,good"], "name two"),
-        (["--output", "nowhere/r.html"], "does not exist"),
+        (["--output", "/dev/null/r.html"], "cannot be made"),
     ],
 )
 def test_wrong_requests_are_told_before_the_work(

@@ -11,6 +11,7 @@ from procc_annotator.metric.chance.bands import CurveBand
 from procc_annotator.metric.polylines import BoolArray
 from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_errors import error_charts
+from procc_annotator.report.page.chart_frames import frame_charts
 from procc_annotator.report.page.chart_parts import (
     Charted,
     chart_label,
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
 _LARGEST_TAU = 20.0
 _FRAMES = "frame, counted in natural order"
 _MOST_PAIRS = 6  # of sources; more would fill a page
+_MOST_IN_A_ROW = 300  # frames beside each other; of more the JaC would be a smear
 _MOST_PLACES = 1500  # of a line; more could not be told apart on paper
 _DRAWABLE = 1e6  # what a damaged camera says beyond that would leave no room for the others
 
@@ -56,7 +58,9 @@ def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
     charts = [_curves(report, charted)]
     if report.certainty.pairs:
         charts.append(_differences(report, colours))
-    charts.append(_timelines(report, charted))
+    if len(report.frames) <= _MOST_IN_A_ROW:
+        charts.append(_timelines(report, charted))
+    charts += frame_charts(report, charted)
     if any(len(c.points.errors_px) for c in charted):
         charts += error_charts(report, charted)
     with_pose = [c for c in charted if poses(report.frames, c.source.audits).with_pose > 1]

@@ -37,7 +37,7 @@ from procc_annotator.report.page.report_pictures import (
     choose_frames,
 )
 from procc_annotator.report.page.report_tables import comparison_table, terms
-from procc_annotator.report.sheet.as_latex import latex_tables
+from procc_annotator.report.sheet.as_latex import ARTICLE_PT, latex_tables
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.camera_set import CameraSet
 
@@ -55,6 +55,7 @@ class ReportRequest:
         worst: frames a source to draw; lot: frames to draw by lot, with ``seed``.
         disagreement: pairs of sources; pictures: how many of each.
         reference: the source that the metrics of earlier papers take as true; empty for none.
+        latex_width_pt: that tables in LaTeX may have.
         recipe: name of the file that holds what all figures were made from; empty for none.
     """
 
@@ -67,6 +68,7 @@ class ReportRequest:
     pictures: int = 3
     reference: str = ""
     recipe: str = ""
+    latex_width_pt: float = ARTICLE_PT
 
 
 @dataclass(frozen=True)
@@ -176,7 +178,9 @@ def write_report(
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
         remarks += [f"recipe: {request.recipe}"] if request.recipe else []
         first = [comparison_table(report), *report.told.sheets]
-        contents["tex"] = latex_tables([*first, *steady, *tables], remarks).encode()
+        contents["tex"] = latex_tables(
+            [*first, *steady, *tables], remarks, request.latex_width_pt
+        ).encode()
     if "html" in kinds and drawing is not None:
         page = _page(report, material, request, drawing, pairs, tables, work, problems)
         if material.over_time:
