@@ -337,7 +337,7 @@ def test_hostile_names_are_only_text(oddly_named) -> None:
     wanted = r"\_\_\textless{}b\textgreater{}\$x\$ 100\% a\_b \#\{\}\textasciitilde{}"
     name, model, *_ = row.replace(r"\allowbreak{}", "").split(" & ")
     assert wanted + r"\textasciicircum{}\&" in name
-    assert model == "pinhole"
+    assert model == "pinhole P"
 
 
 def test_a_source_that_shares_projections_only(cli, few, tmp_path: Path) -> None:
