@@ -33,7 +33,8 @@ DATASET is a dataset folder, or a folder or zip archive of annotations. A camera
 frame; elements that do not fit it are named, with the label they fit, the swap, or the one bad
 point. Other rules need no camera: unknown classes, coordinates in pixels, bent lines, two classes
 on one line, elements on the wrong side of others, circles of too few points, ends that stop short,
-elements clicked twice.
+elements clicked twice. The set as a whole tells whose camera stands on the other side of the field
+from the rest: its labels are turned.
 
 error: surely wrong; warning: probably; hint: worth a look. --output takes one row a finding: frame,
 severity, rule, elements, reason, suggestion, point (from 1), error in px, the model of the camera

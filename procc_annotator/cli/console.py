@@ -19,6 +19,8 @@ from rich.progress import (
 from rich.table import Table
 
 from procc_annotator.cli.table_widths import fit_columns
+from procc_annotator.report.sheet.as_terminal import terminal_table
+from procc_annotator.report.sheet.sheet import Sheet
 
 T = TypeVar("T")
 
@@ -28,7 +30,8 @@ PIPE_WIDTH = 132
 
 class _Console(Console):
     def print(self, *objects: Any, **options: Any) -> None:
-        """Tables fit the width; in a file or a pipe no line ends in blanks."""
+        """Sheets become tables, which fit the width; in a file or a pipe no line ends in blanks."""
+        objects = tuple(terminal_table(o) if isinstance(o, Sheet) else o for o in objects)
         for table in objects:
             if isinstance(table, Table):
                 fit_columns(table, self.width)

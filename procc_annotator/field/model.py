@@ -6,6 +6,7 @@ camera, z down (a crossbar lies at z = -2.44).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from dataclasses import field as dataclass_field
@@ -22,6 +23,7 @@ from procc_annotator.field.geometry import Covariance, Geometry, Line, Spot, Vec
 
 # Where the elements of a field lie: where the rules measure them, or in the middle of their paint.
 MEASURED, MIDDLE = LINES = "measured", "middle"
+_SAME_TURN_RAD = 1e-6
 _SIDES = ("length", "width")  # told as "105 x 68 m"
 
 
@@ -247,6 +249,12 @@ class Field:
         """The other classes that a label becomes on the turned field, in the order of the turns."""
         names = dict.fromkeys(turn.name_of(class_name) for turn in self.symmetries)
         return tuple(name for name in names if name != class_name)
+
+    @cached_property
+    def half_turn(self) -> Symmetry | None:
+        """The half turn, if it takes the field to itself."""
+        halves = (t for t in self.symmetries if abs(abs(t.turn_rad) - math.pi) < _SAME_TURN_RAD)
+        return next(halves, None)
 
     @cached_property
     def unplaced_landmarks(self) -> frozenset[str]:

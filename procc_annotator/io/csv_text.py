@@ -13,13 +13,16 @@ _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 
 
 def no_formula(text: str) -> str:
-    """Text that a spreadsheet would run as a formula gets a leading apostrophe."""
-    return f"'{text}" if text.startswith(_FORMULA_STARTS) else text
+    """Text that a spreadsheet would run as a formula gets a leading apostrophe.
+
+    So does text that looks as if it had got one, or `formula_text` could not tell them apart.
+    """
+    return f"'{text}" if text.lstrip("'").startswith(_FORMULA_STARTS) else text
 
 
 def formula_text(cell: str) -> str:
     """The text that `no_formula` made a cell of."""
-    return cell[1:] if cell[:1] == "'" and cell[1:].startswith(_FORMULA_STARTS) else cell
+    return cell[1:] if cell[:1] == "'" and no_formula(cell) != cell else cell
 
 
 def csv_cells(path: Path) -> list[tuple[int, list[str]]]:

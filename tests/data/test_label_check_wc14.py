@@ -16,6 +16,7 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Rule, Severity
 from procc_annotator.fit.labels.orientation import ACROSS, ALONG, reflected_names, renamed
+from procc_annotator.fit.which_side import frames_on_other_side, stand_of
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 
 FIELD = load_field("soccer")
@@ -72,3 +73,28 @@ def test_reflected_frames(annotations, every) -> None:
         told = check_labels(wrong, FIELD, size=SIZE, fit=fit)
         found.append(bool(told) and told[0].rule is Rule.REFLECTED)
     assert np.mean(found) >= 0.9
+
+
+@pytest.mark.parametrize(
+    ("every", "kind"), [(3, "turned"), pytest.param(1, "across", marks=pytest.mark.soak)]
+)
+def test_frames_on_the_other_side(annotations, every, kind) -> None:
+    """A sixth of the frames turned, or with far and near exchanged: the others tell, and of the
+    frames as they are none is named."""
+    frames = dict(enumerate(annotations[::every]))
+    if kind == "turned":
+        names = {name: FIELD.half_turn.name_of(name) for name in FIELD.index}
+    else:
+        names = reflected_names(FIELD, ACROSS)
+    wrong = set(list(frames)[::6])
+    given = {i: renamed(a, names) if i in wrong else a for i, a in frames.items()}
+    fits = {i: fit_camera(a, FIELD) for i, a in given.items()}
+    stands = {i: stand for i, fit in fits.items() if (stand := stand_of(fit)) is not None}
+    told = frames_on_other_side(stands, FIELD).keys()
+    assert told <= wrong
+    for i in wrong - told:
+        found = check_labels(given[i], FIELD, size=SIZE, fit=fits[i])
+        assert kind == "across"
+        assert found[0].rule is Rule.REFLECTED
+    clean = {i: stand_of(fit) for i, fit in fits.items() if i not in wrong}
+    assert not frames_on_other_side(clean, FIELD)

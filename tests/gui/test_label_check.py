@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
 from procc_annotator.fit.labels.orientation import ACROSS, reflected_names, renamed
 from procc_annotator.fit.result import FitResult
@@ -29,6 +30,9 @@ from tests.gui.conftest import MakeWindow
 
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002
 EMPTY = "00001"
+FIELD = load_field("soccer")
+assert FIELD.half_turn is not None
+HALF_TURN = FIELD.half_turn
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
@@ -555,6 +559,57 @@ def test_rules_without_a_camera_are_looked_at_while_blind(window: MainWindow, qt
     document.commit_edit("turn", renamed(document.annotation, turned))
     checked(window, qtbot)
     assert Rule.REFLECTED in {found.finding.rule for found in document.label_check.shown}
+
+
+# --- what only the set tells ----------------------------------------------------------------------
+
+
+@pytest.fixture
+def turned(make_window: MakeWindow, sample_copy: Path, qtbot: QtBot) -> MainWindow:
+    """The window on frames of one tripod, the labels of 00003 turned by half a turn."""
+    for path in sample_copy.glob("0*.*"):
+        if path.stem not in ("00002", "00003", "00004", "00006"):
+            path.unlink()
+    names = {name: HALF_TURN.name_of(name) for name in FIELD.index}
+    path = sample_copy / "00003.json"
+    entries = json.loads(path.read_text())
+    path.write_text(json.dumps({names.get(key, key): value for key, value in entries.items()}))
+    window = make_window(sample_copy)
+    checked(window, qtbot)
+    return window
+
+
+def test_a_turned_frame_is_told_by_the_set_and_turned_back(
+    turned: MainWindow, qtbot: QtBot
+) -> None:
+    window, document = turned, turned.document
+    check = document.label_check
+    document.go_to(1)
+    wholly_checked(window, qtbot)
+
+    def told() -> list[Rule]:
+        return [found.finding.rule for found in check.shown]
+
+    assert Rule.OTHER_SIDE not in told()
+    before = document.annotation
+    check_set(window, qtbot)
+    assert told()[0] is Rule.OTHER_SIDE
+    document.go_to(0)
+    document.go_to(1)
+    wholly_checked(window, qtbot)
+    assert told()[0] is Rule.OTHER_SIDE  # also once the frame was looked at anew
+    press(window, Qt.Key.Key_F12)
+    checked(window, qtbot)
+    turned_back, turned_line = (
+        a.get(f"Side line {side}") for a, side in ((document.annotation, "right"), (before, "left"))
+    )
+    assert turned_back is not None
+    assert turned_line is not None
+    assert turned_back.points == turned_line.points
+    assert Rule.OTHER_SIDE not in told()
+    document.undo()
+    checked(window, qtbot)
+    assert told()[0] is Rule.OTHER_SIDE
 
 
 # --- empty states, export -------------------------------------------------------------------------

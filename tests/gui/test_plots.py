@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,19 +19,23 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.plots.curves import TauPage, TimelinePage
+from procc_annotator.gui.plots.curves import DifferencePage, TauPage, TimelinePage
 from procc_annotator.gui.plots.errors import HistogramPage, RadiusPage
 from procc_annotator.gui.plots.looks import contrast, dash_of, readable, symbol_of
 from procc_annotator.gui.plots.poses import AnglesPage, PosesPage, PositionPage
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
 from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
+from procc_annotator.gui.plots.steady import SteadyPage
 from procc_annotator.interact.palette import SOURCE_COLOURS
+from tests.cli.conftest import camera_file
 from tests.gui.conftest import MakeWindow, all_done
 
 SETS = ("true", "bad", "homography")
 PAGES = (
     TauPage,
+    DifferencePage,
     TimelinePage,
+    SteadyPage,
     HistogramPage,
     RadiusPage,
     VectorsPage,
@@ -93,6 +98,44 @@ def numbers(window: MainWindow, qtbot: QtBot, path: Path) -> list[dict[str, str]
     qtbot.waitUntil(path.exists)
     all_done(qtbot)
     return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
+
+
+class TestSteady:
+    @pytest.fixture
+    def panning(self, plotted: MainWindow, tmp_path: Path) -> MainWindow:
+        """Cameras of all frames, annotated or not, that pan evenly but for the seventh."""
+        folder = tmp_path / "panning"
+        folder.mkdir()
+        for number in range(1, 15):
+            pan = number + (0.2 if number == 7 else 0.0)
+            text = json.dumps(camera_file(pan))
+            (folder / f"camera_{number:05d}.json").write_text(text)
+        assert plotted.document.load_cameras(folder)
+        return plotted
+
+    def test_the_frame_that_leaps_stands_out_and_a_click_leads_there(
+        self, panning: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(panning, qtbot, SteadyPage)
+        page = panning.plots.page
+        assert not page.is_empty
+        rows = numbers(panning, qtbot, tmp_path / "steady.csv")
+        found = {row["frame"]: float(row["jitter_px panning"] or "nan") for row in rows}
+        assert max(found, key=lambda name: np.nan_to_num(found[name])) == "00007"
+        assert found["00003"] < 0.1 * found["00007"]
+        assert np.isnan([found["00001"], found["00014"]]).all()
+        assert not any(row["jitter_px bad"] for row in rows)  # strewn cameras
+        click_at(page, 7)
+        assert panning.document.frame_index == 6
+
+    def test_blind_mode_shows_committed_frames_only(
+        self, panning: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        panning.document.set_blind(True)
+        panning.document.commit_frame()  # the second
+        show(panning, qtbot, SteadyPage)
+        rows = numbers(panning, qtbot, tmp_path / "steady.csv")
+        assert [row["frame"] for row in rows if row["jitter_px panning"]] == ["00002"]
 
 
 class TestTimeline:
@@ -170,6 +213,8 @@ class TestTau:
         mean = np.mean([a.jac_at(5.0) for a in audits.values()])
         at_5 = next(row for row in rows if row["tau_px"] == "5.0")
         assert float(at_5["jac bad"]) == pytest.approx(mean, abs=1e-5)
+        assert float(at_5["low bad"]) < mean < float(at_5["high bad"])
+        assert "95 % bands" in plotted.plots.notes.text() + plotted.plots.notes.toolTip()
         assert f"bad ({len(audits)} of 14)" in plotted.plots.legend.text
 
     def test_an_edit_is_seen_at_once(self, plotted: MainWindow, qtbot: QtBot) -> None:
@@ -178,6 +223,31 @@ class TestTau:
         before = plotted.plots._data.curves[1].copy()
         document.commit_edit("clear", document.annotation.without(document.annotation.annotated[0]))
         qtbot.waitUntil(lambda: not np.array_equal(plotted.plots._data.curves[1], before))
+
+
+class TestDifference:
+    def test_the_judged_source_less_the_others_on_the_frames_both_have(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(plotted, qtbot, DifferencePage, "set")
+        rows = numbers(plotted, qtbot, tmp_path / "t.csv")
+        assert list(rows[0])[1:4] == [f"{kind} bad less true" for kind in ("jac", "low", "high")]
+        bad, true = (plotted.document.sources[at].audits for at in (1, 0))
+        off = np.mean(
+            [bad[name].jac_at(5.0) - true[name].jac_at(5.0) for name in bad if name in true]
+        )
+        at_5 = next(row for row in rows if row["tau_px"] == "5.0")
+        assert float(at_5["jac bad less true"]) == pytest.approx(off, abs=1e-5)
+        assert float(at_5["low bad less true"]) <= off <= float(at_5["high bad less true"])
+
+    def test_one_source_alone_has_nothing_to_be_compared_with(
+        self, plotted: MainWindow, qtbot: QtBot
+    ) -> None:
+        show(plotted, qtbot, DifferencePage, "set")
+        for at in (0, 2):
+            plotted.document.set_source_visible(plotted.document.sources[at], False)
+        settle(plotted, qtbot)
+        assert "One source alone" in plotted.plots.page.empty.text()
 
 
 class TestErrors:
@@ -320,7 +390,8 @@ class TestBlind:
 
 
 class TestTakingAlong:
-    @pytest.mark.parametrize("page", PAGES)
+    # Of the sample, whose frames do not follow each other, there is no jitter to take along.
+    @pytest.mark.parametrize("page", [page for page in PAGES if page is not SteadyPage])
     def test_pictures_and_numbers_of_every_plot(
         self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path, page: type
     ) -> None:

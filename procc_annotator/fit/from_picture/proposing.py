@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -175,19 +174,15 @@ def _best(
         hypotheses = [(at_places(lines, half_height, ((x, y, z),)), _CLIMB_KNOWN)]
     found = search(scene, hypotheses, go_on, STAGES if place is None else STAGES_KNOWN)
     vectors = found.vectors[:_REFINED]
-    if place is None and _half_turn(field):
+    if place is None and field.half_turn is not None:
         # Labels are those of a camera on the main side.
         vectors = np.where(vectors[:, [Y]] < 0, half_turned(vectors), vectors)
     return _refined(picture, field, scene, vectors, found.scores[:_REFINED])
 
 
-def _half_turn(field: Field) -> bool:
-    return any(abs(abs(turn.turn_rad) - math.pi) < 1e-6 for turn in field.symmetries)
-
-
 def _sides(field: Field) -> tuple[int, ...]:
     """The sides of the field that cameras may stand on; one of two from which it looks the same."""
-    names = ("near", "right") if _half_turn(field) else ("near", "far", "left", "right")
+    names = ("near", "right") if field.half_turn is not None else ("near", "far", "left", "right")
     return tuple(SIDES.index(name) for name in names)
 
 

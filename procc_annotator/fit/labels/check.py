@@ -33,6 +33,7 @@ _SUREST_FIRST = (
     Rule.PIXELS,
     Rule.UNKNOWN_CLASS,
     Rule.REFLECTED,
+    Rule.OTHER_SIDE,
     Rule.SWAPPED,
     Rule.RESIDUAL,
     Rule.POINT,

@@ -44,6 +44,7 @@ class Rule(StrEnum):
     POINT = "point"  # one point of an element that fits otherwise
     SWAPPED = "swapped"  # two elements that fit with each other's label
     REFLECTED = "reflected"  # the whole frame fits better top for bottom or left for right
+    OTHER_SIDE = "other side"  # the camera stands on the other side of the field from the rest
     BENT = "bent"  # a straight element bent more than a lens does
     COINCIDENT = "coincident"  # two classes on top of each other
     SIDE = "side"  # on the wrong side of another element

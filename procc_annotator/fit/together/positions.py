@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
@@ -74,6 +75,27 @@ def find_places(
         if len(groups[i]) >= LEAST_FRAMES
     ]
     return tuple(sorted(found, key=lambda place: -len(place.members)))
+
+
+def agree_with(
+    position: FloatArray,
+    covariance: FloatArray,
+    positions: FloatArray,
+    covariances: FloatArray,
+    reach: float,
+) -> NDArray[np.bool_]:
+    """(F,) whether a position may be that of each of some frames, for how surely they are known.
+
+    Args:
+        position: (3,) metres.
+        covariance: (3, 3) of it, metres squared.
+        positions: (F, 3) metres.
+        covariances: (F, 3, 3) metres squared.
+        reach: metres from the usual camera to the field's centre.
+    """
+    means = np.concatenate([position[None], positions])
+    spreads = np.concatenate([covariance[None], covariances]) + _slack(SLACK, reach)
+    return np.asarray(_between(means, spreads, 0, _slack(COMMON, reach))[1:] <= MOST_APART)
 
 
 def _slack(shares: tuple[float, float, float], reach: float) -> FloatArray:

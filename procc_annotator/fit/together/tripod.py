@@ -34,12 +34,16 @@ from procc_annotator.fit.together.known import (
 )
 from procc_annotator.fit.together.outer import Profile, Shared, SharedPrior, find_shared
 from procc_annotator.fit.together.positions import find_places
+from procc_annotator.fit.together.sides import on_other_side
 from procc_annotator.words import count_of
 
 # With the position known so many elements are enough, where they leave the rest sure enough.
 LEAST_ELEMENTS = 2
 _SURE_PAN_RAD, _SURE_FOCAL_SHARE = 0.01, 0.05
 _ROUNDS = 2
+_TURNED = (
+    "its camera stands on the other side of the field, opposite the others: its labels are turned"
+)
 # A tripod is never quite level, nor a lens the same at every zoom.
 _LEAST_ROLL_SD, _LEAST_KAPPA_SD = float(np.deg2rad(0.3)), 0.01
 
@@ -118,6 +122,9 @@ def share_position(
         for name, fit in alone.items()
         if fit.camera is not None
     }
+    turned = _turned(alone, sightings, field)
+    for name in turned:
+        del sightings[name]
     fits = dict(alone)
     tripod_of: dict[str, int] = {}
     tripods: list[Tripod] = []
@@ -130,6 +137,7 @@ def share_position(
         for name in sightings
         if name not in tripod_of
     }
+    apart |= dict.fromkeys(turned, _TURNED)
     gained = []
     for name, fit in alone.items():
         if fit.camera is None and tripods:
@@ -149,8 +157,7 @@ def _tripods(
 ) -> Iterator[tuple[Tripod, dict[str, FitResult]]]:
     """Each position that frames agree on, with their fits there."""
     names = list(sightings)
-    positions = np.array([_position(alone[name]) for name in names]).reshape(-1, 3)
-    covariances = np.array([_covariance(alone[name]) for name in names]).reshape(-1, 3, 3)
+    positions, covariances = _stands([alone[name] for name in names])
     for place in find_places(positions, covariances, surroundings_of(field).reach):
         members = [names[i] for i in place.members]
         shared, taken = _common(
@@ -220,6 +227,23 @@ def _search_from(sighting: Sighting, tripod: Tripod, field: Field) -> tuple[Sigh
         return sighting, found
     judged = replace(judged, vector=found.vector)
     return judged, fit_at(judged, tripod.position_m, field, usual=tripod.usual)
+
+
+def _stands(fits: Sequence[FitResult]) -> tuple[FloatArray, FloatArray]:
+    """(F, 3) positions and (F, 3, 3) what is known of them."""
+    positions = np.array([_position(fit) for fit in fits]).reshape(-1, 3)
+    return positions, np.array([_covariance(fit) for fit in fits]).reshape(-1, 3, 3)
+
+
+def _turned(
+    alone: Mapping[str, FitResult], sightings: Mapping[str, Sighting], field: Field
+) -> list[str]:
+    """The frames whose labels are turned: they would make a tripod of their own."""
+    if field.half_turn is None:
+        return []
+    names = list(sightings)
+    other = on_other_side(*_stands([alone[name] for name in names]), surroundings_of(field))
+    return [names[i] for i in other.turned]
 
 
 def _position(fit: FitResult) -> FloatArray:

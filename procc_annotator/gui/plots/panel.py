@@ -45,14 +45,17 @@ class _Kind(Protocol):
 
 def _kinds() -> tuple[_Kind, ...]:
     """Every kind of page; one is made when it is first shown."""
-    from procc_annotator.gui.plots.curves import TauPage, TimelinePage
+    from procc_annotator.gui.plots.curves import DifferencePage, TauPage, TimelinePage
     from procc_annotator.gui.plots.errors import HistogramPage, RadiusPage
     from procc_annotator.gui.plots.poses import AnglesPage, PositionPage
     from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
+    from procc_annotator.gui.plots.steady import SteadyPage
 
     return (
         TauPage,
+        DifferencePage,
         TimelinePage,
+        SteadyPage,
         HistogramPage,
         RadiusPage,
         VectorsPage,

@@ -15,11 +15,17 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.session.dataset.picture_sizes import picture_size
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.frame_check import FrameCheck
-from procc_annotator.session.runs.check_run import Checked, CheckFrames, FrameToCheck
+from procc_annotator.session.runs.check_run import (
+    Checked,
+    CheckFrames,
+    FrameToCheck,
+    told_by_set,
+)
 from procc_annotator.session.runs.execution.executor import Executor, InProcess
 from procc_annotator.session.runs.set_run import frames_in_words
 
 FrameToRead = tuple[int, bool]  # a frame's place in the dataset, and whether to fit a camera
+_Answer = tuple[int, dict[str, FrameCheck]]  # frames checked; see `told`
 
 _CHUNK = 8  # frames a process takes at once: about half a second's work
 _FEW = 16  # frames that are checked sooner than a process has started
@@ -34,6 +40,7 @@ class BackgroundCheck(QObject):
     progressed = Signal(int, int)  # frames looked at, of how many; (0, 0) when it is over
     finished = Signal(int)  # frames that were checked; not after `stop`
     failed = Signal(str)  # why it could not go on
+    told = Signal(dict)  # checks that got a finding from the set: name -> `FrameCheck`
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -46,7 +53,13 @@ class BackgroundCheck(QObject):
         return self._job is not None
 
     def start(
-        self, workspace: Workspace, frames: Sequence[FrameToRead], field: Field, model: str
+        self,
+        workspace: Workspace,
+        frames: Sequence[FrameToRead],
+        field: Field,
+        model: str,
+        *,
+        together: bool = False,
     ) -> None:
         """Check frames, those that are annotated; whatever is under way is given up.
 
@@ -55,12 +68,13 @@ class BackgroundCheck(QObject):
             frames: which of them.
             field: its elements.
             model: of the cameras that are fitted.
+            together: whether to look at what only all of them tell.
         """
         self.stop()
         waiting: deque[Checked] = deque()
         self._waiting = waiting
 
-        def work(control: JobControl) -> int:
+        def work(control: JobControl) -> _Answer:
             few = len(frames) <= _FEW
             walk = _Walk(workspace, frames, waiting, control)
             with _executor(few) as executor:
@@ -71,7 +85,8 @@ class BackgroundCheck(QObject):
                         walk.take(result)
                         if control.cancelled:
                             break
-            return walk.checked
+            set_tells = together and not control.cancelled
+            return walk.checked, walk.told_by_set(field) if set_tells else {}
 
         self._job = run_in_background(
             work,
@@ -99,8 +114,10 @@ class BackgroundCheck(QObject):
         self._hand_over()
         self.progressed.emit(done, total)
 
-    def _finish(self, checked: int) -> None:
+    def _finish(self, answer: _Answer) -> None:
+        checked, found = answer
         self._end()
+        self.told.emit(found)
         self.finished.emit(checked)
 
     def _fail(self, text: str) -> None:
@@ -135,6 +152,7 @@ class _Walk:
         self._passed = 0  # frames that nobody has to check, or that cannot be read
         self._answered = 0
         self._told = monotonic()
+        self._checks: list[Checked] = []
         self.checked = 0
 
     def chunks(self, size: int) -> Iterator[list[FrameToCheck]]:
@@ -169,10 +187,16 @@ class _Walk:
         """Hand over what was found in a chunk, and say how far it is now and then."""
         self._arrived.extend(results)
         self._answered += len(results)
+        self._checks += results
         self.checked += sum(isinstance(outcome, FrameCheck) for _, outcome in results)
         if monotonic() - self._told > _TELL_AFTER_S:
             self._told = monotonic()
             self._control.progress(self._passed + self._answered, len(self._frames))
+
+    def told_by_set(self, field: Field) -> dict[str, FrameCheck]:
+        """The checks that get a finding once the frames are looked at together."""
+        index = self._workspace.index
+        return told_by_set(self._checks, field, lambda name: self._workspace.read(index[name]))
 
 
 @contextmanager

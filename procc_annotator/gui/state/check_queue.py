@@ -21,6 +21,7 @@ class CheckQueue(QObject):
 
     arrived = Signal(list)  # what was found: `Checked` each
     progressed = Signal(int, int)  # frames of the set checked, of how many; (0, 0): it is over
+    told = Signal(dict)  # checks that got a finding from the set: name -> `FrameCheck`
     finished = Signal(int)  # frames of the set that were checked
 
     def __init__(self, store: Store, signals: Signals, live_fit: LiveFit, parent: QObject) -> None:
@@ -35,6 +36,7 @@ class CheckQueue(QObject):
             run.failed.connect(self._say_failed)
             run.progressed.connect(self._go_on)
         self._set_run.progressed.connect(self.progressed)
+        self._set_run.told.connect(self.told)
         self._set_run.finished.connect(self.finished)
         signals.frameChanged.connect(self._soon.start)
 
@@ -49,7 +51,8 @@ class CheckQueue(QObject):
         if workspace is not None:
             names = enumerate(frame.name for frame in workspace.frames)
             frames = [(index, state.reveals(name)) for index, name in names]
-            self._set_run.start(workspace, frames, state.field, self._live_fit.model)
+            model = self._live_fit.model
+            self._set_run.start(workspace, frames, state.field, model, together=True)
 
     def stop(self) -> None:
         """Stop checking the set; what was found so far arrives."""

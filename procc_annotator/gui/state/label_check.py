@@ -31,6 +31,7 @@ from procc_annotator.session.facts.frame_check import (
     content_of,
     remember,
     surviving,
+    with_found,
     worst_severity,
 )
 from procc_annotator.session.runs.check_run import Checked
@@ -71,6 +72,8 @@ class LabelCheck(QObject):
         self.set_checked = False
         self.ignored = IgnoredFindings(review, self)
         self._frames: dict[str, FrameCheck] = {}
+        # Frame -> what the set tells of it, and the content it holds for.
+        self._told_by_set: dict[str, tuple[str, FoundInFrame]] = {}
         self._in_set: tuple[tuple[str, FoundInFrame], ...] | None = None  # until anything changes
         self._current: tuple[str, str] | None = None  # frame and key
         self._queue = CheckQueue(store, signals, live_fit, self)
@@ -101,6 +104,7 @@ class LabelCheck(QObject):
         signals.framesEdited.connect(self._take_edited)
         self._queue.arrived.connect(self._take_arrived)
         self._queue.progressed.connect(self.progressed)
+        self._queue.told.connect(self._take_told)
         self._queue.finished.connect(self._take_end)
 
     # --- what is known ----------------------------------------------------------------------
@@ -132,7 +136,12 @@ class LabelCheck(QObject):
     def of(self, frame: str) -> tuple[FoundInFrame, ...]:
         """Findings of a frame, as far as it was checked and blind mode lets them be seen."""
         kept = self.check_of(frame)
-        if kept is None or not kept.found:
+        if kept is None:
+            return ()
+        content, by_set = self._told_by_set.get(frame, (None, None))
+        if by_set is not None and content == kept.content and kept.fitted:
+            kept = with_found(kept, by_set)
+        if not kept.found:
             return ()
         ignored = self.ignored.of(frame)
         return tuple(found for found in kept.found if found.key not in ignored)
@@ -365,6 +374,16 @@ class LabelCheck(QObject):
         self._without_fit.close()
         self._queue.close()
 
+    def _take_told(self, checks: dict[str, FrameCheck]) -> None:
+        """Keep what only the set tells, beside what is found anew whenever a frame is shown."""
+        self._told_by_set = {
+            name: (checked.content, found)
+            for name, checked in checks.items()
+            for found in checked.found
+            if found.finding.rule is Rule.OTHER_SIDE
+        }
+        self._announce()
+
     def _take_end(self, checked: int) -> None:
         self.set_checked = True
         self.framesChanged.emit("")
@@ -404,6 +423,7 @@ class LabelCheck(QObject):
         self._with_fit.forget()
         self._queue.close()
         self._frames.clear()
+        self._told_by_set.clear()
         self.problems.clear()
         self.set_checked = False
         self._current = None

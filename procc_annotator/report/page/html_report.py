@@ -1,4 +1,4 @@
-"""The report as one self-contained page: no network, no script, pictures and charts within."""
+"""The report as one self-contained page: no network, pictures and charts within."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from base64 import b64encode
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from procc_annotator.report.page.audit_report import AuditReport
@@ -13,14 +14,15 @@ from procc_annotator.report.page.chart_svg import Chart
 from procc_annotator.report.page.report_pairs import ReportedPair
 from procc_annotator.report.page.report_pictures import OverlayFigure
 from procc_annotator.report.page.report_tables import (
-    ReportTable,
     classes_section,
     comparison_table,
     errors_table,
+    every_frame_table,
     frames_table,
     terms,
 )
-from procc_annotator.report.scores.tables import DASH, percent_text
+from procc_annotator.report.sheet.as_html import html_table
+from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.resources import resources_dir
 
 if TYPE_CHECKING:
@@ -57,6 +59,7 @@ class Page:
         lot: frame -> pictures of a frame drawn by lot, one a source.
         pairs: disagreement of pairs of sources, with pictures.
         pair_tables: their tables.
+        over_time, over_time_charts: how steady sources are over their shots, where that was asked.
         failures: what could not be used, besides what the report itself lists.
     """
 
@@ -64,8 +67,10 @@ class Page:
     worst: Sequence[tuple[str, Sequence[OverlayFigure]]] = ()
     lot: Sequence[tuple[str, Sequence[OverlayFigure]]] = ()
     pairs: Sequence[ReportedPair] = ()
-    pair_tables: Sequence[ReportTable] = ()
+    pair_tables: Sequence[Sheet] = ()
     failures: Sequence[str] = ()
+    over_time: Sequence[Sheet] = ()
+    over_time_charts: Sequence[Chart] = ()
 
 
 def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
@@ -82,8 +87,9 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
         page=page,
         terms=terms(report),
         tables=[comparison_table(report), frames_table(report), errors_table(report)],
+        chance=report.told.sheets,
         classes=classes_section(report),
-        frames=_frames_table(report) if len(report.frames) <= MOST_FRAMES else None,
+        frames=every_frame_table(report) if len(report.frames) <= MOST_FRAMES else None,
         failures=failures[:MOST_FAILURES],
         more_failures=max(0, len(failures) - MOST_FAILURES),
         notices=notices,
@@ -91,27 +97,12 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
     return text.encode("utf-8", "replace")
 
 
-def _frames_table(report: AuditReport) -> ReportTable:
-    """JaC of every frame under every source."""
-    from procc_annotator.report.page.report_tables import Cell, ReportColumn
-
-    sources = report.evaluated
-    rows = []
-    for name in report.frames:
-        found = [source.figures(name, report.tau) for source in sources]
-        cells = [Cell(DASH if f is None else percent_text(f.jac)) for f in found]
-        rows.append((Cell(name), *cells))
-    columns = (ReportColumn("Frame", numeric=False), *(ReportColumn(s.name) for s in sources))
-    return ReportTable(
-        f"JaC@{report.tau:g} of every frame, % ({terms(report)})", columns, tuple(rows)
-    )
-
-
 @cache
 def _template() -> Template:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
     from markupsafe import Markup
 
+    sorting = (resources_dir() / "report" / "sort.js").read_text(encoding="utf-8")
     environment = Environment(
         loader=FileSystemLoader(resources_dir() / "report"),
         autoescape=True,
@@ -122,6 +113,9 @@ def _template() -> Template:
     )
     # Drawn here from escaped texts, not read from anywhere.
     environment.filters["drawn"] = lambda chart: Markup(chart.svg)
+    environment.globals["sorting"] = Markup(sorting)  # ours, see above
+    environment.globals["sorting_hash"] = b64encode(sha256(sorting.encode()).digest()).decode()
+    environment.filters["table"] = lambda sheet, **look: Markup(html_table(sheet, **look))
     environment.filters["data_uri"] = _data_uri
     return environment.get_template("report.html")
 

@@ -1,48 +1,43 @@
-"""The columns of a table of scores, whatever kind of file keeps it."""
+"""The columns of scores: of a frame in every file of scores, and of the table that grows."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
+
+from procc_annotator.metric.score import FrameScore
+from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.figures import FN, FP, JAC, OF_FRAME, TP
+from procc_annotator.report.sheet.sheet import Column, Kind, Value, of, whole
 
 Row = tuple[Any, ...]  # one value a column
 
+COUNTS = (TP, FP, FN)
 
-@dataclass(frozen=True, slots=True)
-class ScoreColumn:
-    """A column: ``kind`` is text, whole, number or yes_no; all but keys may be empty."""
-
-    name: str
-    kind: str
-    is_key: bool = False
-    may_be_empty: bool = True
+FRAME_COLUMNS = (
+    of(JAC), *(whole(count.key) for count in COUNTS), Column("mirrored", kind="yes_no"),
+    *map(of, OF_FRAME),
+)  # fmt: skip
 
 
+def frame_values(score: FrameScore | None) -> tuple[Value, ...]:
+    """A frame's figures at a threshold, a value for each of `FRAME_COLUMNS`."""
+    if score is None:
+        return (None,) * len(FRAME_COLUMNS)
+    return (*values_of((JAC, *COUNTS), score), score.mirrored, *values_of(OF_FRAME, score))
+
+
+def _required(key: str, kind: Kind = "text") -> Column:
+    return Column(key, kind=kind, required=True)
+
+
+_KEY_COLUMNS = (
+    _required("set"), _required("method"), _required("frame"), _required("threshold", "number"),
+    _required("field"), _required("protocol"), _required("width", "whole"),
+    _required("height", "whole"), _required("off_plane"), _required("mirrored_labels", "yes_no"),
+)  # fmt: skip
 COLUMNS = (
-    ScoreColumn("set", "text", True, False),
-    ScoreColumn("method", "text", True, False),
-    ScoreColumn("frame", "text", True, False),
-    ScoreColumn("threshold", "number", True, False),
-    ScoreColumn("field", "text", True, False),
-    ScoreColumn("protocol", "text", True, False),
-    ScoreColumn("width", "whole", True, False),
-    ScoreColumn("height", "whole", True, False),
-    ScoreColumn("off_plane", "text", True, False),
-    ScoreColumn("mirrored_labels", "yes_no", True, False),
-    ScoreColumn("counted", "yes_no", False, False),
-    ScoreColumn("model", "text"),
-    ScoreColumn("jac", "number"),
-    ScoreColumn("tp", "whole"),
-    ScoreColumn("fp", "whole"),
-    ScoreColumn("fn", "whole"),
-    ScoreColumn("mirrored", "yes_no"),
-    ScoreColumn("precision", "number"),
-    ScoreColumn("recall", "number"),
-    ScoreColumn("mean_reprojection_error", "number"),
-    ScoreColumn("points", "whole"),
-    ScoreColumn("camera", "text"),
-    ScoreColumn("error", "text"),
-    ScoreColumn("version", "text", False, False),
-)
-NAMES = tuple(column.name for column in COLUMNS)
-KEYS = sum(column.is_key for column in COLUMNS)  # they come first
+    *_KEY_COLUMNS, _required("counted", "yes_no"), Column("model"), *FRAME_COLUMNS,
+    whole("points"), Column("camera"), Column("error"), _required("version"),
+)  # fmt: skip
+NAMES = tuple(column.key for column in COLUMNS)
+KEYS = len(_KEY_COLUMNS)  # they come first

@@ -2,21 +2,30 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterable, Mapping, Sequence
 from typing import IO, Any
 
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.score_files import threshold_key
+from procc_annotator.report.scores.score_columns import FRAME_COLUMNS, frame_values
+from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, whole
 from procc_annotator.session.runs.evaluation_run import FrameResult, GroupSummary
 
-CSV_COLUMNS = (
-    "name", "protocol", "options", "width", "height", "threshold",
-    "jac", "tp", "fp", "fn", "mirrored", "precision", "recall", "mean_reprojection_error",
-    "camera", "error",
+_COLUMNS = (
+    Column("name"), Column("protocol"), Column("options"), whole("width"), whole("height"), TAU,
+    *FRAME_COLUMNS, Column("camera"), Column("error"),
 )  # fmt: skip
+
+
+def csv_columns(names: Iterable[str] = (), by: Iterable[str] = ()) -> tuple[Column, ...]:
+    """The columns of a file of scores.
+
+    Args:
+        names: columns that come first, e.g. set and method.
+        by: what the set is grouped by; columns that come last.
+    """
+    return (*map(Column, names), *_COLUMNS, *(Column(f"by_{name}") for name in by))
 
 
 def csv_fragment(
@@ -30,35 +39,31 @@ def csv_fragment(
     Args:
         names: of set and method, where several evaluations share a file; they come first.
     """
-    text = io.StringIO()
-    rows = csv.writer(text, lineterminator="\n")
-    for threshold in thresholds:
-        rows.writerow([*names, *_csv_row(result, setup, threshold), *result.groups])
-    return text.getvalue().encode()
+    columns = csv_columns(names, map(str, range(len(result.groups))))
+    return csv_rows(
+        columns, ((*names, *_row(result, setup, tau), *result.groups) for tau in thresholds)
+    )
 
 
-def _csv_row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> list[Any]:
+def _row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> Row:
     chosen = [f"off-plane {setup.off_plane}"] if result.ground_only else []
     if setup.planar_only:
         chosen = ["planar elements only"]
     if setup.protocol == "procc" and setup.allow_mirrored:
         chosen.append("mirrored labels allowed")
-    terms = [setup.protocol, "; ".join(chosen), *setup.size]
-    start = [result.name, *terms, threshold_key(threshold)]
     score = result.scores.get(threshold)
+    camera, error = result.camera, result.error
     if score is None:
-        return [*start, *[""] * 8, "", result.error or "no camera"]
-    figures: list[Any] = [score.jac, score.tp, score.fp, score.fn, str(score.mirrored).lower()]
-    figures += [score.precision, score.recall, score.mean_error]
-    return [*start, *figures, result.camera, result.error]
+        camera, error = None, error or "no camera"
+    terms = (setup.protocol, "; ".join(chosen), *setup.size)
+    return (result.name, *terms, threshold, *frame_values(score), camera, error)
 
 
 class CsvScores:
     """A header, then one row an image and threshold.
 
     Args:
-        names: columns that come first, e.g. set and method.
-        by: what the set is grouped by; columns that come last.
+        names, by: as of `csv_columns`.
         headless: without the header, after another evaluation.
     """
 
@@ -71,15 +76,10 @@ class CsvScores:
         headless: bool = False,
     ) -> None:
         self._stream = stream
-        self._columns = [*names, *CSV_COLUMNS, *(f"by_{name}" for name in by)]
-        self._headless = headless
+        self._header = b"" if headless else csv_header(csv_columns(names, by))
 
     def begin(self) -> None:
-        if self._headless:
-            return
-        text = io.StringIO()
-        csv.writer(text, lineterminator="\n").writerow(self._columns)
-        self._stream.write(text.getvalue().encode())
+        self._stream.write(self._header)
 
     def add(self, fragment: bytes) -> None:
         self._stream.write(fragment)
@@ -90,5 +90,6 @@ class CsvScores:
         *,
         ground_only: bool,
         groups: Sequence[GroupSummary] = (),
+        more: Mapping[str, Any] | None = None,
     ) -> None:
         """Nothing: a set's figures have no row of their own."""

@@ -18,19 +18,17 @@ import msgspec
 
 from procc_annotator.errors import SaveError, UsageError
 from procc_annotator.metric.measure import Labelling
-from procc_annotator.metric.score import FrameScore, Status
+from procc_annotator.metric.score import Status
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.field_terms import field_terms
+from procc_annotator.report.scores.score_columns import COUNTS
+from procc_annotator.report.sheet.as_json import figure_entry
+from procc_annotator.report.sheet.figure import shortest
+from procc_annotator.report.sheet.figures import JAC, OF_CLASS, OF_FRAME, OF_SET
 from procc_annotator.session.runs.evaluation_run import FrameResult, GroupSummary
 
 SCORE_SUFFIXES = (".json", ".csv")
-
-
-def threshold_key(threshold: float) -> str:
-    """How a threshold is written as a key, short and exact: ``5``, ``2.5``."""
-    short = f"{threshold:g}"
-    return short if float(short) == threshold and "e" not in short else repr(threshold)
 
 
 class ScoreWriter(Protocol):
@@ -46,6 +44,7 @@ class ScoreWriter(Protocol):
         *,
         ground_only: bool,
         groups: Sequence[GroupSummary] = (),
+        more: Mapping[str, Any] | None = None,
     ) -> None: ...
 
 
@@ -64,7 +63,9 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
         key = id(score.labelling)
         if key not in encoded:
             encoded[key] = _Elements(score.labelling)
-        entries[threshold_key(threshold)] = _frame_entry(score, encoded[key])
+        entries[shortest(threshold)] = frame_entry(score) | {
+            "elements": encoded[key].entries(threshold)
+        }
     image: dict[str, Any] = {"name": result.name, "camera": result.camera, "error": result.error}
     image["results"] = entries
     if by:
@@ -72,18 +73,15 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
     return msgspec.json.encode(image)
 
 
-def _frame_entry(score: FrameScore, elements: _Elements) -> dict[str, Any]:
-    return {
-        "tp": score.tp,
-        "fp": score.fp,
-        "fn": score.fn,
-        "jac": score.jac,
-        "mirrored": score.mirrored,
-        "precision": score.precision,
-        "recall": score.recall,
-        "mean_reprojection_error": score.mean_error,
-        "elements": elements.entries(score.threshold),
-    }
+def frame_entry(score: Any) -> dict[str, Any]:
+    """A frame's figures at one threshold.
+
+    Args:
+        score: a `FrameScore`, or whatever has its figures.
+    """
+    counts = figure_entry((*COUNTS, JAC), score)
+    mirrored = {"mirrored": score.mirrored}
+    return counts | mirrored | figure_entry(OF_FRAME, score)
 
 
 class _Elements:
@@ -135,27 +133,10 @@ def _without_distances(status: Status) -> dict[str, Any]:
 
 def summary_entry(summary: SetSummary) -> dict[str, Any]:
     """A set's figures at one threshold, as ``out.json`` holds them."""
-    return {
-        "mean_jac": summary.mean_jac,
-        "sd_jac": summary.sd_jac,
-        "median_jac": summary.median_jac,
-        "completeness": summary.completeness,
-        "final_score": summary.final_score,
-        "mean_precision": summary.mean_precision,
-        "mean_recall": summary.mean_recall,
-        "mean_reprojection_error": summary.mean_reprojection_error,
-        "per_class": {
-            name: {
-                "tp": figures.tp,
-                "fp": figures.fp,
-                "fn": figures.fn,
-                "jac": figures.jac,
-                "precision": figures.precision,
-                "recall": figures.recall,
-            }
-            for name, figures in summary.per_class.items()
-        },
+    per_class = {
+        name: figure_entry(OF_CLASS, figures) for name, figures in summary.per_class.items()
     }
+    return figure_entry(OF_SET, summary) | {"per_class": per_class}
 
 
 class JsonScores:
@@ -206,6 +187,7 @@ class JsonScores:
         *,
         ground_only: bool,
         groups: Sequence[GroupSummary] = (),
+        more: Mapping[str, Any] | None = None,
     ) -> None:
         entries = None
         if summary is not None:
@@ -219,7 +201,7 @@ class JsonScores:
             self._stream.write(b',"mirrored_labels":true')
         if groups:
             self._stream.write(b',"groups":' + msgspec.json.encode(_group_entries(groups)))
-        self._stream.write(b"}\n")
+        self._stream.write(_more(more) + b"}\n")
 
 
 class JsonList:
@@ -234,13 +216,18 @@ class JsonList:
         self._stream.write(self._separator)
         self._separator = b","
 
-    def end(self) -> None:
-        """That was all."""
-        self._stream.write(b"]}\n")
+    def end(self, more: Mapping[str, Any] | None = None) -> None:
+        """That was all, but for what is told of the evaluations together."""
+        self._stream.write(b"]" + _more(more) + b"}\n")
+
+
+def _more(entries: Mapping[str, Any] | None) -> bytes:
+    """More keys of an object that has some."""
+    return b"," + msgspec.json.encode(entries)[1:-1] if entries else b""
 
 
 def _summary_entries(summaries: Mapping[float, SetSummary]) -> dict[str, Any]:
-    return {threshold_key(t): summary_entry(s) for t, s in summaries.items()}
+    return {shortest(t): summary_entry(s) for t, s in summaries.items()}
 
 
 def _group_entries(groups: Sequence[GroupSummary]) -> list[dict[str, Any]]:

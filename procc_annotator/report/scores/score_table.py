@@ -6,8 +6,8 @@ again replaces the row, every other row stays.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +16,10 @@ from procc_annotator.errors import UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.exclusive import exclusive
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores import score_table_csv, score_table_parquet
-from procc_annotator.report.scores.score_columns import KEYS, Row
+from procc_annotator.report.scores.score_columns import COLUMNS, KEYS, Row, frame_values
+from procc_annotator.report.scores.score_table_reading import read_csv_rows, read_parquet_rows
+from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
+from procc_annotator.report.sheet.as_parquet import parquet_bytes
 from procc_annotator.session.runs.evaluation_run import FrameResult
 
 Figures = tuple[Any, ...]  # what of a row depends on frame and threshold
@@ -30,15 +32,8 @@ def figures_of(result: FrameResult, thresholds: Sequence[float]) -> tuple[Figure
     rows: list[Figures] = []
     for threshold in thresholds:
         score = result.scores.get(threshold)
-        if score is None:
-            figures: Figures = (None,) * 8
-            said: str | None = error or "no camera"
-        else:
-            figures = (
-                _number(score.jac), score.tp, score.fp, score.fn, score.mirrored,
-                _number(score.precision), _number(score.recall), _number(score.mean_error),
-            )  # fmt: skip
-            said = error
+        figures = [None if v != v else v for v in frame_values(score)]  # NaN is undefined
+        said = error or "no camera" if score is None else error
         points = None if score is None else len(score.labelling.all_distances)
         rows.append((name, threshold, result.counted, model, *figures, points, camera, said))
     return tuple(rows)
@@ -94,14 +89,15 @@ Encode = Callable[[Sequence[Row]], bytes]
 def _format_of(path: Path) -> tuple[Read, Encode]:
     suffix = path.suffix.lower()
     if suffix == ".csv":
-        return score_table_csv.read_rows, score_table_csv.encode_rows
+        return read_csv_rows, table_csv
     if suffix == ".parquet":
-        return score_table_parquet.read_rows, score_table_parquet.encode_rows
+        return read_parquet_rows, partial(parquet_bytes, COLUMNS)
     raise UsageError(f"{path}: a table of scores is a .csv or .parquet file, end the name so")
 
 
-def _number(value: float | None) -> float | None:
-    return None if value is None or math.isnan(value) else float(value)
+def table_csv(rows: Sequence[Row]) -> bytes:
+    """A whole table as CSV."""
+    return csv_header(COLUMNS) + csv_rows(COLUMNS, rows)
 
 
 def _text(text: str | None) -> str | None:

@@ -3,18 +3,27 @@
 from __future__ import annotations
 
 import heapq
-import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-
-from rich.table import Table
-from rich.text import Text
 
 from procc_annotator.metric.measure import Labelling
 from procc_annotator.metric.score import FrameScore
-from procc_annotator.metric.sets import ClassSummary, SetSummary
-
-DASH = "–"
+from procc_annotator.metric.sets import SetSummary
+from procc_annotator.report.scores.score_columns import COUNTS
+from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.figures import (
+    COMPLETENESS,
+    ERROR_COUNTED,
+    FRAME_ERROR,
+    JAC,
+    LARGEST_PX,
+    MEAN_ERROR,
+    MEAN_JAC,
+    OF_SET,
+    PRECISION,
+    RECALL,
+)
+from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, of, whole
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,8 +42,9 @@ class FrameRow:
 
     @classmethod
     def of(cls, name: str, score: FrameScore) -> FrameRow:
-        """The row of a scored frame; its worst element is the one with the farthest point."""
-        element, distance = _farthest(score.labelling)
+        """The row of a scored frame; its worst element is the one with the farthest point, by the
+        labels that errors are told of."""
+        element, distance = _farthest(score.read)
         return cls(
             name,
             score.jac,
@@ -82,106 +92,82 @@ class WorstFrames:
 
 def summary_table(
     summaries: Mapping[float, SetSummary], described: str, *, title: str = "Summary"
-) -> Table:
-    """One row a threshold."""
-    table = _table(title, described)
-    for heading in ("tau px", "JaC %", "sd", "median", "completeness %", "final score %"):
-        table.add_column(heading, justify="right")
-    for heading in ("precision %", "recall %", "mean error px"):
-        table.add_column(heading, justify="right")
-    for threshold, s in summaries.items():
-        table.add_row(
-            f"{threshold:g}",
-            percent_text(s.mean_jac),
-            percent_text(s.sd_jac),
-            percent_text(s.median_jac),
-            percent_text(s.completeness),
-            percent_text(s.final_score),
-            percent_text(s.mean_precision),
-            percent_text(s.mean_recall),
-            pixels(s.mean_reprojection_error),
-        )
-    return table
+) -> Sheet:
+    """One row a threshold; below it the official error, where that is another one."""
+    figures = [figure for figure in OF_SET if figure is not ERROR_COUNTED]
+    rows = tuple((tau, *values_of(figures, s)) for tau, s in summaries.items())
+    others = [
+        f"{pixels(s.mean_reprojection_error)} px at tau {tau:g}"
+        for tau, s in summaries.items()
+        if s.mean_reprojection_error != s.mean_error
+    ]
+    notes = (f"official error, of mirrored labels on a tie: {', '.join(others)}",) if others else ()
+    return Sheet("summary", title, (TAU, *map(of, figures)), rows, described, notes)
 
 
-def worst_frames_table(rows: list[FrameRow], threshold: float, described: str) -> Table:
+def worst_frames_table(rows: Sequence[FrameRow], threshold: float, described: str) -> Sheet:
     """The frames to look at first."""
-    table = _table(f"{worst_words(len(rows))} at {threshold:g} px", described)
-    table.add_column("frame")
-    for heading in ("JaC %", "tp", "fp", "fn", "mean error px"):
-        table.add_column(heading, justify="right")
-    table.add_column("farthest element")
-    table.add_column("px", justify="right")
-    table.add_column("labels")
-    for row in rows:
-        table.add_row(
-            row.name,
-            percent_text(row.jac),
-            str(row.tp),
-            str(row.fp),
-            str(row.fn),
-            pixels(row.mean_error),
-            row.worst_element or DASH,
-            pixels(row.worst_distance),
-            "mirrored" if row.mirrored else "",
+    columns = (
+        Column("frame", "frame"), of(JAC), *map(of, COUNTS), of(FRAME_ERROR),
+        Column("element", "farthest element"), of(LARGEST_PX, heading="px"),
+        Column("labels", "labels"),
+    )  # fmt: skip
+    values = tuple(
+        (
+            row.name, row.jac, row.tp, row.fp, row.fn, row.mean_error, row.worst_element,
+            row.worst_distance, "mirrored" if row.mirrored else None,
         )
-    return table
+        for row in rows
+    )  # fmt: skip
+    title = f"{worst_words(len(rows))} at {threshold:g} px"
+    return Sheet("worst_frames", title, columns, values, described)
 
 
-def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Table:
+def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Sheet:
     """Per-class figures, counted in points; JaC at every threshold, the rest at the first one."""
-    thresholds = list(summaries)
-    first = thresholds[0]
-    table = _table(f"Classes, counted in points (tp, fp, fn at {first:g} px)", described)
-    table.add_column("class")
-    for threshold in thresholds:
-        table.add_column(f"JaC@{threshold:g} %", justify="right")
-    for heading in ("precision %", "recall %", "tp", "fp", "fn"):
-        table.add_column(heading, justify="right")
+    first = next(iter(summaries))
+    others = (PRECISION, RECALL, *COUNTS)
+    columns = (
+        Column("class", "class"), *(of(JAC, f"@{tau:g}") for tau in summaries), *map(of, others)
+    )  # fmt: skip
+    rows = []
     for name in sorted({name for s in summaries.values() for name in s.per_class}):
-        per_threshold = [summaries[t].per_class.get(name) for t in thresholds]
-        jacs = [percent_text(None if c is None else c.jac) for c in per_threshold]
-        table.add_row(name.strip(), *jacs, *_counts(per_threshold[0]))
-    return table
+        found = [s.per_class.get(name) for s in summaries.values()]
+        jacs = (None if one is None else one.jac for one in found)
+        rows.append((name.strip(), *jacs, *values_of(others, found[0])))
+    title = f"Classes, counted in points (tp, fp, fn at {first:g} px)"
+    return Sheet("classes", title, columns, tuple(rows), described)
 
 
-def _counts(figures: ClassSummary | None) -> tuple[str, ...]:
-    if figures is None:
-        return (DASH,) * 5
-    counts = (figures.tp, figures.fp, figures.fn)
-    return (
-        percent_text(figures.precision),
-        percent_text(figures.recall),
-        *(f"{count:g}" for count in counts),
-    )
-
-
-def sets_table(sets: Mapping[str, tuple[Mapping[float, SetSummary], str]]) -> Table:
+def sets_table(sets: Mapping[str, tuple[Mapping[float, SetSummary], str]]) -> Sheet:
     """Camera sets side by side: name -> (figures by threshold, what they were computed with)."""
-    table = Table(title=Text("Camera sets", "bold"), title_justify="left", title_style="")
-    table.add_column("cameras")
-    table.add_column("protocol, size")
-    table.add_column("completeness %", justify="right")
     thresholds = sorted(next(iter(sets.values()))[0]) if sets else []
-    for threshold in thresholds:
-        table.add_column(f"JaC@{threshold:g} %", justify="right")
-    table.add_column(_error_heading(thresholds), justify="right")
-    for name, (summaries, described) in sets.items():
-        first = summaries[thresholds[0]]
-        table.add_row(
-            name,
-            described,
-            percent_text(first.completeness),
-            *(percent_text(summaries[t].mean_jac) for t in thresholds),
-            pixels(summaries[max(thresholds)].mean_reprojection_error),
-        )
-    return table
+    columns = (
+        Column("cameras", "cameras"), Column("described", "protocol, size"),
+        *_set_columns(thresholds),
+    )  # fmt: skip
+    rows = tuple(
+        (name, described, *_set_values(summaries, thresholds))
+        for name, (summaries, described) in sets.items()
+    )
+    return Sheet("sets", "Camera sets", columns, rows)
 
 
-def _error_heading(thresholds: list[float]) -> str:
-    # Where both labellings fail alike the official evaluation takes the mirrored one, whose errors
-    # are half a field; that is rarest at the largest threshold.
-    return f"mean error px@{max(thresholds):g}" if thresholds else "mean error px"
+def _set_columns(thresholds: Sequence[float]) -> tuple[Column, ...]:
+    # At the largest threshold it is rarest that mirrored labels score higher by chance.
+    error = of(MEAN_ERROR, f"@{max(thresholds):g}" if thresholds else "")
+    return (of(COMPLETENESS), *(of(MEAN_JAC, f"@{tau:g}") for tau in thresholds), error)
+
+
+def _set_values(
+    summaries: Mapping[float, SetSummary], thresholds: Sequence[float]
+) -> tuple[float | None, ...]:
+    """A value for each of `_set_columns`."""
+    return (
+        summaries[thresholds[0]].completeness,
+        *(summaries[tau].mean_jac for tau in thresholds),
+        summaries[max(thresholds)].mean_error,
+    )
 
 
 @dataclass(frozen=True)
@@ -198,33 +184,27 @@ class EvaluationRow:
     summaries: Mapping[float, SetSummary]
 
 
-def evaluations_table(title: str, headings: tuple[str, ...], rows: list[EvaluationRow]) -> Table:
+def evaluations_table(title: str, headings: tuple[str, ...], rows: list[EvaluationRow]) -> Sheet:
     """Evaluations of the same thresholds below each other."""
     described = {row.described for row in rows}
-    if len(described) == 1:
-        table = _table(title, *described)
-    else:
-        table = _table(title)
-        headings = (*headings, "protocol, size")
-    for heading in headings:
-        table.add_column(heading)
-    for heading in ("frames", "completeness %"):
-        table.add_column(heading, justify="right")
+    common = next(iter(described)) if len(described) == 1 else ""
     thresholds = list(rows[0].summaries) if rows else []
-    for threshold in thresholds:
-        table.add_column(f"JaC@{threshold:g} %", justify="right")
-    table.add_column(_error_heading(thresholds), justify="right")
-    for row in rows:
-        first = row.summaries[thresholds[0]]
-        table.add_row(
+    if not common:
+        headings = (*headings, "protocol, size")
+    columns = (
+        *(Column(heading, heading) for heading in headings), whole("frames"),
+        *_set_columns(thresholds),
+    )  # fmt: skip
+    values = tuple(
+        (
             *row.names,
-            *([row.described] if len(described) > 1 else []),
-            str(first.images),
-            percent_text(first.completeness),
-            *(percent_text(row.summaries[t].mean_jac) for t in thresholds),
-            pixels(row.summaries[max(thresholds)].mean_reprojection_error),
+            *(() if common else (row.described,)),
+            row.summaries[thresholds[0]].images,
+            *_set_values(row.summaries, thresholds),
         )
-    return table
+        for row in rows
+    )
+    return Sheet("evaluations", title, columns, values, common)
 
 
 def worst_words(count: int) -> str:
@@ -234,16 +214,9 @@ def worst_words(count: int) -> str:
 
 def percent_text(value: float | None) -> str:
     """A share as a percentage with two decimals; a dash where it is undefined."""
-    return DASH if value is None or math.isnan(value) else f"{100 * value:.2f}"
+    return JAC.text(value)
 
 
 def pixels(value: float | None) -> str:
     """A distance with two decimals; a dash where it is undefined."""
-    return DASH if value is None or math.isnan(value) else f"{value:.2f}"
-
-
-def _table(title: str, described: str = "") -> Table:
-    heading = Text(title, "bold")
-    if described:
-        heading = Text.assemble((title, "bold"), "  ", (f"({described})", "dim"))
-    return Table(title=heading, title_justify="left", title_style="", header_style="bold")
+    return MEAN_ERROR.text(value)

@@ -12,9 +12,10 @@ from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_by_eye, check_labels, with_paint
-from procc_annotator.fit.labels.finding import Finding, Severity
+from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.labels.seen_paint import SeenPaint
 from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.which_side import OnOtherSide, Stand, other_side_finding, stand_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +50,7 @@ class FrameCheck:
         failure: why there was no camera, although one was asked for; empty otherwise.
         elements: number of annotated classes.
         with_paint: whether the picture was looked at.
+        stand: where the fitted camera stands; None without one.
     """
 
     content: str
@@ -58,6 +60,7 @@ class FrameCheck:
     failure: str = ""
     elements: int = 0
     with_paint: bool = False
+    stand: Stand | None = None
 
 
 def content_of(annotation: FrameAnnotation, classes: Iterable[str] | None = None) -> str:
@@ -88,14 +91,36 @@ def remember(
         fitted: False if the camera was not asked for.
         with_paint: whether the picture was looked at.
     """
-    found = tuple(
-        FoundInFrame(finding, _key(finding, annotation), _places(finding, annotation, fit))
-        for finding in findings
-    )
+    found = tuple(_found(finding, annotation, fit) for finding in findings)
     failure = (fit.failure or "") if fitted else ""
     count = len(annotation.annotated)
     content = content_of(annotation)
-    return FrameCheck(content, found, fitted, fit.size, failure, count, with_paint)
+    stand = stand_of(fit) if fitted else None
+    return FrameCheck(content, found, fitted, fit.size, failure, count, with_paint, stand)
+
+
+def check_on_other_side(
+    checked: FrameCheck, annotation: FrameAnnotation, field: Field, other: OnOtherSide
+) -> FrameCheck:
+    """A check with what a set's cameras say of the side that this frame's stands on.
+
+    Args:
+        checked: of this annotation.
+        annotation: of the frame.
+        field: its elements.
+        other: what the set says.
+    """
+    finding = other_side_finding(annotation, field, other)
+    return checked if finding is None else with_found(checked, _found(finding, annotation))
+
+
+def with_found(checked: FrameCheck, found: FoundInFrame) -> FrameCheck:
+    """A check with what only the set could tell; of a frame that is known to be the wrong way round
+    it says nothing new."""
+    if any(known.finding.rule is Rule.REFLECTED for known in checked.found):
+        return checked
+    at = sum(known.finding.severity.rank < found.finding.severity.rank for known in checked.found)
+    return replace(checked, found=(*checked.found[:at], found, *checked.found[at:]))
 
 
 def surviving(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
@@ -150,6 +175,12 @@ def worst_severity(found: Iterable[FoundInFrame]) -> Severity | None:
     return min((f.finding.severity for f in found), key=lambda s: s.rank, default=None)
 
 
+def _found(
+    finding: Finding, annotation: FrameAnnotation, fit: FitResult | None = None
+) -> FoundInFrame:
+    return FoundInFrame(finding, _key(finding, annotation), _places(finding, annotation, fit))
+
+
 def _key(finding: Finding, annotation: FrameAnnotation) -> str:
     said = repr((finding.rule.value, finding.elements, finding.point)).encode()
     points = content_of(annotation, finding.elements).encode()
@@ -157,7 +188,7 @@ def _key(finding: Finding, annotation: FrameAnnotation) -> str:
 
 
 def _places(
-    finding: Finding, annotation: FrameAnnotation, fit: FitResult
+    finding: Finding, annotation: FrameAnnotation, fit: FitResult | None
 ) -> tuple[tuple[str, int], ...]:
     places = []
     for name in dict.fromkeys(finding.elements):
@@ -171,12 +202,15 @@ def _places(
     return tuple(places)
 
 
-def _worst_point(polyline: Polyline, fit: FitResult) -> int:
+def _worst_point(polyline: Polyline, fit: FitResult | None) -> int:
     """The point farthest from the fitted camera's element; without a camera the middle one. Points
     beside the picture, where nobody looks, only if there are no others."""
     points = polyline.points
-    residual = next((e for e in fit.elements if e.name == polyline.class_name), None)
-    distances = residual.distances_of(polyline, fit.size) if residual is not None else {}
+    elements = () if fit is None else fit.elements
+    residual = next((e for e in elements if e.name == polyline.class_name), None)
+    distances = {}
+    if fit is not None and residual is not None:
+        distances = residual.distances_of(polyline, fit.size)
     candidates = list(distances) or list(range(len(points)))
     inside = [i for i in candidates if 0 <= points[i].u <= 1 and 0 <= points[i].v <= 1]
     seen = inside or candidates

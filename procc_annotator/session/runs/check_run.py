@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation
@@ -10,9 +10,15 @@ from procc_annotator.errors import ImageError, InputError, ProccError
 from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.seen_paint import SeenPaint
+from procc_annotator.fit.which_side import frames_on_other_side
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.fit_sizes import FitSizes, SizesUsed
-from procc_annotator.session.facts.frame_check import FrameCheck, check_frame, check_without_fit
+from procc_annotator.session.facts.frame_check import (
+    FrameCheck,
+    check_frame,
+    check_on_other_side,
+    check_without_fit,
+)
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     FrameFile,
@@ -103,6 +109,25 @@ class CheckFiles(AnnotationTask):
             return None  # its size is told by its header or the others, and nothing of paint
 
 
+def told_by_set(
+    checked: Iterable[Checked], field: Field, read: Callable[[str], FrameAnnotation]
+) -> dict[str, FrameCheck]:
+    """The checks that get a finding once all frames are looked at together: which side of the field
+    their cameras stand on.
+
+    Args:
+        checked: the frames of a set.
+        field: their elements.
+        read: the annotation of a frame by its name.
+    """
+    known = {name: found for name, found in checked if isinstance(found, FrameCheck)}
+    stands = {name: found.stand for name, found in known.items() if found.stand is not None}
+    return {
+        name: check_on_other_side(known[name], read(name), field_of_frame(field, name), other)
+        for name, other in frames_on_other_side(stands, field).items()
+    }
+
+
 class CheckRun(SetRun[FrameFile, Checked, SizesUsed]):
     """One pass over a set; iterate it once.
 
@@ -131,6 +156,17 @@ class CheckRun(SetRun[FrameFile, Checked, SizesUsed]):
     def _take(self, results: Sequence[Checked], sums: SizesUsed) -> None:
         self.sizes.counts.update(sums.counts)
         self.seen += sum(not isinstance(found, str) and found.with_paint for _, found in results)
+
+    def together(self, checked: Iterable[Checked]) -> list[Checked]:
+        """All frames, with what they tell together.
+
+        Args:
+            checked: what iterating gives.
+        """
+        alone, files = list(checked), dict(self.frames)
+        field = self.task.field
+        told = told_by_set(alone, field, lambda name: self.task.read(files[name], field))
+        return [(name, told.get(name, what)) for name, what in alone]
 
     def describe(self) -> str:
         """Model, field with what is its own, and size, in words."""

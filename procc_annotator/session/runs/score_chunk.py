@@ -9,6 +9,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 from natsort import natsorted
 
 from procc_annotator.annotation import FrameAnnotation, pixel_like
+from procc_annotator.camera.model_name import model_name
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -51,14 +52,15 @@ class FrameResult:
 class Evaluated:
     """A frame's result with what it was computed from, which stays in the process that has it.
 
-    ``camera`` (px of the evaluation size), ``model`` and ``measurement`` are there for frames that
-    have scores.
+    ``camera`` (px of the evaluation size), ``model``, ``measurement`` and ``annotation`` are there
+    for frames that have scores.
     """
 
     result: FrameResult
     camera: CameraOrProjections | None = None
     model: str = ""
     measurement: Measurement | None = None
+    annotation: FrameAnnotation | None = None
 
 
 class FrameFiles(NamedTuple):
@@ -223,7 +225,7 @@ def _scored(
         model=read.model,
         groups=groups,
     )
-    return Evaluated(result, read.camera, read.model, measurement)
+    return Evaluated(result, read.camera, read.model, measurement, read.annotation)
 
 
 def _load_camera(
@@ -236,4 +238,4 @@ def _load_camera(
     loaded = cameras.read(name)
     camera, scaled = fit_to_size(loaded, task.setup.size, task.camera_size)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
-    return camera, loaded.model, notices
+    return camera, model_name(camera, loaded.model, task.setup.size), notices

@@ -139,6 +139,30 @@ def test_to_be_read_a_tie_keeps_the_labels_as_they_are(small_field, map_camera, 
     assert read.max_error == pytest.approx(measurement.plain.all_distances.max())
 
 
+def test_errors_are_told_of_the_labels_as_they_are_on_a_tie(small_field, map_camera, annotate):
+    """The counts stay official; its error, of half a field, is a figure of its own."""
+    measurement = measure(
+        annotate({"left": [(20, 20)]}), map_camera(CENTRE), EvaluationSetup(small_field, SIZE)
+    )
+    tied = score(measurement, 5)
+    assert tied.mirrored
+    assert tied.mean_reprojection_error == pytest.approx(50)
+    assert (tied.mean_error, tied.median_error, tied.max_error) == pytest.approx((10, 10, 10))
+    won = score(measurement, 11)  # the labels as they are pass
+    assert not won.mirrored
+    assert won.mean_error == won.mean_reprojection_error == pytest.approx(10)
+    turned = score(
+        measure(
+            annotate({"left": [(71, 20)], "right": [(32, 20)]}),
+            map_camera(CENTRE),
+            EvaluationSetup(small_field, SIZE),
+        ),
+        5,
+    )
+    assert turned.mirrored
+    assert turned.mean_error == turned.mean_reprojection_error == pytest.approx(1.5)
+
+
 def test_to_be_read_mirrored_labels_count_where_they_are_better(small_field, map_camera, annotate):
     official = EvaluationSetup(small_field, SIZE)
     annotation = annotate({"left": [(70, 20)], "right": [(30, 20)]})
@@ -236,6 +260,30 @@ def test_whiskers_end_at_the_nearest_projected_point(setup, map_camera, annotate
         mirrored = nearest_points(measurement, turned)
         assert mirrored[1] is not None
         assert mirrored[1].tolist() == [[70, 25], [70, 35]]
+
+
+@pytest.mark.parametrize(
+    ("protocol", "distances", "foot"),
+    [
+        ("procc", [0.0, 0.0, 300 / 101], (79.703, 52.970)),
+        ("soccernet", [0.0, 0.0, 20.91], (59.091, 50.909)),
+    ],
+)
+def test_a_line_that_grazes_the_border_is_judged_as_it_goes_on(
+    protocol, distances, foot, one_line, map_camera, annotate
+):
+    """It leaves the picture at (50, 50) and is 3 px below the click at (80, 50) there; to the
+    official evaluation the last row of pixels is in the picture as a whole."""
+    field = one_line(Line((-50.0, 20.0, 0.0), (50.0, 30.0, 0.0)))
+    annotation = annotate({"it": [(0, 45), (40, 49), (80, 50)]})
+    measurement = measure(annotation, map_camera(CENTRE), EvaluationSetup(field, SIZE, protocol))
+    assert measurement.plain.all_distances == pytest.approx(distances, abs=0.02)
+    assert (score(measurement, 5).tp == 1) == (protocol == "procc")
+    (feet,) = nearest_points(measurement, measurement.plain)
+    assert feet is not None
+    assert feet[2] == pytest.approx(foot, abs=0.02)
+    below = measure(annotation, map_camera((50.0, 31.5)), EvaluationSetup(field, SIZE, protocol))
+    assert score(below, 50).fn == 1  # whether it is in sight the picture decides
 
 
 def test_pieces_are_named_and_only_of_what_is_visible(setup, map_camera):

@@ -23,8 +23,8 @@ from procc_annotator.report.scores.score_files import (
     json_fragment,
     replacing,
     score_format,
-    threshold_key,
 )
+from procc_annotator.report.sheet.figure import shortest
 from procc_annotator.session.runs.evaluation_run import FrameResult
 
 CAMERA = PinholeCamera(
@@ -108,8 +108,8 @@ def test_csv_rows_survive_any_name(setup: EvaluationSetup) -> None:
 
 
 @pytest.mark.parametrize(("threshold", "key"), [(5.0, "5"), (2.5, "2.5"), (20, "20"), (0.1, "0.1")])
-def test_threshold_keys(threshold: float, key: str) -> None:
-    assert threshold_key(threshold) == key
+def test_shortests(threshold: float, key: str) -> None:
+    assert shortest(threshold) == key
 
 
 def test_only_known_endings() -> None:
@@ -152,7 +152,7 @@ def test_elements_in_the_file_are_those_of_the_score(setup: EvaluationSetup) -> 
     frame = result(setup, 0.5, 3.0, 30.0)
     entry = json.loads(json_fragment(frame))
     for threshold, judged in frame.scores.items():
-        written = entry["results"][threshold_key(threshold)]["elements"]
+        written = entry["results"][shortest(threshold)]["elements"]
         assert written == {
             element.name: {
                 "status": element.status,

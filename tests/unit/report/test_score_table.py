@@ -14,15 +14,15 @@ from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.exclusive import exclusive
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores import score_table_parquet
 from procc_annotator.report.scores.score_columns import KEYS, NAMES, Row
 from procc_annotator.report.scores.score_table import (
     append_rows,
     check_table,
     figures_of,
+    table_csv,
     whole_rows,
 )
-from procc_annotator.report.scores.score_table_csv import encode_rows, read_rows
+from procc_annotator.report.scores.score_table_reading import read_csv_rows, read_parquet_rows
 from procc_annotator.session.runs.evaluation_run import FrameResult
 
 SETUP = EvaluationSetup(load_field("soccer"))
@@ -34,7 +34,7 @@ def row(frame: str = "1", threshold: float = 5.0, jac: float | None = 0.1, **cha
         "field": "soccer", "protocol": "soccernet", "width": 960, "height": 540,
         "off_plane": "missed", "mirrored_labels": True, "counted": True, "model": "pinhole",
         "jac": jac, "tp": 1, "fp": 2, "fn": 3, "mirrored": False, "precision": 1 / 3,
-        "recall": None, "mean_reprojection_error": 2.5e-17, "points": 11,
+        "recall": None, "mean_reprojection_error": 2.5e-17, "mean_error": 1.5, "points": 11,
         "camera": 'a, "b"\nc.json', "error": None, "version": "0.1.0",
     } | changes  # fmt: skip
     assert list(values) == list(NAMES)
@@ -42,8 +42,7 @@ def row(frame: str = "1", threshold: float = 5.0, jac: float | None = 0.1, **cha
 
 
 def read(path: Path) -> list[Row]:
-    module = read_rows if path.suffix == ".csv" else score_table_parquet.read_rows
-    return module(path)
+    return (read_csv_rows if path.suffix == ".csv" else read_parquet_rows)(path)
 
 
 @pytest.fixture(params=[".csv", ".parquet"])
@@ -79,7 +78,7 @@ def test_the_same_key_replaces_and_all_else_stays(path: Path) -> None:
     [
         ("name,jac\n1,2\n", "line 1: is no table of scores"),
         ("", "line 1: is no table of scores"),
-        ("{HEAD}\n{ROW},more\n", "line 2: has 25 cells, expected 24"),
+        ("{HEAD}\n{ROW},more\n", "line 2: has 26 cells, expected 25"),
         ("{HEAD}\n{ROW}\na,b\n", "line 3: has 2 cells"),
         ("{HEAD}\n{ROW}\n".replace("{ROW}", "{960}"), "line 2: width is 'wide', expected a whole"),
         ("{HEAD}\n{jac}\n", "line 2: jac is 'nan', expected a number"),
@@ -92,7 +91,7 @@ def test_the_same_key_replaces_and_all_else_stays(path: Path) -> None:
 def test_a_damaged_csv_is_one_clear_error_and_untouched(
     tmp_path: Path, text: str, says: str
 ) -> None:
-    head, good = encode_rows([row(camera="c.json")]).decode().splitlines()
+    head, good = table_csv([row(camera="c.json")]).decode().splitlines()
     for mark, line in {
         "{HEAD}": head, "{ROW}": good, "{960}": good.replace("960", "wide"),
         "{jac}": good.replace("0.1,1,2", "nan,1,2"), "{key}": good.replace("pnl,1,", "pnl,,"),

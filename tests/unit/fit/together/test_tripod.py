@@ -8,6 +8,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.labels.orientation import renamed
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.together.positions import find_places
 from procc_annotator.fit.together.tripod import SharedPosition, fit_from, share_position
@@ -63,6 +64,17 @@ def test_positions_are_told_apart_and_found(shared: SharedPosition) -> None:
         off = np.abs(tripod.position_m - true)
         assert (off < 0.5).all()
         assert (off < 3 * tripod.deviations_m).all()
+
+
+def test_turned_labels_are_no_tripod_of_their_own(frames, alone, field) -> None:
+    turned = [f"t{i}" for i in range(2, 6)]
+    names = {name: field.half_turn.name_of(name) for name in field.index}
+    given = frames | {name: renamed(frames[name], names) for name in turned}
+    fits = alone | {name: fit_camera(given[name], field, model="R") for name in turned}
+    found = share_position(given, fits, field)
+    assert [len(tripod.frames) for tripod in found.tripods] == [6, 4]
+    assert set(found.apart) == set(turned)
+    assert all("turned" in found.apart[name] for name in turned)
 
 
 def test_the_scatter_before_is_that_of_the_own_fits(shared: SharedPosition, alone) -> None:

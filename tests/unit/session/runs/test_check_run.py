@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -56,3 +57,20 @@ def test_no_camera_is_fitted_where_none_may_be() -> None:
 def test_every_model_will_do(model: str) -> None:
     ((_, checked),) = CheckFrames(FIELD, model)([FrameToCheck("a", BENT, SIZE)])
     assert rules(checked) == [Rule.BENT]
+
+
+def test_a_set_tells_which_frame_stands_on_the_other_side(
+    sample_data: Path, tmp_path: Path
+) -> None:
+    names = {name: FIELD.half_turn.name_of(name) for name in FIELD.index}  # type: ignore[union-attr]
+    for name in ("00002", "00003", "00004", "00006"):
+        content = json.loads((sample_data / f"{name}.json").read_text())
+        turned = {names.get(key, key): value for key, value in content.items()}
+        chosen = turned if name == "00003" else content
+        (tmp_path / f"{name}.json").write_text(json.dumps(chosen))
+    with open_source(tmp_path) as source:
+        run = CheckRun(source, FIELD, FitSizes((1280, 720)), "R")
+        alone = list(run)
+        found = dict(run.together(alone))
+    assert not any(Rule.OTHER_SIDE in rules(checked) for _, checked in alone)
+    assert {name for name in found if Rule.OTHER_SIDE in rules(found[name])} == {"00003"}

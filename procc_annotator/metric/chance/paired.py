@@ -1,0 +1,159 @@
+"""Two sources on the frames both have: the difference, and whether it is beyond chance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from procc_annotator.metric.chance.intervals import Interval, Method, intervals
+from procc_annotator.metric.chance.sampling import Draws, Ratios, Sampled, in_parts
+from procc_annotator.metric.polylines import FloatArray, IntArray
+
+_SAME = 1e-9  # of a difference: sums of floats in another order
+
+
+@dataclass(frozen=True, slots=True)
+class PairedDifference:
+    """The figure of one source less that of another, on the frames both have.
+
+    Attributes:
+        value: the difference, in the unit of the figure; None where there is none.
+        interval: of it; None with fewer than two clusters.
+        deviation: its standard deviation; None where there is no interval.
+        p: the share of exchanges of the two sources that differ as much (permutation test).
+        corrected: the same, of the worst of several comparisons (Holm); `p` where there is one.
+        frames, clusters: how many it rests on; effective: as many clusters of equal size.
+    """
+
+    value: float | None
+    interval: Interval | None
+    deviation: float | None
+    p: float | None
+    corrected: float | None
+    frames: int
+    clusters: int
+    effective: float
+
+    @property
+    def beyond_chance(self) -> bool:
+        """Whether interval and corrected test agree that the two differ."""
+        return (
+            self.interval is not None
+            and self.corrected is not None
+            and self.interval.excludes(0.0)
+            and self.corrected < 1 - self.interval.level
+        )
+
+
+def paired_differences(
+    a: Ratios,
+    b: Ratios,
+    sampled: tuple[Sampled, Sampled],
+    clusters: IntArray,
+    draws: Draws,
+    method: Method = "t",
+) -> list[PairedDifference]:
+    """One difference a figure, not yet corrected for several comparisons.
+
+    Args:
+        a, b: K figures of both sources; frames that only one has must count for neither.
+        sampled: the same, drawn together.
+        clusters: (F,) as for `sample`.
+        method: of the intervals.
+    """
+    off = sampled[0].minus(sampled[1])
+    deviations, ends = off.deviation, intervals(off, draws, method)
+    shares = exchanged(a, b, clusters, draws)
+    frames = ((a.wholes > 0) & (b.wholes > 0)).sum(axis=0)
+    found = []
+    for k, value in enumerate(off.values):
+        known = math.isfinite(value)
+        share = float(shares[k]) if known and ends[k] is not None else None
+        found.append(
+            PairedDifference(
+                float(value) if known else None,
+                ends[k],
+                float(deviations[k]) if ends[k] is not None else None,
+                share,
+                share,
+                int(frames[k]),
+                int(off.counted[:, k].sum()),
+                float(off.effective[k]) if known else 0.0,
+            )
+        )
+    return found
+
+
+def corrected_for(several: Sequence[PairedDifference]) -> list[PairedDifference]:
+    """The same with `PairedDifference.corrected` for as many comparisons as these are."""
+    shares = holm([1.0 if one.p is None else one.p for one in several])
+    return [
+        one if one.p is None else replace(one, corrected=share)
+        for one, share in zip(several, shares, strict=True)
+    ]
+
+
+def holm(shares: Sequence[float]) -> list[float]:
+    """Corrected shares of several tests (Holm, Scandinavian Journal of Statistics 1979).
+
+    Each is what the whole family errs at most in, were this one called a difference with all that
+    are smaller.
+    """
+    order = sorted(range(len(shares)), key=shares.__getitem__)
+    corrected = [0.0] * len(shares)
+    least = 0.0
+    for place, i in enumerate(order):
+        least = max(least, min(1.0, (len(shares) - place) * shares[i]))
+        corrected[i] = least
+    return corrected
+
+
+def exchanged(a: Ratios, b: Ratios, clusters: IntArray, draws: Draws) -> FloatArray:
+    """(K,) the share of exchanges of the sources that differ at least as much as they do.
+
+    If the two were alike, each cluster's frames could as well be the other source's. All exchanges
+    are tried where they are no more than the draws, else as many at random, the one at hand among
+    them (Phipson and Smyth 2010). Either way no share is 0, and of few clusters none is small: five
+    have 32 exchanges.
+    """
+    of_a, of_b = a.by_cluster(clusters), b.by_cluster(clusters)
+    counted = ((of_a.wholes > 0) | (of_b.wholes > 0)).any(axis=1)
+    sums_a = np.hstack((of_a.parts, of_a.wholes))[counted]
+    sums_b = np.hstack((of_b.parts, of_b.wholes))[counted]
+    middle, half = (sums_a + sums_b).sum(axis=0) / 2, (sums_a - sums_b) / 2
+    figures = a.parts.shape[1]
+
+    def differences(moved: FloatArray) -> FloatArray:
+        first, second = middle + moved, middle - moved
+        with np.errstate(divide="ignore", invalid="ignore"):
+            mine = first[..., :figures] / first[..., figures:]
+            other = second[..., :figures] / second[..., figures:]
+        return np.asarray(np.abs(mine - other), dtype=np.float64)
+
+    least = differences(half.sum(axis=0)) * (1 - _SAME)
+    reached = np.zeros(figures)
+    tried = 0
+    exact = len(half) <= math.log2(draws.count)
+    for signs in _every_sign(len(half)) if exact else _signs_drawn(len(half), draws):
+        found = differences(signs @ half)
+        # Where an exchange leaves one source nothing, it tells of no difference and of none less.
+        reached += (~(found < least)).sum(axis=0)
+        tried += len(signs)
+    shares = reached / tried if exact else (1 + reached) / (1 + tried)
+    return np.asarray(shares, dtype=np.float64)
+
+
+def _every_sign(clusters: int) -> Iterator[FloatArray]:
+    yield np.array(list(product((1.0, -1.0), repeat=clusters))).reshape(-1, clusters)
+
+
+def _signs_drawn(clusters: int, draws: Draws) -> Iterator[FloatArray]:
+    def drawn(rng: np.random.Generator, rows: int) -> FloatArray:
+        octets = rng.integers(0, 256, (rows, -(-clusters // 8)), dtype=np.uint8)
+        return np.where(np.unpackbits(octets, axis=1)[:, :clusters], 1.0, -1.0)
+
+    return in_parts(clusters, draws, drawn)

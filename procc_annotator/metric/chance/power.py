@@ -1,0 +1,54 @@
+"""How many frames a set needs before a difference of a given size would be found."""
+
+from __future__ import annotations
+
+import math
+
+from procc_annotator.metric.chance.distributions import student_quantile
+from procc_annotator.metric.chance.intervals import reach
+
+_MOST_ROUNDS = 50
+_FEWEST_CLUSTERS = 2.0
+
+
+def frames_needed(
+    difference: float,
+    deviation: float,
+    frames: int,
+    effective: float,
+    *,
+    level: float = 0.95,
+    power: float = 0.8,
+) -> int:
+    """The frames of a set like this one in which a true difference is found beyond chance.
+
+    The deviation of a mean falls with the root of the frames, however alike frames of one cluster
+    are, as long as more frames come in clusters like those at hand.
+
+    Args:
+        difference: the true one, above 0, in the unit of the figure.
+        deviation: of the difference on the frames at hand, in the same unit.
+        frames, effective: those at hand, and how many clusters they effectively come in.
+        level: of the interval that is to exclude 0.
+        power: in which share of such sets it is to.
+    """
+    needed = float(frames)
+    for _ in range(_MOST_ROUNDS):
+        clusters = max(_FEWEST_CLUSTERS, effective * needed / frames)
+        before, needed = needed, frames * (deviation * _reach(clusters, level, power)) ** 2
+        needed /= difference**2
+        if math.ceil(before) == math.ceil(needed):
+            break
+    return max(math.ceil(needed - 1e-9), math.ceil(_FEWEST_CLUSTERS * frames / effective))
+
+
+def least_difference(
+    deviation: float, effective: float, *, level: float = 0.95, power: float = 0.8
+) -> float:
+    """The true difference that these very frames would find in such a share of sets."""
+    return deviation * _reach(max(_FEWEST_CLUSTERS, effective), level, power)
+
+
+def _reach(clusters: float, level: float, power: float) -> float:
+    freedom = max(1.0, round(clusters - 1, 6))
+    return reach(clusters, level) + student_quantile(power, freedom)

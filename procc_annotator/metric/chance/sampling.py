@@ -1,0 +1,187 @@
+"""Figures of a set, without each of its clusters, and in sets drawn from it by chance.
+
+A figure is a sum over frames divided by another one: the mean JaC is the sum of JaC over the number
+of frames with a camera. So a set drawn with replacement needs only how often each cluster was
+drawn, times the clusters' sums: all figures of all sources are one product of two matrices, and
+nothing is projected or scored again.
+
+Efron and Tibshirani, *An Introduction to the Bootstrap*, Chapman & Hall 1993; whole clusters are
+drawn as in Davison and Hinkley, *Bootstrap Methods and their Application*, Cambridge 1997, 3.8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.metric.polylines import FloatArray, IntArray
+
+_AT_ONCE = 1 << 20  # entries of a matrix of counts
+
+
+@dataclass(frozen=True)
+class Draws:
+    """How chance is asked.
+
+    Attributes:
+        count: how many sets are drawn, or labels exchanged.
+        seed: the same one draws the same sets.
+        level: of intervals; what lies outside is beyond chance.
+    """
+
+    count: int = 10_000
+    seed: int = 1
+    level: float = 0.95
+
+
+@dataclass(frozen=True, eq=False)
+class Ratios:
+    """K figures over F frames, each a sum of parts over a sum of wholes.
+
+    Attributes:
+        parts, wholes: (F, K); a frame that does not count for a figure has 0 in both.
+    """
+
+    parts: FloatArray
+    wholes: FloatArray
+
+    @classmethod
+    def mean(cls, values: FloatArray) -> Ratios:
+        """The plain mean of (F,) or (F, K) values; NaN does not count."""
+        columns = values.reshape(len(values), -1).astype(np.float64)
+        there = np.isfinite(columns)
+        return cls(np.where(there, columns, 0.0), there.astype(np.float64))
+
+    @classmethod
+    def beside(cls, several: Sequence[Ratios]) -> Ratios:
+        """The figures of several over the same frames, one after the other."""
+        return cls(np.hstack([r.parts for r in several]), np.hstack([r.wholes for r in several]))
+
+    def of(self, frames: NDArray[np.bool_]) -> Ratios:
+        """The same over some of the frames alone; (F,)."""
+        chosen = frames[:, None]
+        return Ratios(self.parts * chosen, self.wholes * chosen)
+
+    def by_cluster(self, clusters: IntArray) -> Ratios:
+        """The sums of each cluster, (G, K).
+
+        Args:
+            clusters: (F,) number of each frame's cluster, from 0 on.
+        """
+        order = np.argsort(clusters, kind="stable")
+        starts = np.flatnonzero(np.diff(clusters[order], prepend=-1))
+        if not len(starts):
+            return self
+        return Ratios(
+            np.add.reduceat(self.parts[order], starts), np.add.reduceat(self.wholes[order], starts)
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Sampled:
+    """K figures of a set and how they vary; G clusters, B sets drawn. NaN where undefined.
+
+    Attributes:
+        values: (K,) of the set as it is.
+        without: (G, K) of the set without each cluster.
+        drawn: (B, K) of the sets drawn.
+        counted: (G, K) whether the cluster counts for the figure.
+        effective: (K,) as many clusters of equal size vary as much as these do: their sizes'
+            squared sum over the sum of their squares (Kish 1965; for degrees of freedom Carter,
+            Schnepel and Steigerwald, Review of Economics and Statistics 2017).
+    """
+
+    values: FloatArray
+    without: FloatArray
+    drawn: FloatArray
+    counted: NDArray[np.bool_]
+    effective: FloatArray
+
+    def at(self, columns: slice | Sequence[int]) -> Sampled:
+        """Some of the figures."""
+        return Sampled(
+            self.values[columns], self.without[:, columns], self.drawn[:, columns],
+            self.counted[:, columns], self.effective[columns],
+        )  # fmt: skip
+
+    def minus(self, other: Sampled) -> Sampled:
+        """The differences of figures of the same sets, column by column."""
+        return Sampled(
+            self.values - other.values,
+            self.without - other.without,
+            self.drawn - other.drawn,
+            self.counted | other.counted,
+            np.minimum(self.effective, other.effective),
+        )
+
+    @property
+    def deviation(self) -> FloatArray:
+        """(K,) the standard deviation of each figure, from leaving out one cluster after the other.
+
+        The jackknife of clusters; with few or unequal ones it is the estimate that errs least
+        (Hansen 2022; MacKinnon, Nielsen and Webb, Journal of Econometrics 2023, their CV3). NaN
+        where fewer than two clusters count.
+        """
+        count = self.counted.sum(axis=0)
+        off = np.where(self.counted, self.without - self.values, 0.0)
+        squares = (off * off).sum(axis=0)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            found = np.sqrt((count - 1) / count * squares)
+        return np.where(count > 1, found, np.nan)
+
+
+def sample(ratios: Ratios, clusters: IntArray, draws: Draws | None) -> Sampled:
+    """Draw sets of as many clusters, with replacement.
+
+    Args:
+        ratios: K figures over F frames.
+        clusters: (F,) number of each frame's cluster, from 0 on; where every frame is drawn for
+            itself, a number for each.
+        draws: None to draw nothing: the deviation and an interval ``t`` need no more.
+    """
+    sums = ratios.by_cluster(clusters)
+    parts, wholes = sums.parts.sum(axis=0), sums.wholes.sum(axis=0)
+    both = np.hstack((sums.parts, sums.wholes))
+    figures = len(parts)
+    drawn = np.empty((0, 2 * figures))
+    if draws is not None:
+        drawn = np.concatenate([counts @ both for counts in counts_drawn(len(sums.parts), draws)])
+    squares = (sums.wholes**2).sum(axis=0)
+    return Sampled(
+        _divided(parts, wholes),
+        _divided(parts - sums.parts, wholes - sums.wholes),
+        _divided(drawn[:, :figures], drawn[:, figures:]),
+        sums.wholes > 0,
+        _divided(wholes**2, squares),
+    )
+
+
+def counts_drawn(clusters: int, draws: Draws) -> Iterator[FloatArray]:
+    """How often each cluster is in each set drawn, (b, G), until all sets are drawn."""
+
+    def drawn(rng: np.random.Generator, rows: int) -> FloatArray:
+        chosen = rng.integers(0, clusters, (rows, clusters), dtype=np.uint32).astype(np.intp)
+        chosen += np.arange(rows, dtype=np.intp)[:, None] * clusters
+        counts = np.bincount(chosen.ravel(), minlength=rows * clusters)
+        return counts.reshape(rows, clusters).astype(np.float64)
+
+    return in_parts(clusters, draws, drawn)
+
+
+def in_parts(
+    clusters: int, draws: Draws, make: Callable[[np.random.Generator, int], FloatArray]
+) -> Iterator[FloatArray]:
+    """Random matrices of some rows at once, until there are as many as are drawn."""
+    rng = np.random.default_rng(draws.seed)
+    rows = max(1, _AT_ONCE // max(clusters, 1))
+    for begin in range(0, draws.count, rows):
+        yield make(rng, min(rows, draws.count - begin))
+
+
+def _divided(parts: FloatArray, wholes: FloatArray) -> FloatArray:
+    # Sums of floats in another order leave a remainder where nothing is left.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(wholes > 1e-9, parts / wholes, np.nan)

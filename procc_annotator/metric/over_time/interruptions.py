@@ -1,0 +1,184 @@
+"""Where a camera is lost or leaps over a shot, and when it comes back."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.metric.over_time.steadiness import (
+    OF_ONE_FRAME,
+    Steadiness,
+    usual_step,
+)
+from procc_annotator.metric.polylines import BoolArray, FloatArray
+
+# A leap: what is off by so many px, and so many times as much as is usual in the shot.
+LEAST_JUMP_PX = 3.0
+_TIMES_THE_USUAL = 8.0
+_LOOKED_AHEAD = 50  # frames within which a camera that leapt may be back
+_ALLOWED_A_FRAME = 0.1  # of the limit, for what nobody can foretell
+
+
+@dataclass(frozen=True)
+class Jump:
+    """A camera that leaps from one frame to the next.
+
+    Attributes:
+        frame: place in the shot of the first frame that is off.
+        size_px: how far off the field's points lie then, root mean square.
+        back_after: frames until it is back where it would have been; None if it stays.
+    """
+
+    frame: int
+    size_px: float
+    back_after: int | None
+
+
+@dataclass(frozen=True)
+class Outage:
+    """Frames one after the other without a camera.
+
+    Attributes:
+        frame: place in the shot of the first of them.
+        length: how many.
+        back_after: frames from the first one until there is a camera that moves steadily; None
+            where the shot ends before.
+    """
+
+    frame: int
+    length: int
+    back_after: int | None
+
+
+@dataclass(frozen=True, eq=False)
+class Interruptions:
+    """Of one shot.
+
+    Attributes:
+        jumps, outages: in the order of the frames.
+        unsteady: (n,) frames whose second difference belongs to a jump.
+        limit_px: from which second difference on a frame is off, as the error of one frame.
+    """
+
+    jumps: tuple[Jump, ...]
+    outages: tuple[Outage, ...]
+    unsteady: BoolArray
+    limit_px: float
+
+
+def interruptions(
+    cameras: Sequence[Camera | None],
+    numbers: Sequence[int],
+    points_world: FloatArray,
+    size: tuple[int, int],
+    steady: Steadiness,
+) -> Interruptions:
+    """Find the jumps and the outages of a shot.
+
+    Args:
+        cameras: (n,) in px of ``size``, None for a frame without one.
+        numbers: (n,) of the frames, ascending.
+        points_world: (P, 3) metres that are looked at.
+        size: (width, height) px.
+        steady: of the same cameras.
+    """
+    known = steady.px[np.isfinite(steady.px)]
+    usual = float(np.median(known)) if len(known) else 0.0
+    limit = max(LEAST_JUMP_PX, _TIMES_THE_USUAL * usual)
+    with np.errstate(invalid="ignore"):
+        unsteady = steady.px > limit
+    gone = np.array([camera is None for camera in cameras], dtype=bool)
+    shot = _Shot(cameras, numbers, points_world, size, limit)
+    return Interruptions(
+        _jumps(shot, _runs(unsteady), steady), _outages(gone, unsteady), unsteady, limit
+    )
+
+
+def _runs(marked: BoolArray) -> list[tuple[int, int]]:
+    """First and last of each run of marked places."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], marked, [False]))))
+    return [(int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+
+
+def _outages(gone: BoolArray, unsteady: BoolArray) -> tuple[Outage, ...]:
+    found = []
+    for first, last in _runs(gone):
+        back = next(
+            (i for i in range(last + 1, len(gone)) if not gone[i] and not unsteady[i]), None
+        )
+        found.append(Outage(first, last - first + 1, None if back is None else back - first))
+    return tuple(found)
+
+
+@dataclass(frozen=True, eq=False)
+class _Shot:
+    cameras: Sequence[Camera | None]
+    numbers: Sequence[int]
+    points_world: FloatArray
+    size: tuple[int, int]
+    limit_px: float
+
+    def off_px(self, before: int, after: int) -> float:
+        """How far frame ``after`` lies from where the steps around lead from ``before``, px, as the
+        error of one frame; infinite where nobody can tell."""
+        steps = [(before - 1, before), (after, after + 1)]
+        around = [s for s in steps if s[0] >= 0 and s[1] < len(self.cameras) and self._follow(*s)]
+        a, b = self._shown(before), self._shown(after)
+        if a is None or b is None or not around:
+            return float("inf")
+        speeds = [self._moved(*step) for step in around]
+        count = (self.numbers[after] - self.numbers[before]) / usual_step(self.numbers)
+        inside = ((a >= 0) & (a <= np.array(self.size) - 1)).all(axis=1)
+        off = (b - a - count * np.mean(speeds, axis=0))[inside]
+        squares = (off**2).sum(axis=1)
+        squares = squares[np.isfinite(squares)]
+        return float(np.sqrt(squares.mean())) / OF_ONE_FRAME if len(squares) else float("inf")
+
+    def _follow(self, one: int, other: int) -> bool:
+        return (
+            self.numbers[other] - self.numbers[one] == usual_step(self.numbers)
+            and self.cameras[one] is not None
+            and self.cameras[other] is not None
+        )
+
+    def _moved(self, one: int, other: int) -> FloatArray:
+        a, b = self._shown(one), self._shown(other)
+        assert a is not None  # they follow each other
+        assert b is not None
+        return b - a
+
+    def _shown(self, at: int) -> FloatArray | None:
+        camera = self.cameras[at]
+        if camera is None:
+            return None
+        px, valid = camera.project(self.points_world)
+        return np.where(valid[:, None], px, np.nan)
+
+
+def _jumps(shot: _Shot, runs: list[tuple[int, int]], steady: Steadiness) -> tuple[Jump, ...]:
+    """Each run of unsteady frames begins and ends beside a leap; two may be one there and back."""
+    found = []
+    number = 0
+    while number < len(runs):
+        before = runs[number][0]
+        largest = float(np.nanmax(steady.px[before : runs[number][1] + 1])) * OF_ONE_FRAME
+        back = None
+        following = number + 1
+        for later in range(number, len(runs)):
+            after = runs[later][1]
+            if after - before > _LOOKED_AHEAD:
+                break
+            if after - before < 2:
+                continue  # a single step: nothing between that could have been off
+            allowed = shot.limit_px * (1 + _ALLOWED_A_FRAME * (after - before))
+            if shot.off_px(before, after) <= allowed:
+                back, following = after - before - 1, later + 1
+                break
+        # There and back in one frame bends the course twice as much as a step does.
+        size = largest / 2 if back == 1 else largest
+        found.append(Jump(before + 1, size, back))
+        number = following
+    return tuple(found)

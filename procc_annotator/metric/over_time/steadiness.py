@@ -1,0 +1,172 @@
+"""How steadily cameras go from frame to frame: second differences of what they show.
+
+Of a course x the second difference at frame i is x[i-1] - 2 x[i] + x[i+1]: nothing where the motion
+is steady. Errors that frames make each by itself, of standard deviation s, give second differences
+of standard deviation sqrt(6) s; so everything here is divided by sqrt(6) and reads as the error of
+a single frame. What a camera really does by fits and starts counts as well; of a broadcast camera
+that is little from one frame to the next.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.camera.base import Camera
+from procc_annotator.field.model import Field
+from procc_annotator.field.sample import sample_every
+from procc_annotator.metric.ground import field_rectangle
+from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
+
+OF_ONE_FRAME = math.sqrt(6.0)  # a second difference is so many times one frame's error
+_PIECES = 120  # that the field's diagonal is cut into
+_FEWEST_POINTS = 4
+
+
+@dataclass(frozen=True, eq=False)
+class Steadiness:
+    """Of each of the n frames of a shot; NaN where it or a neighbour has no camera.
+
+    Attributes:
+        px: (n,) how far the field's points in sight lie from where steady motion would have them,
+            root mean square, px.
+        ground_m: (n,) the same on the ground: how far away the pixels of these points then mean.
+        step_px: (n,) how far they moved since the frame before, root mean square, px.
+    """
+
+    px: FloatArray
+    ground_m: FloatArray
+    step_px: FloatArray
+
+
+def neighbours(numbers: Sequence[int]) -> BoolArray:
+    """Which frames have one just before and one just after them.
+
+    Args:
+        numbers: (n,) of the frames of a shot, ascending; they need not be every frame of a video,
+            but where some are left out their neighbours do not follow each other.
+
+    Returns:
+        (n,) bool; ends are False.
+    """
+    found = np.zeros(len(numbers), dtype=bool)
+    if len(numbers) > 2:
+        steps = np.diff(numbers)
+        follows = steps == usual_step(numbers)
+        found[1:-1] = follows[:-1] & follows[1:]
+    return found
+
+
+def usual_step(numbers: Sequence[int]) -> int:
+    """By how much the numbers of a shot's frames go up, as a rule."""
+    steps, counts = np.unique(np.diff(numbers), return_counts=True)
+    return int(steps[counts.argmax()]) if len(steps) else 1
+
+
+def ground_points(field: Field) -> FloatArray:
+    """Places along everything that a field has on the ground, optional elements left out.
+
+    Returns:
+        (P, 3) metres, evenly spaced along the elements.
+
+    Raises:
+        UsageError: it has nothing on the ground.
+    """
+    around = field_rectangle(field)
+    spacing = math.hypot(around.right - around.left, around.bottom - around.top) / _PIECES
+    samples = sample_every(field, spacing)
+    rows = [i for i, e in enumerate(field.elements) if e.on_ground and not e.optional]
+    every = range(len(field.elements))
+    kept = rows or [i for i in every if field.elements[i].on_ground]
+    return np.concatenate([samples.of(i) for i in kept])
+
+
+def steadiness(
+    cameras: Sequence[Camera | None],
+    numbers: Sequence[int],
+    points_world: FloatArray,
+    size: tuple[int, int],
+) -> Steadiness:
+    """Second differences of where the cameras of a shot show the field.
+
+    Args:
+        cameras: (n,) in px of ``size``, None for a frame without one.
+        numbers: (n,) of the frames, ascending.
+        points_world: (P, 3) metres, see `ground_points`.
+        size: (width, height) px; the points that lie in the picture count.
+    """
+    count = len(cameras)
+    px, ground, steps = (np.full(count, np.nan) for _ in range(3))
+    seen = [_shown(camera, points_world) for camera in cameras]
+    between = neighbours(numbers)
+    follows: BoolArray = np.diff(np.array(numbers), prepend=numbers[0]) == usual_step(numbers)
+    for i in range(1, count):
+        if not follows[i]:
+            continue
+        steps[i] = _rms(_in_sight(seen[i], size) - seen[i - 1])
+        camera = cameras[i]
+        if not between[i] or camera is None:
+            continue
+        here = _in_sight(seen[i], size)
+        off = (seen[i - 1] - 2 * here + seen[i + 1]) / OF_ONE_FRAME
+        px[i] = _rms(off)
+        known = np.isfinite(off[:, 0])
+        if known.sum() >= _FEWEST_POINTS:
+            meant = ground_from_px(camera, here[known] - off[known])
+            ground[i] = _rms(meant - points_world[known, :2])
+    return Steadiness(px, ground, steps)
+
+
+def of_shot(values: FloatArray, left_out: BoolArray | None = None) -> float | None:
+    """The root mean square over the frames of a shot; None where no frame has a value.
+
+    Args:
+        values: (n,) of each frame.
+        left_out: (n,) frames that do not count, such as those of a jump.
+    """
+    counted = np.isfinite(values) if left_out is None else np.isfinite(values) & ~left_out
+    return float(np.sqrt(np.mean(values[counted] ** 2))) if counted.any() else None
+
+
+def second_differences(values: FloatArray, numbers: Sequence[int]) -> FloatArray:
+    """Second differences of a course, as the error of one frame.
+
+    Args:
+        values: (n,) or (n, d) of each frame, NaN where it has none.
+        numbers: (n,) of the frames.
+
+    Returns:
+        (n,) root of the summed squares over d; NaN where a neighbour is missing.
+    """
+    found: NDArray[np.float64] = np.full(len(values), np.nan)
+    table = values.reshape(len(values), -1)
+    at: IntArray = np.flatnonzero(neighbours(numbers))
+    off = (table[at - 1] - 2 * table[at] + table[at + 1]) / OF_ONE_FRAME
+    found[at] = np.sqrt((off**2).sum(axis=1))
+    return found
+
+
+def _shown(camera: Camera | None, points_world: FloatArray) -> FloatArray:
+    if camera is None:
+        return np.full((len(points_world), 2), np.nan)
+    px, valid = camera.project(points_world)
+    return np.where(valid[:, None], px, np.nan)
+
+
+def _in_sight(px: FloatArray, size: tuple[int, int]) -> FloatArray:
+    """(P, 2) the same, NaN outside the picture."""
+    with np.errstate(invalid="ignore"):
+        outside = ((px < 0) | (px > np.array(size) - 1)).any(axis=1, keepdims=True)
+    return np.where(outside, np.nan, px)
+
+
+def _rms(off: FloatArray) -> float:
+    """Of lengths of (P, 2) differences; NaN where fewer than four are known."""
+    squares = (off**2).sum(axis=1)
+    known = squares[np.isfinite(squares)]
+    return float(np.sqrt(known.mean())) if len(known) >= _FEWEST_POINTS else math.nan

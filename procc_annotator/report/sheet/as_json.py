@@ -1,0 +1,31 @@
+"""Figures and sheets as JSON; what is undefined is null, NaN never reaches a file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import msgspec
+
+from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.sheet import Sheet, records
+
+
+def figure_entry(figures: Iterable[Figure], values: object) -> dict[str, Any]:
+    """Figures by their keys, taken from values that have them as attributes."""
+    return {figure.key: figure.of(values) for figure in figures}
+
+
+def sheet_entry(sheet: Sheet) -> dict[str, Any]:
+    """A whole sheet: what it shows, and its rows by the keys of the columns."""
+    return {
+        "title": sheet.title,
+        "described": sheet.described,
+        "notes": list(sheet.notes),
+        "rows": list(records(sheet)),
+    }
+
+
+def json_bytes(content: Any, *, indent: int = 1) -> bytes:
+    """A file for people and programs."""
+    return msgspec.json.format(msgspec.json.encode(content), indent=indent) + b"\n"

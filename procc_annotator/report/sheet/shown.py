@@ -1,0 +1,75 @@
+"""A sheet as people see it: headings and texts, the same on the terminal, a page and in LaTeX."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from procc_annotator.report.sheet.figure import Better
+from procc_annotator.report.sheet.sheet import Sheet
+
+
+@dataclass(frozen=True, slots=True)
+class ShownColumn:
+    """A heading, with what is better and where it stands."""
+
+    heading: str
+    better: Better | None
+    numeric: bool
+    group: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """What is shown, and whether it stands out."""
+
+    text: str
+    bold: bool = False
+
+
+@dataclass(frozen=True)
+class ShownSheet:
+    """Texts of a sheet; columns that are joined share a cell."""
+
+    caption: str
+    columns: tuple[ShownColumn, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    notes: tuple[str, ...]
+    parts: tuple[int, ...]
+
+    @property
+    def groups(self) -> tuple[tuple[str, int], ...]:
+        """Groups of columns with their widths; empty where no column has one."""
+        spans: list[tuple[str, int]] = []
+        for column in self.columns:
+            if spans and spans[-1][0] == column.group:
+                spans[-1] = column.group, spans[-1][1] + 1
+            else:
+                spans.append((column.group, 1))
+        return tuple(spans) if any(name for name, _ in spans) else ()
+
+
+def shown(sheet: Sheet) -> ShownSheet:
+    """A sheet as texts."""
+    columns = tuple(
+        ShownColumn(
+            column.heading, column.figure.better if column.figure else None,
+            column.numeric, column.group,
+        )
+        for column in sheet.columns
+        if not column.joined
+    )  # fmt: skip
+    rows = tuple(_cells(sheet, at) for at in range(len(sheet.rows)))
+    return ShownSheet(sheet.caption, columns, rows, sheet.notes, sheet.parts)
+
+
+def _cells(sheet: Sheet, at: int) -> tuple[Cell, ...]:
+    cells: list[Cell] = []
+    figure = sheet.of_rows[at] if sheet.of_rows else None
+    for place, (column, value) in enumerate(zip(sheet.columns, sheet.rows[at], strict=True)):
+        text = column.text(value, figure)
+        if not column.joined:
+            cells.append(Cell(text, (at, place) in sheet.bold))
+        elif value is not None:
+            before = cells[-1]
+            cells[-1] = Cell(before.text + column.joined.format(text), before.bold)
+    return tuple(cells)

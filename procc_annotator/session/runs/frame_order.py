@@ -1,0 +1,149 @@
+"""Which frames of a set follow each other: by a table, or by their names.
+
+The table, ``frames.csv``, lies in the dataset's folder. It has a header; ``frame`` and ``shot`` or
+``number`` are needed: the shot a frame belongs to, and its number within it or in its video. The
+``track.csv`` of a track is such a table, too.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+
+from natsort import natsorted
+
+from procc_annotator.errors import InputError
+from procc_annotator.io.csv_text import csv_cells, formula_text
+
+_FRAME, _SHOT, _NUMBER = "frame", "shot", "number"
+_ADVICE = "the file needs a header like: frame,shot,number"
+_NUMBERED = re.compile(r"(.*?)([0-9]+)")
+# Numbers that go up by more than so many usual steps begin another shot.
+_MOST_STEPS_MISSING = 25
+
+
+@dataclass(frozen=True)
+class ShotFrames:
+    """Frames of one camera without a cut.
+
+    Attributes:
+        name: of the shot.
+        frames: names, in order.
+        numbers: of each, ascending: when it was taken, counted in frames.
+    """
+
+    name: str
+    frames: tuple[str, ...]
+    numbers: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class FrameOrder:
+    """What a table says of frames.
+
+    Attributes:
+        told_by: the file.
+        shots: frame -> its shot, "" where the table has none.
+        numbers: frame -> its number; the place of its row in the table, where that has none.
+    """
+
+    told_by: str
+    shots: Mapping[str, str]
+    numbers: Mapping[str, int]
+
+    @classmethod
+    def read(cls, path: Path) -> FrameOrder:
+        """Read a ``frames.csv``.
+
+        Raises:
+            InputError: it cannot be read, or what is wrong and where.
+        """
+        table = csv_cells(path)
+        if not table:
+            raise InputError(path, "is empty", advice=_ADVICE)
+        header = [cell.strip() for cell in table[0][1]]
+        if header.count(_FRAME) != 1 or not {_SHOT, _NUMBER} & set(header):
+            raise InputError(path, f"has no columns {_FRAME!r} and {_SHOT!r}", advice=_ADVICE)
+        shots: dict[str, str] = {}
+        numbers: dict[str, int] = {}
+        for place, (line, cells) in enumerate(table[1:]):
+            row = dict(zip(header, (cell.strip() for cell in cells), strict=False))
+            frame = formula_text(row.get(_FRAME, ""))
+            if not frame or frame in shots:
+                problem = f"frame {frame!r} again" if frame else "names no frame"
+                raise InputError(path, problem, place=f"line {line}")
+            number = row.get(_NUMBER, str(place))
+            if not re.fullmatch("[0-9]{1,12}", number):
+                raise InputError(path, f"{number!r} is no number", place=f"line {line}")
+            shots[frame] = formula_text(row.get(_SHOT, ""))
+            numbers[frame] = int(number)
+        return cls(path.name, shots, numbers)
+
+    def shots_of(self, frames: Iterable[str]) -> list[ShotFrames]:
+        """The shots that some frames make; frames that the table does not name are in none.
+
+        Args:
+            frames: names.
+        """
+        found: dict[str, list[str]] = {}
+        for frame in frames:
+            if frame in self.shots:
+                found.setdefault(self.shots[frame], []).append(frame)
+        return [
+            ShotFrames(name or self.told_by, tuple(own), tuple(self.numbers[f] for f in own))
+            for name in natsorted(found)
+            for own in [sorted(found[name], key=self.numbers.__getitem__)]
+        ]
+
+
+def shots_by_name(frames: Iterable[str]) -> list[ShotFrames]:
+    """Shots by the names of frames: what comes before a number names the shot.
+
+    Where numbers leave more than 25 usual steps out, another shot begins. Frames whose names do not
+    end with a number follow no other.
+
+    Args:
+        frames: names.
+    """
+    found: dict[str, list[tuple[int, str]]] = {}
+    for frame in frames:
+        if match := _NUMBERED.fullmatch(frame):
+            found.setdefault(match[1], []).append((int(match[2]), frame))
+    shots = []
+    for name in natsorted(found):
+        runs = _without_gaps(sorted(found[name]))
+        for own in runs:
+            first = own[0][1]
+            named = first if len(runs) > 1 or not name.strip("_- .") else name.rstrip("_- .")
+            shots.append(ShotFrames(named, tuple(f for _, f in own), tuple(n for n, _ in own)))
+    return shots
+
+
+def shots_from(begins: Sequence[range], frames: Sequence[str]) -> list[ShotFrames]:
+    """Shots between the cuts of a video or a folder of pictures.
+
+    Args:
+        begins: the numbers of the frames of each shot.
+        frames: names of all frames, by number.
+    """
+    return [
+        ShotFrames(frames[own[0]], tuple(frames[n] for n in own), tuple(own))
+        for own in begins
+        if len(own)
+    ]
+
+
+def _without_gaps(numbered: list[tuple[int, str]]) -> list[list[tuple[int, str]]]:
+    steps = sorted(b[0] - a[0] for a, b in pairwise(numbered) if b[0] > a[0])
+    most = _MOST_STEPS_MISSING * (steps[(len(steps) - 1) // 2] if steps else 1)
+    runs = [[numbered[0]]]
+    for before, now in pairwise(numbered):
+        if now[0] == before[0]:
+            continue  # 7 and 007
+        if now[0] - before[0] > most:
+            runs.append([])
+        runs[-1].append(now)
+    return runs

@@ -1,0 +1,369 @@
+"""How steady the cameras of a set are over its shots: jitter, leaps, wandering, frame offsets."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.errors import ImageError, InputError, UsageError
+from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.motion import Motion, carried_points, estimate_motion
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.io.source import FileSource
+from procc_annotator.metric.measure import Measurement, measure
+from procc_annotator.metric.over_time.frame_offset import FrameOffset, frame_offset, shifts
+from procc_annotator.metric.over_time.interruptions import Interruptions, interruptions
+from procc_annotator.metric.over_time.positions import (
+    PoseJitter,
+    Poses,
+    Vertigo,
+    Wander,
+    only_cameras,
+    pose_jitter,
+    poses_of,
+    vertigo,
+    wander,
+)
+from procc_annotator.metric.over_time.steadiness import (
+    Steadiness,
+    ground_points,
+    of_shot,
+    steadiness,
+)
+from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.metric.score import score
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.runs.execution.executor import Executor
+from procc_annotator.session.runs.frame_jitter import moves_on
+from procc_annotator.session.runs.frame_order import ShotFrames
+from procc_annotator.session.runs.set_run import (
+    AnnotationTask,
+    KeptOpen,
+    SetRun,
+    cameras_kept_open,
+    require_annotations,
+    source_kept_open,
+)
+
+# Of a point that is farther off, or not shown at all, so much counts towards a frame offset: at the
+# width of 960 px. One wild frame must not decide.
+_FARTHEST_OFF_PX = 20.0
+_MOST_PAIRS = 120  # of pictures of a shot whose motion is looked at
+_FEWEST_CARRIED = 6
+
+
+@dataclass(frozen=True, eq=False)
+class ShotOverTime:
+    """One source over one shot of n frames.
+
+    Attributes:
+        shot: its frames.
+        size: px of all figures.
+        steady: second differences of the projection.
+        poses: of each frame.
+        broken: jumps and outages.
+        jac: (n,) at the threshold, NaN for frames without an annotation or a camera.
+        offset: of cameras against annotations; None where too few frames can say.
+        picture_offset: of cameras against the motion of the pictures.
+        errors: cameras, annotations and pictures that cannot be read, one line each.
+    """
+
+    shot: ShotFrames
+    size: tuple[int, int]
+    steady: Steadiness
+    poses: Poses
+    broken: Interruptions
+    jac: FloatArray
+    offset: FrameOffset | None
+    picture_offset: FrameOffset | None
+    errors: tuple[str, ...] = ()
+
+    @property
+    def jitter_px(self) -> float | None:
+        """Of the projection, px; frames of a jump left out."""
+        return of_shot(self.steady.px, self.broken.unsteady)
+
+    @property
+    def jitter_m(self) -> float | None:
+        """The same on the ground, metres."""
+        return of_shot(self.steady.ground_m, self.broken.unsteady)
+
+    @cached_property
+    def pose_jitter(self) -> PoseJitter:
+        """Of pan, tilt, roll, zoom and position."""
+        return pose_jitter(self.poses, self.shot.numbers, self.broken.unsteady)
+
+    @cached_property
+    def wander(self) -> Wander | None:
+        """Of the position, implied or not."""
+        return wander(self.poses)
+
+    @cached_property
+    def vertigo(self) -> Vertigo | None:
+        """Position against focal length."""
+        return vertigo(self.poses)
+
+    @property
+    def outage_share(self) -> float:
+        """Frames without a camera, of all."""
+        lost = sum(outage.length for outage in self.broken.outages)
+        return lost / len(self.shot.frames)
+
+    @property
+    def mean_jac(self) -> float | None:
+        """Over the frames that have one."""
+        known = self.jac[np.isfinite(self.jac)]
+        return float(known.mean()) if len(known) else None
+
+    def jac_third(self, third: int) -> float | None:
+        """Mean JaC in the first (0), the middle (1) and the last (2) third of the shot."""
+        own = np.array_split(self.jac, 3)[third]
+        known = own[np.isfinite(own)]
+        return float(known.mean()) if len(known) else None
+
+    @property
+    def follows(self) -> bool:
+        """Whether the frames of the shot show what those before them showed."""
+        return moves_on(self.steady.step_px, self.size)
+
+
+@dataclass(frozen=True)
+class MeasureShots(AnnotationTask):
+    """Measures chunks of shots.
+
+    Attributes:
+        cameras: of one source.
+        setup: field, size and protocol.
+        threshold: px, of JaC.
+        camera_size: picture size the cameras refer to, where their files do not say.
+        files: frame -> its annotation file.
+        pictures: frame -> its picture; none: pictures are not looked at.
+    """
+
+    cameras: KeptOpen[CameraCollection]
+    setup: EvaluationSetup
+    threshold: float
+    camera_size: tuple[int, int] | None
+    files: Mapping[str, str]
+    pictures: Mapping[str, Path]
+
+    def __call__(self, chunk: Sequence[ShotFrames]) -> tuple[list[ShotOverTime], None]:
+        points = ground_points(self.setup.field)
+        return [self._measured(shot, points) for shot in chunk], None
+
+    def close(self) -> None:
+        """Close what a worker opened."""
+        super().close()
+        self.cameras.close()
+
+    def _measured(self, shot: ShotFrames, points: FloatArray) -> ShotOverTime:
+        errors: list[str] = []
+        given = [self._camera(name, errors) for name in shot.frames]
+        cameras, size = only_cameras(given), self.setup.size
+        steady = steadiness(cameras, shot.numbers, points, size)
+        # Those known by their projections alone are no outage.
+        there = [a if a is not None else _unknown(b) for a, b in zip(cameras, given, strict=True)]
+        broken = interruptions(there, shot.numbers, points, size, steady)
+        jac, offset = self._against_clicks(shot, given, errors)
+        moved = self._against_pictures(shot, given, points, errors) if self.pictures else None
+        return ShotOverTime(
+            shot, size, steady, poses_of(given, size), broken, jac, offset, moved, tuple(errors)
+        )
+
+    def _camera(self, name: str, errors: list[str]) -> CameraOrProjections | None:
+        cameras = self.cameras.opened
+        if name not in cameras.frames:
+            return None
+        try:
+            return fit_to_size(cameras.read(name), self.setup.size, self.camera_size)[0]
+        except InputError as error:
+            errors.append(str(error))
+            return None
+
+    # --- against annotations ---
+
+    def _against_clicks(
+        self, shot: ShotFrames, cameras: Sequence[CameraOrProjections | None], errors: list[str]
+    ) -> tuple[FloatArray, FrameOffset | None]:
+        jac = np.full(len(cameras), np.nan)
+        at = {number: place for place, number in enumerate(shot.numbers)}
+        rows = []
+        for place, name in enumerate(shot.frames):
+            annotation = self._annotation(name, errors)
+            if annotation is None or not annotation.annotated:
+                continue
+            setup = self.setup.of_frame(name)
+            row = np.full(len(shifts()), np.nan)
+            for column, shift in enumerate(shifts().tolist()):
+                there = at.get(shot.numbers[place] + shift)
+                camera = None if there is None else cameras[there]
+                if camera is None:
+                    continue
+                measurement = measure(annotation, camera, setup)
+                row[column] = _distance_px(measurement)
+                if shift == 0:
+                    jac[place] = score(measurement, self.threshold).jac
+            rows.append(row)
+        return jac, frame_offset(np.array(rows)) if rows else None
+
+    def _annotation(self, name: str, errors: list[str]) -> FrameAnnotation | None:
+        file = self.files.get(name)
+        if file is None:
+            return None
+        try:
+            return self.read(file, self.setup.field)
+        except InputError as error:
+            errors.append(str(error))
+            return None
+
+    # --- against the motion of the pictures ---
+
+    def _against_pictures(
+        self,
+        shot: ShotFrames,
+        given: Sequence[CameraOrProjections | None],
+        points: FloatArray,
+        errors: list[str],
+    ) -> FrameOffset | None:
+        cameras = only_cameras(given)
+        shown = [None if c is None else _shown(c.project(points)) for c in cameras]
+        at = {number: place for place, number in enumerate(shot.numbers)}
+        pairs = [n for n, place in at.items() if n + 1 in at and self._seen(shot, place)]
+        every = max(1, -(-len(pairs) // _MOST_PAIRS))
+        rows = []
+        for number in pairs[::every]:
+            motion = self._motion(shot.frames[at[number]], shot.frames[at[number + 1]], errors)
+            if motion is None:
+                continue
+            row = np.full(len(shifts()), np.nan)
+            for column, shift in enumerate(shifts().tolist()):
+                one, other = at.get(number + shift), at.get(number + shift + 1)
+                if one is None or other is None:
+                    continue
+                row[column] = _carried_px(motion, shown[one], shown[other], self.setup.size)
+            rows.append(row)
+        return frame_offset(np.array(rows)) if rows else None
+
+    def _seen(self, shot: ShotFrames, place: int) -> bool:
+        return all(name in self.pictures for name in shot.frames[place : place + 2])
+
+    def _motion(self, before: str, now: str, errors: list[str]) -> Motion | None:
+        try:
+            pictures = [decode_bgra(self.pictures[name]) for name in (before, now)]
+        except ImageError as error:
+            errors.append(str(error))
+            return None
+        found = estimate_motion(*pictures)
+        if found is None:
+            return None
+        height, width = pictures[0].shape[:2]
+        to = [(a - 1) / (b - 1) for a, b in zip(self.setup.size, (width, height), strict=True)]
+        scale = np.diag([*to, 1.0])
+        whole = scale @ found.current_from_previous @ np.linalg.inv(scale)
+        return Motion(whole, found.inliers, found.matches)
+
+
+class OverTimeRun(SetRun[ShotFrames, ShotOverTime, None]):
+    """One pass of one source over shots; iterate it once."""
+
+    chunk = 1
+
+    def __init__(
+        self,
+        shots: Sequence[ShotFrames],
+        annotations: FileSource,
+        cameras: CameraCollection,
+        setup: EvaluationSetup,
+        threshold: float,
+        *,
+        camera_size: tuple[int, int] | None = None,
+        pictures: Mapping[str, Path] | None = None,
+        executor: Executor | None = None,
+    ) -> None:
+        """Prepare the pass.
+
+        Args:
+            shots: see `frame_order`; frames without a camera in them are outages.
+            pictures: frame -> its picture, where cameras are to be held against what moves in them.
+
+        Raises:
+            UsageError: no annotation, or no shot of three frames.
+        """
+        if all(len(shot.frames) < 3 for shot in shots):
+            raise UsageError(
+                "nothing to do over time: no three frames follow each other (their names end with"
+                " no numbers that count on); say which do in a frames.csv: frame,shot,number"
+            )
+        task = MeasureShots(
+            source_kept_open(annotations),
+            cameras_kept_open(cameras),
+            setup,
+            threshold,
+            camera_size,
+            dict(require_annotations(annotations)),
+            dict(pictures or {}),
+        )
+        super().__init__(shots, task, executor)
+
+
+def require_shots(found: Sequence[ShotOverTime], told_by: str) -> None:
+    """Refuse figures over time of frames that have nothing to do with each other.
+
+    Raises:
+        UsageError: in most shots the field is somewhere else in every frame.
+    """
+    lost = [one for one in found if not one.follows]
+    if 2 * len(lost) > len(found):
+        raise UsageError(
+            f"the frames do not follow each other ({told_by}): from one to the next the field moves"
+            " by more than a quarter of the picture; say which do in a frames.csv:"
+            " frame,shot,number"
+        )
+
+
+class _Unknown:
+    """Stands for a camera that is there, and of which nothing is known but projections."""
+
+    def project(self, points_world: FloatArray) -> tuple[FloatArray, np.ndarray]:
+        count = len(points_world)
+        return np.full((count, 2), np.nan), np.zeros(count, dtype=bool)
+
+
+def _unknown(given: CameraOrProjections | None) -> _Unknown | None:
+    return None if given is None else _Unknown()
+
+
+def _distance_px(measurement: Measurement) -> float:
+    """Mean distance of the clicks, as far as it counts; what is not shown is as far as can be."""
+    farthest = _FARTHEST_OFF_PX * measurement.setup.size[0] / 960
+    labels = measurement.plain
+    count = sum(labels.point_counts)
+    if not count:
+        return float("nan")
+    near = np.nan_to_num(labels.all_distances, nan=farthest).clip(max=farthest)
+    return float((near.sum() + farthest * (count - len(near))) / count)
+
+
+def _shown(projected: tuple[FloatArray, np.ndarray]) -> FloatArray:
+    px, valid = projected
+    return np.where(valid[:, None], px, np.nan)
+
+
+def _carried_px(
+    motion: Motion, before: FloatArray | None, now: FloatArray | None, size: tuple[int, int]
+) -> float:
+    """How far the pictures' motion and the cameras' are apart over what is in sight, px."""
+    if before is None or now is None:
+        return float("nan")
+    inside = ((before >= 0) & (before <= np.array(size) - 1)).all(axis=1)
+    off = np.hypot(*(carried_points(motion, before[inside]) - now[inside]).T)
+    farthest = _FARTHEST_OFF_PX * size[0] / 960
+    off = off[np.isfinite(off)].clip(max=farthest)
+    return float(off.mean()) if len(off) >= _FEWEST_CARRIED else float("nan")

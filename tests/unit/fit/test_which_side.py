@@ -1,0 +1,79 @@
+"""Turned labels are found in a set, told with a remedy, and only where they can be turned."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.labels.finding import RemedyKind, Rule, Severity
+from procc_annotator.fit.labels.orientation import renamed
+from procc_annotator.fit.which_side import (
+    OnOtherSide,
+    Stand,
+    frames_on_other_side,
+    other_side_finding,
+    stand_of,
+)
+from procc_annotator.session.clicks.remedies import rename_classes
+
+STAND = Stand((0.0, -70.0, -16.0), ((0.1, 0, 0), (0, 1.0, 0), (0, 0, 0.1)), "R", True)
+FOUND = OnOtherSide(5, 9, STAND)
+
+
+@pytest.fixture(scope="module")
+def frames(views) -> dict[str, FrameAnnotation]:
+    rng = np.random.default_rng(8)
+    made = {}
+    for i, pan in enumerate(np.deg2rad([-28, -15, 4, 17, 30])):
+        tilt = float(np.arctan2(np.hypot(70, 60 * np.tan(pan)), 16))
+        camera = PinholeCamera(pan, tilt, 0.0, (0, 70, -16), (1700, 1700), (479.5, 269.5))
+        made[f"f{i}"] = views.clicks(camera, rng)
+    return made
+
+
+def test_turned_frames_are_found_and_turned_back(frames, field) -> None:
+    turned = {name: field.half_turn.name_of(name) for name in field.index}
+    given = {n: renamed(a, turned) if n == "f3" else a for n, a in frames.items()}
+    stands = {name: stand_of(fit_camera(a, field)) for name, a in given.items()}
+    found = frames_on_other_side(stands, field)
+    assert set(found) == {"f3"}
+    finding = other_side_finding(given["f3"], field, found["f3"])
+    assert (finding.rule, finding.severity) == (Rule.OTHER_SIDE, Severity.ERROR)
+    (remedy,) = finding.remedies
+    assert remedy.kind is RemedyKind.RELABEL
+    mended = rename_classes(given["f3"], dict(remedy.renamed), field)
+    assert mended == frames["f3"]
+
+
+def test_a_homography_and_a_failed_fit_stand_nowhere(frames, field) -> None:
+    assert stand_of(fit_camera(frames["f1"], field, model="H")) is None
+    assert stand_of(fit_camera(FrameAnnotation(()), field)) is None
+
+
+def test_a_field_whose_sides_differ_tells_by_itself(frames, field) -> None:
+    stands = {name: stand_of(fit_camera(a, field)) for name, a in frames.items()}
+    stands["f0"] = replace(stands["f0"], position_m=(0.0, -70.0, -16.0))
+    assert frames_on_other_side(stands, replace(field, symmetries=())) == {}
+
+
+def test_labels_that_half_a_turn_leaves_as_they_are_say_nothing(field) -> None:
+    middle = FrameAnnotation((Polyline("Middle line", (Point(0.2, 0.2), Point(0.3, 0.6))),))
+    assert other_side_finding(middle, field, FOUND) is None
+
+
+@pytest.mark.parametrize(
+    ("found", "severity"),
+    [
+        (replace(FOUND, stand=replace(STAND, is_sure=False)), Severity.WARNING),
+        (replace(FOUND, opposite=0), Severity.HINT),
+    ],
+)
+def test_how_sure_it_is(frames, field, found, severity) -> None:
+    finding = other_side_finding(frames["f2"], field, found)
+    assert finding.severity is severity
+    assert RemedyKind.RELABEL in {remedy.kind for remedy in finding.remedies}
