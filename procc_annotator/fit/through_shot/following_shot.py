@@ -19,7 +19,7 @@ from procc_annotator.fit.on_paint.painted import Painted, painted_of
 from procc_annotator.fit.on_paint.result import fit_result
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import X, Z
-from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.through_shot.chain import Chain, chain_of
 from procc_annotator.fit.through_shot.following import Followed, follow
 from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
@@ -248,11 +248,18 @@ class _Work:
             if now.number - since in _TRIES:
                 proposal = self.propose(now.picture, self.field, known)
                 reason = proposal.reason
-                if proposal.state == SURE:
-                    return now.number, _belief_of(proposal.fit)
+                if proposal.state == SURE and proposal.fit.vector is not None:
+                    return now.number, self._belief_of(proposal.fit.vector, proposal.fit)
             if now.number not in self.found:
                 self._lose(now.number, reason)
         return end, None
+
+    def _belief_of(self, vector: FloatArray, fit: FitResult) -> Belief:
+        """What is believed of a proposed camera (11,): what the paint of its picture told, if its
+        fit says how much that is."""
+        if fit.covariance is None:
+            return belief_at(vector, self.field, self.painted, self.picture)
+        return Belief(vector, np.asarray(np.linalg.inv(fit.covariance)))
 
     def _position_near(self, number: int) -> tuple[KnownPosition, ...]:
         """Where the camera of the frame before stood, if it is of the same shot."""
@@ -274,13 +281,6 @@ def _beliefs(chain: Chain, numbers: Iterable[int]) -> dict[int, Belief]:
     """What is believed of the cameras of some frames of a chain."""
     steps = dict(zip(chain.numbers, chain.steps, strict=True))
     return {number: steps[number].belief for number in numbers}
-
-
-def _belief_of(fit: FitResult) -> Belief:
-    """What is believed of a camera that was refined on the paint of its picture."""
-    assert fit.vector is not None
-    assert fit.covariance is not None
-    return Belief(fit.vector, np.asarray(np.linalg.inv(fit.covariance)))
 
 
 def _may_move(still: Smoothed, asked: int) -> bool:
