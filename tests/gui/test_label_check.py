@@ -600,8 +600,9 @@ def test_a_turned_frame_is_told_by_the_set_and_turned_back(
     assert told()[0] is Rule.OTHER_SIDE  # also once the frame was looked at anew
     press(window, Qt.Key.Key_F12)
     checked(window, qtbot)
-    turned_back, turned_line = (a.get(f"Side line {side}") for a, side in
-                                ((document.annotation, "right"), (before, "left")))
+    turned_back, turned_line = (
+        a.get(f"Side line {side}") for a, side in ((document.annotation, "right"), (before, "left"))
+    )
     assert turned_back is not None
     assert turned_line is not None
     assert turned_back.points == turned_line.points
