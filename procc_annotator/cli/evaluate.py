@@ -4,31 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import options, outputs
+from procc_annotator.cli import chance_options, options, outputs, over_time
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
     report_like_cameras,
     report_mismatch,
     report_notices,
     report_remarks,
+    report_unreadable,
 )
 from procc_annotator.cli.evaluations import Plan
+from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.over_time import SourceOverTime
 from procc_annotator.report.scores import tables
+from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet
 from procc_annotator.report.scores.score_table import append_rows, check_table
 from procc_annotator.report.scores.scoring import Evaluations, Outcome, Scored
 from procc_annotator.report.scores.tables import EvaluationRow, evaluations_table
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.tags import Tags, check_by
+from procc_annotator.session.runs.tags import MODEL, Tags, check_by
 from procc_annotator.words import count_of, first_of, listed
 
 HELP = """\
@@ -90,9 +94,10 @@ TagsFile = Annotated[
 By = Annotated[
     list[str] | None,
     typer.Option(
-        metavar="TAG|model",
+        metavar="TAG|model|zoom|elements|side|shot",
         show_default=False,
-        help="Also the figures by this tag, or by the model of the camera; repeat for several."
+        help="Also the figures by this tag, or by the model of the camera; with intervals by zoom,"
+        " number of elements, the camera's side and shot, too; repeat for several."
         "  [default: every tag of --tags]",
     ),
 ]
@@ -117,6 +122,8 @@ class _Call:
         by: what to group frames by.
         written_to: files of figures.
         table: the table that grows, if any.
+        recipe: where what the figures were made from is written, if anywhere.
+        over_time: what is asked over the shots of the sets, if anything.
     """
 
     plan: Plan
@@ -128,9 +135,13 @@ class _Call:
     camera_size: tuple[int, int] | None
     written_to: Sequence[Path]
     table: Path | None
+    recipe: RecipeFor | None
+    over_time: over_time.OverTimeCall | None
+    chance: ChanceTerms | None
 
 
 def evaluate(
+    context: typer.Context,
     annotations: Annotations = None,
     cameras: Cameras = None,
     sets: Sets = None,
@@ -147,8 +158,20 @@ def evaluate(
     mirrored: options.Mirrored = False,
     tags: TagsFile = None,
     by: By = None,
+    intervals: chance_options.Intervals = False,
+    cluster: chance_options.Cluster = None,
+    interval_method: chance_options.IntervalMethod = "t",
+    power: chance_options.Power = False,
+    click_noise: chance_options.Noise = None,
+    draws: chance_options.Count = 10_000,
+    seed: chance_options.Seed = 1,
     output: options.FigureFiles = None,
     table: TableFile = None,
+    recipe: RecipeOption = None,
+    steady: over_time.OverTime = False,
+    shots: over_time.Shots = None,
+    pictures: over_time.Pictures = None,
+    over_time_output: over_time.Output = None,
     workers: options.Workers = None,
     dask: options.Dask = None,
 ) -> None:
@@ -156,6 +179,8 @@ def evaluate(
     if table is not None:
         check_table(table)
         outputs.check_output_folder(table)
+    if recipe is not None:
+        outputs.check_output_folder(recipe)
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
     fields = plan.fields(field, lines)
     first = next(iter(fields.values()))
@@ -165,14 +190,29 @@ def evaluate(
     ]
     thresholds = options.thresholds_or_default(threshold)
     read_tags = None if tags is None else Tags.read(tags)
+    grouped, derived = chance_options.parted_by(by, read_tags, cluster)
+    groups = () if grouped is None else check_by(grouped, read_tags)
+    terms = None
+    if intervals or power or click_noise is not None or cluster is not None or derived:
+        parts = [name for name in (*groups, *derived) if name != MODEL]
+        terms = chance_options.chance_terms(
+            read_tags, dict(plan.sets), cluster, parts, interval_method, draws, seed,
+            shots=shots, power=power, click_noise=click_noise,
+        )  # fmt: skip
     call = _Call(
-        plan, fields, setups, thresholds, read_tags, check_by(by or [], read_tags),
+        plan, fields, setups, thresholds, read_tags, groups,
         options.shown_size(camera_size), written_to, table,
+        None if recipe is None else RecipeFor(recipe, context, FieldAsked(field, lines)),
+        over_time.OverTimeCall.of(steady, shots, pictures, over_time_output), terms,
     )  # fmt: skip
     # The figures took long to make: a file that cannot be written must not take them along.
     unwritten: dict[Path, ProccError] = {}
-    scored = _score(call, workers, dask, unwritten)
-    code = _tell(call, scored, unwritten)
+    scored, told, steadiness = _score(call, workers, dask, unwritten)
+    code = _tell(call, scored, told, unwritten)
+    if call.over_time is not None:
+        call.over_time.tell(steadiness)
+        known = {error for one in scored for error in one.errors}
+        code = max(code, report_unreadable(over_time.errors(steadiness, known)))
     for failure in unwritten.values():
         typer.echo(f"procc-annotator: {failure}", err=True)
     raise typer.Exit(2 if unwritten else code)
@@ -180,10 +220,10 @@ def evaluate(
 
 def _score(
     call: _Call, workers: int | None, dask: str | None, unwritten: dict[Path, ProccError]
-) -> list[Scored]:
+) -> tuple[list[Scored], Sequence[ToldOfSet], list[SourceOverTime]]:
     """Do the work; what could not be written goes to ``unwritten``."""
     named = call.plan.named or len(call.setups) > 1
-    outcome = Outcome(call.written_to, named=named, rows=call.table is not None)
+    outcome = Outcome(call.written_to, named=named, rows=call.table is not None, chance=call.chance)
     with ExitStack() as files:
         asked = call.plan.open(
             files, call.fields, call.setups, call.by, call.tags, camera_size=call.camera_size
@@ -192,25 +232,41 @@ def _score(
             of = f"{one.set_name}: " if len(call.plan.sets) > 1 else ""
             report_mismatch(one.annotations, one.setup.field, of)
             report_like_cameras(one.annotations, of)
+        more = call.over_time.written_to if call.over_time else ()
         inputs: list[outputs.Input] = [s for one in asked for s in (one.annotations, one.cameras)]
         if call.tags is not None:
             inputs.append(call.tags.path)
-        for path in (*call.written_to, *([call.table] if call.table else [])):
+        own = [] if call.table is None else [call.table]
+        own += [] if call.recipe is None else [call.recipe.path]
+        for path in (*call.written_to, *own, *more):
             outputs.check_not_an_input(path, inputs)
         evaluations = Evaluations.prepare(asked, call.thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
-            return evaluations.score(executor, progress=with_progress, unwritten=unwritten)
+            steady = call.over_time
+            found = [] if steady is None else steady.run(asked, call.thresholds[0], executor)
+            scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
+        if call.recipe is not None:
+            tags = None if call.tags is None else call.tags.path
+            call.recipe.write(asked, [one.summaries for one in scored], tags)
+        return scored, evaluations.told, found
 
 
-def _tell(call: _Call, scored: list[Scored], unwritten: dict[Path, ProccError]) -> int:
+def _tell(
+    call: _Call,
+    scored: list[Scored],
+    told: Sequence[ToldOfSet],
+    unwritten: dict[Path, ProccError],
+) -> int:
     """Add to the table, print everything; returns the exit code for what was read."""
     said = [f"written: {path}" for path in call.written_to if path not in unwritten]
+    said += [] if call.recipe is None else [f"written: {call.recipe.path}"]
     if call.table is not None:
         try:
             said.append(_add_to_table(call.table, scored))
         except ProccError as error:
             unwritten[call.table] = error
     print_all(scored)
+    print_chance(told)
     for line in said:
         typer.echo(line)
     if call.tags is not None:
@@ -235,6 +291,15 @@ def print_all(scored: list[Scored]) -> None:
             if group.by == by
         ]
         console.print(evaluations_table(f"By {by}", (by, "set", "method"), rows))
+
+
+def print_chance(told: Sequence[ToldOfSet]) -> None:
+    """The sheets of every set."""
+    console = stdout_console()
+    for one in told:
+        for sheet in one.sheets:
+            named = f"{one.set_name}: {sheet.title}" if len(told) > 1 else sheet.title
+            console.print(replace(sheet, title=named))
 
 
 def print_scores(scored: Scored) -> None:

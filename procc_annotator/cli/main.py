@@ -35,6 +35,7 @@ COMMANDS = (
     LazyCommand(
         "report", "Report how well sources of cameras agree with annotations, side by side."
     ),
+    LazyCommand("repeat", "Make the figures of a recipe again, and say what differs."),
     LazyCommand(
         "calibrate", "Fit a camera to the annotation of every frame; pictures are not looked at."
     ),

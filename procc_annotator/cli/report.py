@@ -13,6 +13,7 @@ import typer
 
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
 from procc_annotator.cli.sources import SourceSpec, parse_sources
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -33,6 +34,7 @@ from procc_annotator.report.page.reporting import (
     report_kind,
     write_report,
 )
+from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.workspace import Workspace
@@ -120,6 +122,7 @@ PictureWidth = Annotated[
 
 
 def report(
+    context: typer.Context,
     dataset: Dataset,
     cameras: options.Sources = None,
     output: Output = None,
@@ -142,6 +145,7 @@ def report(
     disagreement: Disagreement = None,
     reference: Reference = None,
     picture_width: PictureWidth = 960,
+    recipe: RecipeOption = None,
     workers: options.Workers = None,
     dask: options.Dask = None,
 ) -> None:
@@ -156,10 +160,14 @@ def report(
         title or f"Cameras of {name}", date or datetime.date.today().isoformat(),
         worst, random, seed,
         tuple(_pair(text) for text in disagreement or ()), reference=reference or "",
+        recipe="" if recipe is None else recipe.name,
     )  # fmt: skip
     check_request(request, [spec.name for spec in specs])
     place = annotation_place(dataset, setup.field, annotations)
-    call = _Call(name, specs, setup, thresholds, request, written, picture_width)
+    if recipe is not None:
+        outputs.check_output_folder(recipe)
+    asked = None if recipe is None else RecipeFor(recipe, context, FieldAsked(field, lines))
+    call = _Call(name, specs, setup, thresholds, request, written, picture_width, asked)
     gathered, problems = _make(call, *place, options.shown_size(camera_size), workers, dask)
     raise typer.Exit(_tell(call, gathered, problems))
 
@@ -175,6 +183,7 @@ class _Call:
     request: ReportRequest
     written: Sequence[Path]
     picture_width: int
+    recipe: RecipeFor | None
 
 
 def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]:
@@ -208,13 +217,21 @@ def _make(
         named = list(zip(call.specs, collections, strict=True))
         for spec, collection in named:
             datasets.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
-        for path in call.written:
+        for path in (*call.written, *([call.recipe.path] if call.recipe else [])):
             outputs.check_not_an_input(path, [source, *collections])
         work_ahead = len(list_annotations(source)) * _cost(call.request, len(call.specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
         work = Work(executor, camera_size, with_progress)
         judged = [NamedCameras(spec.name, collection) for spec, collection in named]
         gathered = gather_report(call.name, source, judged, call.setup, call.thresholds, work)
+        if call.recipe is not None:
+            asked = [
+                Asked(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
+                for spec, cameras in named
+            ]
+            figures = [one.summaries for one in gathered.sources]
+            used = [(one, found) for one, found in zip(asked, figures, strict=True) if found]
+            call.recipe.write([one for one, _ in used], [found for _, found in used])
         sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
         material = Material(source, sets, pictures)
         drawing = _drawing(call)
@@ -223,7 +240,7 @@ def _make(
 
 def _tell(call: _Call, gathered: AuditReport, problems: list[str]) -> int:
     """Say what was written and what went wrong; returns the exit code."""
-    for path in call.written:
+    for path in (*call.written, *([call.recipe.path] if call.recipe else [])):
         typer.echo(f"written: {path}")
     in_pixels = dict.fromkeys(s.in_pixels for s in gathered.sources if s.in_pixels)
     datasets.report_remarks(map(in_pixels_words, in_pixels))

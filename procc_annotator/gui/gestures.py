@@ -15,6 +15,8 @@ GESTURES: tuple[tuple[str, str], ...] = (
     ("Hold ,", "look at the compared camera source"),
     ("Tap ,", "judge with the compared source, compare with this one"),
     ("Hold Ctrl", "click beside the line: no snapping"),
+    ("Ctrl+Alt + drag a line", "camera: it follows, the place stays as a peg"),
+    ("Ctrl+Alt + click a peg", "camera: take the peg away"),
     ("Right button", "menu of what is under the cursor"),
     ("Enter", "accept the current ghost"),
     ("Shift+Enter", "accept all ghosts"),

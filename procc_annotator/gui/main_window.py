@@ -135,7 +135,10 @@ class MainWindow(QMainWindow):
             document, lambda: self.ghost_tasks.accepting.least_support, self
         )
         self.canvas.editor.ask_first(
-            self.assistant.key, self.ghost_tasks.key, self.stretch_accepting.key
+            self.canvas.camera_hand.key,
+            self.assistant.key,
+            self.ghost_tasks.key,
+            self.stretch_accepting.key,
         )
         self.triage = Triage(document, self)
         self.worst_first = WorstFirst(document, self)

@@ -1,4 +1,4 @@
-"""Clip chords to the picture rectangle and join them to pieces."""
+"""Clip chords to the picture rectangle and join them to pieces; or leave them as they go on."""
 
 from __future__ import annotations
 
@@ -35,42 +35,65 @@ class Chords:
         )
 
 
-def clipped_polylines(chords: Chords, size: tuple[int, int], element_count: int) -> Polylines:
-    """The parts of chords inside [0, width - 1] x [0, height - 1], joined where curves continue.
+@dataclass(frozen=True, eq=False)
+class Courses:
+    """Where a camera puts the elements that it shows.
+
+    Attributes:
+        in_sight: the pieces in the picture.
+        unclipped: the same elements as they go on beyond it; no vertex of any other element.
+    """
+
+    in_sight: Polylines
+    unclipped: Polylines
+
+
+def courses_of(
+    chords: Chords, element: IntArray, element_count: int, size: tuple[int, int]
+) -> Courses:
+    """The parts of chords inside [0, width - 1] x [0, height - 1], joined where curves continue,
+    and all chords of the elements that have such a part.
 
     Args:
         chords: in any order; neighbours of one curve share an end's parameter exactly.
-        size: (width, height) px.
+        element: element of each row of the chords, ascending.
         element_count: number of elements of the field.
+        size: (width, height) px.
 
     Returns:
-        Separate pieces, never joined across a gap; a chord that only touches the border is dropped.
+        Separate pieces, never joined across a gap; a chord that only touches the border is not in
+        sight.
     """
     chords = chords.select(np.lexsort((chords.t[:, 0], chords.rows)))
     enter, leave = _clip_interval(chords.px, size)
     visible = (enter < leave) & (enter < 1) & (leave > 0)
-    chords, enter, leave = chords.select(visible), enter[visible], leave[visible]
-    count = len(enter)
-    continues = np.zeros(count, dtype=bool)
-    continues[1:] = (
-        (chords.rows[1:] == chords.rows[:-1])
-        & (chords.t[1:, 0] == chords.t[:-1, 1])
-        & (leave[:-1] == 1)
-        & (enter[1:] == 0)
-    )
-    limit = np.array(size) - 1.0
-    along = chords.px[:, 1] - chords.px[:, 0]
+    shown, enter, leave = chords.select(visible), enter[visible], leave[visible]
+    along = shown.px[:, 1] - shown.px[:, 0]
     # The ends themselves where nothing is cut: a + 1 * (b - a) may miss b by rounding.
-    begin = np.where(enter[:, None] > 0, chords.px[:, 0] + enter[:, None] * along, chords.px[:, 0])
-    end = np.where(leave[:, None] < 1, chords.px[:, 0] + leave[:, None] * along, chords.px[:, 1])
-    keep = np.ones((count, 2), dtype=bool)
+    begin = np.where(enter[:, None] > 0, shown.px[:, 0] + enter[:, None] * along, shown.px[:, 0])
+    end = np.where(leave[:, None] < 1, shown.px[:, 0] + leave[:, None] * along, shown.px[:, 1])
+    px = np.clip(np.stack((begin, end), axis=1), 0.0, np.array(size) - 1.0)
+    uncut = (leave[:-1] == 1) & (enter[1:] == 0)
+    in_sight = _joined(Chords(shown.rows, shown.t, px), uncut, element, element_count)
+    chords = chords.select(in_sight.detected[element[chords.rows]])
+    return Courses(in_sight, _joined(chords, np.True_, element, element_count))
+
+
+def _joined(
+    chords: Chords, uncut: BoolArray | np.bool_, element: IntArray, element_count: int
+) -> Polylines:
+    """Chords in order as pieces; uncut: (K - 1,) whether nothing lies between neighbours."""
+    continues = np.zeros(len(chords.rows), dtype=bool)
+    continues[1:] = (
+        (chords.rows[1:] == chords.rows[:-1]) & (chords.t[1:, 0] == chords.t[:-1, 1]) & uncut
+    )
+    keep = np.ones((len(continues), 2), dtype=bool)
     keep[:, 0] = ~continues
-    vertices = np.clip(np.stack((begin, end), axis=1)[keep], 0.0, limit)
-    is_end = np.zeros((count, 2), dtype=bool)
+    is_end = np.zeros((len(continues), 2), dtype=bool)
     is_end[:-1, 1] = ~continues[1:]
     is_end[-1:, 1] = True
-    rows = np.repeat(chords.rows[:, None], 2, axis=1)
-    return Polylines(vertices, rows[keep], is_end[keep], element_count)
+    rows = np.repeat(element[chords.rows, None], 2, axis=1)
+    return Polylines(chords.px[keep], rows[keep], is_end[keep], element_count)
 
 
 def _clip_interval(px: FloatArray, size: tuple[int, int]) -> tuple[FloatArray, FloatArray]:

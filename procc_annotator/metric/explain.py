@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+import numpy as np
+
 from procc_annotator.field.model import Field
 from procc_annotator.metric.measure import Measurement
+from procc_annotator.metric.polylines import BoolArray, Polylines
+from procc_annotator.metric.project import unclipped
 from procc_annotator.metric.score import ElementScore, FrameScore, Status
 
 _MOST_DIGITS = 6
@@ -47,6 +51,7 @@ def explain_score(
         measurement: what was scored.
         field: titles of the elements.
     """
+    beyond = _farthest_beyond(score, measurement)
     return tuple(
         ScoreExplanation(
             judged.name,
@@ -55,7 +60,8 @@ def explain_score(
             judged.deciding_point,
             judged.max_distance,
             judged.passes_above,
-            _sentence(judged, score.threshold, measurement, field),
+            _sentence(judged, score.threshold, measurement, field)
+            + _cut_off(beyond.get(judged.name), score.threshold),
         )
         for judged in score.elements
     )
@@ -94,6 +100,44 @@ def _sentence(judged: ElementScore, tau: float, measurement: Measurement, field:
             f" it passes at tau > {distance}."
         )
     return f"{who} is too far: point {number} is {distance} px off; it passes at tau > {distance}."
+
+
+def _farthest_beyond(score: FrameScore, measurement: Measurement) -> dict[str, float]:
+    """Of elements that are too far and leave the picture, where only what is in it is measured to:
+    the distance of the farthest point to the element as it goes on, px."""
+    shown, setup, labels = measurement.projected, measurement.setup, score.labelling
+    if not setup.is_official or shown.camera is None:
+        return {}
+    index = setup.tables.index
+    wanted = np.zeros(len(shown.names), dtype=bool)
+    wanted[[index[e.name] for e in score.elements if e.status == "too_far"]] = True
+    wanted &= _leaving(shown.polylines, setup.size)
+    if not wanted.any():
+        return {}
+    lines = unclipped(shown.camera, setup, wanted)
+    points = np.split(measurement.points_px, np.cumsum(labels.point_counts)[:-1])
+    return {
+        name: float(lines.segments.distances(px, np.full(len(px), row)).max())
+        for name, row, px in zip(labels.names, labels.rows.tolist(), points, strict=True)
+        if row >= 0 and lines.detected[row]
+    }
+
+
+def _leaving(lines: Polylines, size: tuple[int, int]) -> BoolArray:
+    """(E,) whether an element has a vertex on the border of the picture."""
+    on_border = ((lines.vertices == 0) | (lines.vertices == np.array(size) - 1)).any(axis=1)
+    leaving = np.zeros(lines.element_count, dtype=bool)
+    leaving[lines.element[on_border]] = True
+    return leaving
+
+
+def _cut_off(farthest: float | None, tau: float) -> str:
+    if farthest is None or not farthest < tau:
+        return ""
+    return (
+        f" As it goes on beyond the picture it is at most {px_text(farthest, tau)} px off, but"
+        " soccernet measures to what is in the picture alone."
+    )
 
 
 def _who(judged: ElementScore, field: Field) -> str:

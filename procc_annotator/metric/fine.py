@@ -1,4 +1,4 @@
-"""Projected elements as the ProCC paper defines them: true curves, clipped to the picture.
+"""Projected elements as the ProCC paper defines them: true curves, in the picture and beyond it.
 
 Elements are curves of a parameter t in [0, 1]. They are sampled coarsely, cut where the camera
 stops seeing them, then split until every chord that matters follows its curve, and clipped.
@@ -7,7 +7,7 @@ stops seeing them, then split until every chord that matters follows its curve, 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, reduce
 
 import numpy as np
@@ -15,8 +15,8 @@ import numpy as np
 from procc_annotator.camera.base import Camera, projects_only_ground
 from procc_annotator.field.geometry import Line, Part, Spot, angles_of, parts_of
 from procc_annotator.field.model import Field
-from procc_annotator.metric.clip import Chords, clipped_polylines
-from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray, Polylines
+from procc_annotator.metric.clip import Chords, Courses, courses_of
+from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
 
 _COARSE_M = 1.0
 _COARSE_CURVE_M = 0.5
@@ -26,6 +26,8 @@ _LEAST_INTERVALS = 16
 _TOLERANCE_PX = 0.0025
 # A chord at the border decides where the element ends, at any grazing angle, so it is nearly exact.
 _BORDER_TOLERANCE_PX = 1e-5
+# Beyond the picture it may leave it by this much of its distance from the picture, if that is more.
+_TOLERANCE_BEYOND = 1e-4
 # Below these lengths a chord is not split for being crooked: that is noise of the camera's numbers.
 _SHORT_PX = 0.008
 _BORDER_SHORT_PX = 0.005
@@ -127,9 +129,15 @@ class _Projector:
         return (px if seen.all() else np.where(seen[:, None], px, 0.0)), seen
 
 
-def fine_polylines(
-    camera: Camera, field: Field, curves: ElementCurves, size: tuple[int, int], *, halvings: int = 0
-) -> Polylines:
+def fine_courses(
+    camera: Camera,
+    field: Field,
+    curves: ElementCurves,
+    size: tuple[int, int],
+    *,
+    only: BoolArray | None = None,
+    halvings: int = 0,
+) -> Courses:
     """Project every element so finely that a finer sampling changes nothing.
 
     Args:
@@ -137,17 +145,24 @@ def fine_polylines(
         field: the sports field.
         curves: ``Curves.of(field)``.
         size: (width, height) px; elements are clipped to [0, width - 1] x [0, height - 1].
+        only: (E,) the elements wanted, if not all.
         halvings: how often to halve the spacing in the end (to check that it changes nothing).
 
     Returns:
-        The visible pieces of every element, px; distances to them are never NaN.
+        The visible pieces of every element, and how those elements go on beyond the picture as far
+        as the camera has a projection, px; distances to them are never NaN.
     """
     project = _Projector(camera, curves)
-    wanted = field.on_ground if projects_only_ground(camera) else np.ones(len(field.elements), bool)
+    wanted = np.ones(len(field.elements), dtype=bool) if only is None else only
+    if projects_only_ground(camera):
+        wanted = wanted & field.on_ground
     active = _coarse_chords(curves, wanted[curves.element], project)
+    in_reach = np.zeros(len(field.elements), dtype=bool)
+    in_reach[curves.element[active.rows[_near_picture(active, size)]]] = True
+    active = active.select(in_reach[curves.element[active.rows]])
     done: list[Chords] = []
     for _ in range(_ROUNDS):
-        active = active.select(_near_picture(active, size))
+        active = active.select(_gap(active, size) < sum(size))
         if not len(active.rows):
             break
         good, active = _split_crooked(active, project, size)
@@ -158,8 +173,7 @@ def fine_polylines(
         chords = _chords_between(
             chords.rows, *_with_probes(chords, np.array([0.5]), project), project
         )
-    shown = clipped_polylines(chords, size, len(curves.element))
-    return replace(shown, element=curves.element[shown.element], element_count=len(field.elements))
+    return courses_of(chords, curves.element, len(field.elements), size)
 
 
 def _coarse_chords(curves: ElementCurves, wanted: BoolArray, project: _Projector) -> Chords:
@@ -217,6 +231,16 @@ def _near_picture(chords: Chords, size: tuple[int, int]) -> BoolArray:
     return _touches(low, high, np.hypot(*(high - low).T), size)
 
 
+def _gap(chords: Chords, size: tuple[int, int]) -> FloatArray:
+    return _gap_of(*_bounds(chords.px), size)
+
+
+def _gap_of(low: FloatArray, high: FloatArray, size: tuple[int, int]) -> FloatArray:
+    """(K,) how far outside the picture boxes low..high (K, 2) begin, px; 0 within."""
+    gaps = np.maximum(np.maximum(-high, low - (np.array(size) - 1.0)), 0.0)
+    return np.maximum(gaps[:, 0], gaps[:, 1])
+
+
 def _bounds(px: FloatArray) -> tuple[FloatArray, FloatArray]:
     """(K, 2) least and largest coordinates of (K, n, 2); reducing a short axis is slow in numpy."""
     columns = [px[:, i] for i in range(px.shape[1])]
@@ -245,14 +269,16 @@ def _split_crooked(
     low, high = _bounds(px)
     touching = _touches(low, high, deviation, size)
     within = ~_touches_border(low, high, deviation, size)
-    straight = deviation <= np.where(within, _TOLERANCE_PX, _BORDER_TOLERANCE_PX)
+    at_border = touching & ~within
+    allowed = np.maximum(_TOLERANCE_PX, _TOLERANCE_BEYOND * _gap_of(low, high, size))
+    allowed[at_border] = _BORDER_TOLERANCE_PX
     length = np.hypot(*(px[:, -1] - px[:, 0]).T)
     # Not for an infinite deviation: a chord with an unseen point is no matter of noise.
-    tiny = np.maximum(length, deviation) < np.where(within, _SHORT_PX, _BORDER_SHORT_PX)
-    good = straight | tiny
-    split = touching & ~good
+    tiny = np.maximum(length, deviation) < np.where(at_border, _BORDER_SHORT_PX, _SHORT_PX)
+    good = (deviation <= allowed) | tiny
+    split = ~good
     quarters = _chords_between(chords.rows[split], t[split], px[split], seen[split], project)
-    return chords.select(touching & good), quarters
+    return chords.select(good), quarters
 
 
 def _with_probes(

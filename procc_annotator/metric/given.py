@@ -6,7 +6,7 @@ import numpy as np
 
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.field.model import Field
-from procc_annotator.metric.clip import Chords, clipped_polylines
+from procc_annotator.metric.clip import Chords, Courses, courses_of
 from procc_annotator.metric.official import visible_polylines
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray, Polylines
 
@@ -39,8 +39,9 @@ def given_official(
     )
 
 
-def given_fine(projections: ElementProjections, field: Field, size: tuple[int, int]) -> Polylines:
-    """The parts of the pieces inside the picture; a single vertex has none, unless it is a spot.
+def given_fine(projections: ElementProjections, field: Field, size: tuple[int, int]) -> Courses:
+    """The pieces, and their parts inside the picture; a single vertex has none, unless it is a
+    spot.
 
     Args: as `given_official`.
     """
@@ -50,9 +51,8 @@ def given_fine(projections: ElementProjections, field: Field, size: tuple[int, i
     spots = np.flatnonzero(is_spot[row] & (np.bincount(piece)[piece] == 1))
     position = np.arange(len(px), dtype=np.float64)
     ends = np.concatenate((np.column_stack((first, first + 1)), np.column_stack((spots, spots))))
-    return clipped_polylines(
-        Chords(row[ends[:, 0]], position[ends], px[ends]), size, len(field.elements)
-    )
+    rows = np.arange(len(field.elements))
+    return courses_of(Chords(row[ends[:, 0]], position[ends], px[ends]), rows, len(rows), size)
 
 
 def _vertices(

@@ -136,7 +136,7 @@ def measure_projected(
     annotation: FrameAnnotation, projected: ProjectedField, setup: EvaluationSetup
 ) -> Measurement:
     """Measure an annotation against an already projected field (while only points move)."""
-    return _measured([annotation], [projected], projected.polylines, setup)[0]
+    return _measured([annotation], [projected], projected.measured, setup)[0]
 
 
 def _measured(
@@ -145,7 +145,7 @@ def _measured(
     polylines: Polylines,
     setup: EvaluationSetup,
 ) -> list[Measurement]:
-    """Measurements of frames; polylines: all that is shown of them, `Polylines.joined`."""
+    """Measurements of frames; polylines: what distances are taken to, `Polylines.joined`."""
     labels = _Labels.of(annotations, shown, setup)
     turns = setup.tables.turns if setup.considers_mirrored else ()
     readings = [labels.rows, *(np.where(labels.rows >= 0, t[labels.rows], -1) for t in turns)]
@@ -178,7 +178,7 @@ def nearest_points(measurement: Measurement, labelling: Labelling) -> tuple[Floa
     """
     counts = np.array(labelling.point_counts, dtype=np.intp)
     hit = np.repeat(np.array(labelling.projected, dtype=bool), counts)
-    feet = measurement.projected.polylines.segments.feet(
+    feet = measurement.projected.measured.segments.feet(
         measurement.points_px[hit], np.repeat(labelling.rows, counts)[hit]
     )
     parts = iter(np.split(feet, labelling.starts[1:]))

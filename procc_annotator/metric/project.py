@@ -11,10 +11,11 @@ import numpy as np
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
 from procc_annotator.field.paint import paint_of
-from procc_annotator.metric.fine import fine_polylines
+from procc_annotator.metric.clip import Courses
+from procc_annotator.metric.fine import fine_courses
 from procc_annotator.metric.given import given_fine, given_official
 from procc_annotator.metric.official import official_polylines
-from procc_annotator.metric.polylines import FloatArray, Polylines
+from procc_annotator.metric.polylines import BoolArray, FloatArray, Polylines
 from procc_annotator.metric.setup import EvaluationSetup
 
 
@@ -25,16 +26,21 @@ class ProjectedField:
     Attributes:
         names: element names, in field order.
         polylines: the visible pieces as flat arrays, px of the evaluation size.
+        measured: what distances are taken to: the same elements as they go on beyond the picture,
+            or, as in the official evaluation, the visible pieces.
         left_out: classes that do not take part: elements off the ground, where only planar ones are
             evaluated, or for a camera that knows only the ground; optional ones, where the official
             evaluation is followed; landmarks whose place is not known.
         ground_only: whether the camera knows only the ground.
+        camera: in px of the evaluation size.
     """
 
     names: tuple[str, ...]
     polylines: Polylines
+    measured: Polylines
     left_out: frozenset[str] = frozenset()
     ground_only: bool = False
+    camera: CameraOrProjections | None = None
 
     @cached_property
     def pieces(self) -> dict[str, tuple[FloatArray, ...]]:
@@ -60,38 +66,59 @@ def project_fields(
     """The same for several frames at once, which is faster.
 
     Returns:
-        What each of them shows, and all of it as `Polylines.joined` has it.
+        What each of them shows, and what distances are taken to in all of them as
+        `Polylines.joined` has it.
     """
-    whole = _polylines(cameras, setup)
+    shown, measured = _polylines(cameras, setup)
     if setup.planar_only:
-        whole = whole.of_elements(np.tile(setup.tables.on_ground, len(cameras)))
+        planar = np.tile(setup.tables.on_ground, len(cameras))
+        shown, measured = shown.of_elements(planar), measured.of_elements(planar)
+    count = len(cameras)
     fields = [
-        _field(camera, polylines, setup)
-        for camera, polylines in zip(cameras, whole.of_frames(len(cameras)), strict=True)
+        _field(camera, pieces, near, setup)
+        for camera, pieces, near in zip(
+            cameras, shown.of_frames(count), measured.of_frames(count), strict=True
+        )
     ]
-    return fields, whole
+    return fields, measured
 
 
-def _polylines(cameras: Sequence[CameraOrProjections], setup: EvaluationSetup) -> Polylines:
+def _polylines(
+    cameras: Sequence[CameraOrProjections], setup: EvaluationSetup
+) -> tuple[Polylines, Polylines]:
+    """The visible pieces of all frames, and what is measured, `Polylines.joined`."""
+    if setup.is_official:
+        shown = _official(cameras, setup)
+        return shown, shown
+    courses = [_fine(camera, setup) for camera in cameras]
+    return (
+        Polylines.joined([frame.in_sight for frame in courses]),
+        Polylines.joined([frame.unclipped for frame in courses]),
+    )
+
+
+def _official(cameras: Sequence[CameraOrProjections], setup: EvaluationSetup) -> Polylines:
     real = [camera for camera in cameras if not isinstance(camera, ElementProjections)]
-    if setup.is_official and len(real) == len(cameras):
+    if len(real) == len(cameras):
         return official_polylines(real, setup.tables, setup.size)
-    return Polylines.joined([_polylines_of(camera, setup) for camera in cameras])
+    return Polylines.joined(
+        [
+            given_official(camera, setup.field, setup.size).of_elements(setup.tables.is_official)
+            if isinstance(camera, ElementProjections)
+            else official_polylines([camera], setup.tables, setup.size)
+            for camera in cameras
+        ]
+    )
 
 
-def _polylines_of(camera: CameraOrProjections, setup: EvaluationSetup) -> Polylines:
-    if not setup.is_official:
-        if isinstance(camera, ElementProjections):
-            return given_fine(camera, setup.field, setup.size)
-        return fine_polylines(camera, setup.field, setup.curves, setup.size)
-    if not isinstance(camera, ElementProjections):
-        return official_polylines([camera], setup.tables, setup.size)
-    given = given_official(camera, setup.field, setup.size)
-    return given.of_elements(setup.tables.is_official)
+def _fine(camera: CameraOrProjections, setup: EvaluationSetup) -> Courses:
+    if isinstance(camera, ElementProjections):
+        return given_fine(camera, setup.field, setup.size)
+    return fine_courses(camera, setup.field, setup.curves, setup.size)
 
 
 def _field(
-    camera: CameraOrProjections, polylines: Polylines, setup: EvaluationSetup
+    camera: CameraOrProjections, polylines: Polylines, measured: Polylines, setup: EvaluationSetup
 ) -> ProjectedField:
     tables = setup.tables
     ground_only = projects_only_ground(camera)
@@ -100,7 +127,19 @@ def _field(
         left_out |= tables.off_plane_names
     if setup.is_official:
         left_out |= tables.optional_names
-    return ProjectedField(tables.names, polylines, left_out, ground_only)
+    return ProjectedField(tables.names, polylines, measured, left_out, ground_only, camera)
+
+
+def unclipped(camera: CameraOrProjections, setup: EvaluationSetup, only: BoolArray) -> Polylines:
+    """Elements as they go on beyond the picture, whatever the protocol measures distances to.
+
+    Args:
+        camera, setup: as in `project_field`.
+        only: (E,) the elements wanted; of those that have no part in the picture nothing is found.
+    """
+    if isinstance(camera, ElementProjections):
+        return given_fine(camera, setup.field, setup.size).unclipped.of_elements(only)
+    return fine_courses(camera, setup.field, setup.curves, setup.size, only=only).unclipped
 
 
 def project_paint(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:

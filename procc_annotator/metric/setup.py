@@ -96,6 +96,15 @@ class EvaluationSetup:
         placed = len({m.name for m in self.field.landmarks if m.position is not None})
         if placed and not self.is_official:
             words.append(count_of(placed, "landmark"))
+        return ", ".join([*words, *self.options(ground_only)])
+
+    def options(self, ground_only: bool = False) -> tuple[str, ...]:
+        """What was chosen besides protocol, size and field, in words.
+
+        Args:
+            ground_only: whether cameras that know only the ground were scored.
+        """
+        words = []
         if self.protocol == "procc" and self.considers_mirrored:
             words.append("mirrored labels allowed")
         if self.planar_only:
@@ -103,7 +112,7 @@ class EvaluationSetup:
         elif ground_only:
             how = "left out" if self.off_plane == "left_out" else "counted as missed"
             words.append(f"off-plane elements {how}")
-        return ", ".join(words)
+        return tuple(words)
 
     @property
     def tables(self) -> FieldTables:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import csv
 import heapq
-import io
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass
@@ -12,12 +10,9 @@ from pathlib import Path
 from typing import IO, Any, Protocol
 
 import msgspec
-from rich.table import Table
-from rich.text import Text
 
 from procc_annotator.errors import UsageError
 from procc_annotator.metric.agreement import (
-    AgreementFigures,
     AgreementSummary,
     ClassAgreement,
     FrameAgreement,
@@ -25,16 +20,33 @@ from procc_annotator.metric.agreement import (
 )
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import replacing, score_format
-from procc_annotator.report.scores.tables import percent_text, pixels, worst_words
-from procc_annotator.report.sheet.figure import DASH, shortest
+from procc_annotator.report.scores.tables import pixels, worst_words
+from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
+from procc_annotator.report.sheet.as_json import figure_entry
+from procc_annotator.report.sheet.figure import shortest, values_of
+from procc_annotator.report.sheet.figures import (
+    APART,
+    COMMON,
+    DISTANCES,
+    JAC,
+    LARGEST_PX,
+    LEFT_OUT,
+    MEDIAN_PX,
+    OF_AGREEMENT,
+    ONLY_A,
+    ONLY_B,
+    POINTS,
+)  # fmt: skip
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
 from procc_annotator.session.runs.agreement_run import AgreementResult, AgreementRun
 from procc_annotator.words import count_of
 
 WORST = 10
 
-CSV_COLUMNS = (
-    "name", "field", "width", "height", "class", "status",
-    "points", "left_out", "median", "p95", "max", "mirrored_hint", "error",
+_COLUMNS = (
+    Column("name"), Column("field"), whole("width"), whole("height"), Column("class"),
+    Column("status"), whole("points"), whole("left_out"), *map(of, DISTANCES),
+    Column("mirrored_hint", kind="yes_no"), Column("error"),
 )  # fmt: skip
 
 Progress = Callable[[Iterable[AgreementResult], int, str], Iterator[AgreementResult]]
@@ -144,76 +156,50 @@ def noise_floor_line(agreed: Agreed) -> str:
     )
 
 
-def jac_table(agreed: Agreed) -> Table:
+def jac_table(agreed: Agreed) -> Sheet:
     """One row a threshold: the JaC one annotator would score if the other were a camera."""
     summary = agreed.summary
-    compared = count_of(summary.frames, "frame")
-    table = _table(f"Agreement of {compared} both annotated", agreed.described)
-    for heading in ("tau px", "JaC %", "elements in common", "only A", "only B"):
-        table.add_column(heading, justify="right")
-    found = summary.overall
-    counts = [str(count) for count in (found.common, found.only_a, found.only_b)]
-    for tau, jac in summary.mean_jac.items():
-        table.add_row(shortest(tau), percent_text(jac), *counts)
-    return table
+    counts = (COMMON, ONLY_A, ONLY_B)
+    columns = (TAU, of(JAC), *(whole(figure.key, figure.title) for figure in counts))
+    found = values_of(counts, summary.overall)
+    rows = tuple((tau, jac, *found) for tau, jac in summary.mean_jac.items())
+    title = f"Agreement of {count_of(summary.frames, 'frame')} both annotated"
+    return Sheet("agreement", title, columns, rows, agreed.described)
 
 
-def agreement_classes_table(agreed: Agreed) -> Table:
+def agreement_classes_table(agreed: Agreed) -> Sheet:
     """Per class and, last, all classes together."""
-    table = _table("Distances between A and B", agreed.described)
-    table.add_column("class")
-    for heading in (
-        "points", "beyond", "elements in common", "apart", "only A", "only B",
-        "median px", "95 % px", "max px",
-    ):  # fmt: skip
-        table.add_column(heading, justify="right")
-    for name, figures in agreed.summary.per_class.items():
-        table.add_row(name.strip(), *_cells(figures))
-    table.add_section()
-    table.add_row("all", *_cells(agreed.summary.overall))
-    return table
-
-
-def _cells(figures: AgreementFigures) -> tuple[str, ...]:
-    counts = (
-        figures.points,
-        figures.left_out,
-        figures.common,
-        figures.apart,
-        figures.only_a,
-        figures.only_b,
+    per_class, overall = agreed.summary.per_class, agreed.summary.overall
+    told = (POINTS, LEFT_OUT, COMMON, APART, ONLY_A, ONLY_B)
+    columns = (
+        Column("class", "class"), *(whole(count.key, count.title) for count in told),
+        *map(of, DISTANCES),
+    )  # fmt: skip
+    rows = tuple(
+        (name, *values_of((*told, *DISTANCES), figures))
+        for name, figures in [*((n.strip(), f) for n, f in per_class.items()), ("all", overall)]
     )
-    distances = (figures.median, figures.p95, figures.largest)
-    return (*(str(count) for count in counts), *(pixels(d) for d in distances))
+    title, parts = "Distances between A and B", (len(per_class),)
+    return Sheet("classes", title, columns, rows, agreed.described, parts=parts)
 
 
-def worst_agreement_table(agreed: Agreed) -> Table:
+def worst_agreement_table(agreed: Agreed) -> Sheet:
     """The frames to look at first: lowest JaC, then largest distance."""
     tau = next(iter(agreed.summary.mean_jac))
-    table = _table(f"{worst_words(len(agreed.worst))} at {tau:g} px", agreed.described)
-    table.add_column("frame")
-    for heading in ("JaC %", "in common", "only A", "only B", "median px", "max px"):
-        table.add_column(heading, justify="right")
-    table.add_column("farthest element")
-    table.add_column("labels")
-    for row in agreed.worst:
-        table.add_row(
-            row.name,
-            percent_text(row.jac),
-            str(row.common),
-            str(row.only_a),
-            str(row.only_b),
-            pixels(row.median),
-            pixels(row.largest),
-            row.farthest or DASH,
-            "mirrored?" if row.mirrored_hint else "",
+    columns = (
+        Column("frame", "frame"), of(JAC), whole("common", "in common"), whole("only_a", "only A"),
+        whole("only_b", "only B"), of(MEDIAN_PX), of(LARGEST_PX),
+        Column("farthest", "farthest element"), Column("labels", "labels"),
+    )  # fmt: skip
+    rows = tuple(
+        (
+            row.name, row.jac, row.common, row.only_a, row.only_b, row.median, row.largest,
+            row.farthest, "mirrored?" if row.mirrored_hint else None,
         )
-    return table
-
-
-def _table(title: str, described: str) -> Table:
-    heading = Text.assemble((title, "bold"), "  ", (f"({described})", "dim"))
-    return Table(title=heading, title_justify="left", title_style="", header_style="bold")
+        for row in agreed.worst
+    )  # fmt: skip
+    title = f"{worst_words(len(agreed.worst))} at {tau:g} px"
+    return Sheet("worst_frames", title, columns, rows, agreed.described)
 
 
 # ----------------------------------------------------------------------------------------- files
@@ -266,13 +252,8 @@ class _JsonWriter:
 
 
 def _element_entry(found: ClassAgreement) -> dict[str, Any]:
-    return {
-        "median": found.median,
-        "p95": found.p95,
-        "max": found.largest,
-        "left_out": found.left_out,
-        "distances": found.distances.tolist(),
-    }
+    counts = {"left_out": found.left_out, "distances": found.distances.tolist()}
+    return figure_entry(DISTANCES, found) | counts
 
 
 def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
@@ -282,22 +263,8 @@ def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
         "frames_only_b": list(summary.frames_only_b),
         "mirrored_hint": list(summary.mirrored),
         "mean_jac": {shortest(tau): jac for tau, jac in summary.mean_jac.items()},
-        "noise_floor": _figures_entry(summary.overall),
-        "per_class": {name: _figures_entry(f) for name, f in summary.per_class.items()},
-    }
-
-
-def _figures_entry(figures: AgreementFigures) -> dict[str, Any]:
-    return {
-        "common": figures.common,
-        "apart": figures.apart,
-        "only_a": figures.only_a,
-        "only_b": figures.only_b,
-        "points": figures.points,
-        "left_out": figures.left_out,
-        "median": figures.median,
-        "p95": figures.p95,
-        "max": figures.largest,
+        "noise_floor": figure_entry(OF_AGREEMENT, summary.overall),
+        "per_class": {n: figure_entry(OF_AGREEMENT, f) for n, f in summary.per_class.items()},
     }
 
 
@@ -310,19 +277,19 @@ class _CsvWriter:
 
     def __init__(self, stream: IO[bytes], run: AgreementRun) -> None:
         self._stream = stream
-        self._terms = [run.field.described, *run.size]
-        self._write([CSV_COLUMNS])
+        self._terms = (run.field.described, *run.size)
+        stream.write(csv_header(_COLUMNS))
 
     def add(self, result: AgreementResult) -> None:
         frame = result.agreement
         if frame is None:
-            rows = [self._row(result.name, "", "unreadable", error="; ".join(result.errors))]
+            rows = [self._row(result.name, None, "unreadable", error="; ".join(result.errors))]
         else:
-            hint = str(frame.mirrored_hint).lower()
+            hint = frame.mirrored_hint
             rows = [self._class_row(result.name, c, hint) for c in frame.by_class.values()]
             for status, names in (("only_a", frame.only_a), ("only_b", frame.only_b)):
                 rows += [self._row(result.name, n, status, hint=hint) for n in names]
-        self._write(rows or [self._row(result.name, "", "empty")])
+        self._stream.write(csv_rows(_COLUMNS, rows or [self._row(result.name, None, "empty")]))
 
     def end(self, summary: AgreementSummary) -> None:
         """Frames of one annotator only; the figures of the set have no row of their own."""
@@ -330,25 +297,20 @@ class _CsvWriter:
             ("frame_only_a", summary.frames_only_a),
             ("frame_only_b", summary.frames_only_b),
         ):
-            self._write([self._row(name, "", status) for name in names])
+            self._stream.write(csv_rows(_COLUMNS, (self._row(n, None, status) for n in names)))
 
-    def _class_row(self, name: str, found: ClassAgreement, hint: str) -> list[Any]:
-        figures = (len(found.distances), found.left_out, found.median, found.p95, found.largest)
+    def _class_row(self, name: str, found: ClassAgreement, hint: bool) -> Row:
+        figures = (len(found.distances), found.left_out, *values_of(DISTANCES, found))
         status = "apart" if found.apart else "common"
         return self._row(name, found.class_name, status, figures, hint)
 
     def _row(
         self,
         name: str,
-        class_name: str,
+        class_name: str | None,
         status: str,
         figures: tuple[float | None, ...] = (None,) * 5,
-        hint: str = "",
-        error: str = "",
-    ) -> list[Any]:
-        return [name, *self._terms, class_name, status, *figures, hint, error]
-
-    def _write(self, rows: Iterable[Iterable[Any]]) -> None:
-        text = io.StringIO()
-        csv.writer(text, lineterminator="\n").writerows(rows)
-        self._stream.write(text.getvalue().encode())
+        hint: bool | None = None,
+        error: str | None = None,
+    ) -> Row:
+        return (name, *self._terms, class_name, status, *figures, hint, error)

@@ -5,20 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
-from rich.table import Table
 
 from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
-from procc_annotator.report.camera_tables import (
-    DEVIATION_COLUMNS,
-    csv_bytes,
-    deviation_cells,
-    in_file_units,
-)
+from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.figures import FRAME_ERROR, JAC
+from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
 from procc_annotator.report.targets import Interrupted, is_archive, open_target
 from procc_annotator.session.dataset.fit_sizes import SizesUsed
 from procc_annotator.session.runs.calibration_run import Calibrated
@@ -77,7 +74,7 @@ class CalibrationReport:
     failures: list[tuple[str, str]] = field(default_factory=list)
     errors: list[str] = field(default_factory=list)
     left_out: int = 0
-    deviations: list[tuple[float, ...]] = field(default_factory=list)
+    deviations: list[tuple[float | None, ...]] = field(default_factory=list)
     stale: list[str] = field(default_factory=list)
     open: list[str] = field(default_factory=list)
     folded: list[str] = field(default_factory=list)
@@ -106,7 +103,7 @@ def calibrate_set(
     worst = WorstFrames()
     written: set[str] = set()
     with open_target(out) as target:
-        rows = [_header(thresholds)]
+        rows: list[Row] = []
         try:
             for result in progress(run, run.total, "calibrating"):
                 if result.has_camera:
@@ -117,7 +114,8 @@ def calibrate_set(
                 _note(result, report)
         except KeyboardInterrupt:
             raise Interrupted(len(written), run.total) from None
-        target.write(TABLE_FILE, csv_bytes(rows))
+        table = Sheet("calibration", "", _columns(thresholds), tuple(rows))
+        target.write(TABLE_FILE, csv_bytes(table))
         for file_name, data in (more or {}).items():
             target.write(file_name, data)
     report.described, report.summaries = run.describe(), run.summary()
@@ -140,7 +138,7 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
     if result.folds:
         report.folded.append(result.name)
     if result.deviations is not None:
-        report.deviations.append(in_file_units(result.deviations))
+        report.deviations.append(deviation_values(result.deviations))
 
 
 def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
@@ -151,57 +149,49 @@ def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
                 yield file_name
 
 
-def _header(thresholds: tuple[float, ...]) -> list[Any]:
-    jacs = [f"jac_{threshold:g}" for threshold in thresholds]
-    return [
-        "name", "model", "elements", "left_out", *jacs, "mean_reprojection_error",
-        *DEVIATION_COLUMNS, "camera", "failure", "position", "width", "height", "hardly_determined",
-    ]  # fmt: skip
+def _columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:
+    return (
+        Column("name"), Column("model"), whole("elements"), Column("left_out"),
+        *(of(JAC, key=f"jac_{threshold:g}") for threshold in thresholds), of(FRAME_ERROR),
+        *DEVIATION_COLUMNS, Column("camera"), Column("failure"), Column("position"),
+        whole("width"), whole("height"), Column("hardly_determined"),
+    )  # fmt: skip
 
 
-def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
-    size = ("", "") if result.size is None else result.size.fitted
+def _row(result: Calibrated, thresholds: tuple[float, ...]) -> Row:
+    size = (None, None) if result.size is None else result.size.fitted
+    deviations = deviation_values(result.deviations if result.has_camera else None)
     if not result.has_camera:
-        blank = [""] * (len(thresholds) + 1 + len(DEVIATION_COLUMNS))
         why = result.error or result.failure
-        return [result.name, result.model, "", "", *blank, "", why, "", *size, ""]
+        empty = (None,) * (len(thresholds) + 3)
+        return (result.name, result.model, *empty, *deviations, None, why, None, *size, None)
     scores = [result.scores[threshold] for threshold in thresholds]
-    deviations = deviation_cells(result.deviations)
-    left_out = "; ".join(result.left_out)
-    jacs = [score.jac for score in scores]
-    return [
-        result.name, result.model, result.elements, left_out, *jacs, scores[0].mean_error,
-        *deviations, result.file_name, "", result.place, *size, result.open,
-    ]  # fmt: skip
+    jacs = (score.jac for score in scores)
+    return (
+        result.name, result.model, result.elements, "; ".join(result.left_out), *jacs,
+        scores[0].mean_error, *deviations, result.file_name, None, result.place, *size,
+        result.open,
+    )  # fmt: skip
 
 
-def deviations_table(report: CalibrationReport) -> Table:
+def deviations_table(report: CalibrationReport) -> Sheet:
     """How surely the cameras are known: median and 95th percentile of their standard deviations."""
-    table = Table(
-        title=f"Standard deviations of {count_of(len(report.deviations), 'camera')}",
-        caption=report.described,
-        title_justify="left",
-        caption_justify="left",
+    values = np.array(report.deviations, dtype=np.float64)
+    rows = tuple(
+        (label, *np.percentile(values, share, axis=0).tolist())
+        for label, share in (("median", 50), ("95 % of them below", 95))
     )
-    table.add_column("")
-    for heading in ("pan °", "tilt °", "roll °", "focal px", "x m", "y m", "z m"):
-        table.add_column(heading, justify="right")
-    values = np.array(report.deviations)
-    for label, share in (("median", 50), ("95 % of them below", 95)):
-        figures = np.percentile(values, share, axis=0)
-        table.add_row(label, *(f"{figure:.3g}" for figure in figures))
-    return table
+    title = f"Standard deviations of {count_of(len(report.deviations), 'camera')}"
+    columns = (Column("share"), *DEVIATION_COLUMNS)
+    return Sheet("deviations", title, columns, rows, notes=(report.described,))
 
 
-def failures_table(report: CalibrationReport) -> Table:
+def failures_table(report: CalibrationReport) -> Sheet:
     """Frames without a camera and the reason, the first ones of many."""
     title = f"{count_of(len(report.failures), 'frame')} without a camera"
-    table = Table(title=title, title_justify="left")
-    table.add_column("frame")
-    table.add_column("why")
-    for name, failure in report.failures[:_FAILURES_SHOWN]:
-        table.add_row(name, failure)
+    columns = (Column("frame", "frame"), Column("why", "why"))
     more = len(report.failures) - _FAILURES_SHOWN
-    if more > 0:
-        table.add_row("...", f"{more} more in {TABLE_FILE}")
-    return table
+    notes = (f"{more} more in {TABLE_FILE}",) if more > 0 else ()
+    return Sheet(
+        "failures", title, columns, tuple(report.failures[:_FAILURES_SHOWN]), notes=notes
+    )  # fmt: skip

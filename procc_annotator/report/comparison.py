@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, astuple, dataclass, field, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-import msgspec
+from typing import Any
 
 from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import Disagreement
-from procc_annotator.metric.legacy import Average
-from procc_annotator.metric.spread import Spread
+from procc_annotator.metric.legacy import Average, LegacyMetrics
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.scores.tables import percent_text
-from procc_annotator.report.sheet.figure import DASH
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.as_json import json_bytes
+from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
+from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
 from procc_annotator.session.runs.comparison_run import (
     CameraPair,
     ComparedFrame,
@@ -32,27 +30,15 @@ from procc_annotator.session.runs.comparison_run import (
 )
 from procc_annotator.words import count_of
 
-if TYPE_CHECKING:
-    from rich.table import Table
-
 WORST = 10
-FAR = 1000.0  # metres or px: whatever lies beyond says no more than this
 
-# Figure of a frame -> its title, unit, and factor from the value.
-LEGACY_ROWS: dict[str, tuple[str, str, float]] = {
-    "iou_part": ("IoU part", "%", 100.0),
-    "iou_whole": ("IoU whole", "%", 100.0),
-    "projection_m": ("projection error", "m", 1.0),
-    "reprojection": ("reprojection error, of image height", "%", 100.0),
-    "six_point_rmse_cm": ("six points, root mean square", "cm", 1.0),
-}
-
-CSV_COLUMNS = (
-    "name", "field", "width", "height",
-    "metres_min", "metres_median", "metres_max", "pixels_min", "pixels_median", "pixels_max",
-    "within_offside_accuracy", "compared_share",
-    "iou_whole", "iou_part", "projection_m", "projection_lost",
-    "reprojection", "reprojection_lost", "six_point_mse_cm2", "six_point_rmse_cm", "error",
+_LEGACY = tuple(one.name for one in fields(LegacyMetrics))
+_COLUMNS = (
+    Column("name"), Column("field"), whole("width"), whole("height"),
+    *(Column(f"{unit}_{end}", kind="number")
+      for unit in ("metres", "pixels") for end in ("min", "median", "max")),
+    of(WITHIN), Column("compared_share", kind="number"),
+    *(Column(name, kind="number") for name in _LEGACY), Column("error"),
 )  # fmt: skip
 
 Progress = Callable[[Iterable[ComparedFrame], int, str], Iterator[ComparedFrame]]
@@ -178,88 +164,55 @@ def paint_frames(
 # ---------------------------------------------------------------------------------------- tables
 
 
-def disagreement_table(compared: ComparisonReport) -> Table:
+def disagreement_table(compared: ComparisonReport) -> Sheet:
     """Metres and pixels over the set."""
     summary = compared.summary
     a, b = compared.names
-    count = count_of(summary.frames, "frame")
-    table = _table(f"Disagreement of {a} and {b} in {count}", compared.described)
-    table.add_column("")
-    for heading in ("min", "median of frames", "max"):
-        table.add_column(heading, justify="right")
-    table.add_column(f"within {OFFSIDE_ACCURACY_M:g} m", justify="right")
-    table.add_row("on the ground, m", *spread_cells(summary.metres), _share(summary.within))
-    table.add_row("in the picture, px", *spread_cells(summary.pixels), "")
-    return table
+    headings = ("min", "median of frames", "max")
+    columns = (Column("where"), *(Column(h, h, "number") for h in headings), of(WITHIN))
+    rows = (
+        ("on the ground, m", *values_of(METRES, summary.metres), summary.within),
+        ("in the picture, px", *values_of(PIXELS, summary.pixels), None),
+    )
+    title = f"Disagreement of {a} and {b} in {count_of(summary.frames, 'frame')}"
+    of_rows = (METRES[0], PIXELS[0])
+    return Sheet("disagreement", title, columns, rows, compared.described, of_rows=of_rows)
 
 
-def legacy_table(compared: ComparisonReport) -> Table:
+def legacy_table(compared: ComparisonReport) -> Sheet:
     """The metrics of earlier papers over the set."""
     a, b = compared.names
-    table = _table(f"{b} against {a} as reference", compared.described)
-    table.add_column("metric")
-    for heading in ("mean", "median", "frames"):
-        table.add_column(heading, justify="right")
-    for name, (title, unit, factor) in LEGACY_ROWS.items():
-        found = compared.summary.legacy.get(name, Average(None, None, 0))
-        values = (shown_number(value, factor) for value in (found.mean, found.median))
-        table.add_row(f"{title}, {unit}", *values, str(found.frames))
-    return table
+    columns = (
+        Column("metric", "metric"), Column("mean", "mean", "number"),
+        Column("median", "median", "number"), whole("frames"),
+    )  # fmt: skip
+    rows = []
+    for figure in LEGACY:
+        found = compared.summary.legacy.get(figure.key, Average(None, None, 0))
+        words = f"{figure.title}, {figure.unit}"
+        rows.append((words, found.mean, found.median, found.frames))
+    title = f"{b} against {a} as reference"
+    return Sheet("legacy", title, columns, tuple(rows), compared.described, of_rows=LEGACY)
 
 
-def worst_comparison_table(compared: ComparisonReport, count: int = WORST) -> Table:
+def worst_comparison_table(compared: ComparisonReport, count: int = WORST) -> Sheet:
     """The frames to look at first: largest median disagreement."""
     worst = worst_frames(compared.frames, count)
-    shown = count_of(len(worst), "frame")
-    table = _table(f"Largest disagreement, {shown}", compared.described)
-    table.add_column("frame")
-    for heading in (
-        "min m", "median m", "max m", f"within {OFFSIDE_ACCURACY_M:g} m", "median px", "max px",
-        "IoU part %", "IoU whole %", "projection m",
-    ):  # fmt: skip
-        table.add_column(heading, justify="right")
-    for frame in worst:
-        if frame.statistics is None or frame.legacy is None:
-            continue
-        metres, pixels, legacy = frame.statistics.metres, frame.statistics.pixels, frame.legacy
-        table.add_row(
-            frame.name,
-            *spread_cells(metres),
-            _share(frame.within),
-            *spread_cells(pixels)[1:],
-            percent_text(legacy.iou_part),
-            percent_text(legacy.iou_whole),
-            shown_number(legacy.projection_m),
+    told = LEGACY[:3]
+    columns = (
+        Column("frame", "frame"), *map(of, METRES), of(WITHIN), *map(of, PIXELS[1:]),
+        *map(of, told),
+    )  # fmt: skip
+    rows = tuple(
+        (
+            frame.name, *values_of(METRES, frame.statistics.metres), frame.within,
+            *values_of(PIXELS[1:], frame.statistics.pixels), *values_of(told, frame.legacy),
         )
-    return table
-
-
-def spread_cells(spread: Spread) -> tuple[str, str, str]:
-    """Least, median, largest with two decimals; dashes where there is none.
-
-    Next to a horizon distances are as large as one likes: above `FAR` only that is said.
-    """
-    return shown_number(spread.minimum), shown_number(spread.median), shown_number(spread.maximum)
-
-
-def shown_number(value: float | None, factor: float = 1.0) -> str:
-    """A distance or a share with two decimals, as everywhere disagreement is told."""
-    if value is None:
-        return DASH
-    number = factor * value
-    return f"{number:.2f}" if number <= FAR else f"> {FAR:.0f}"
-
-
-def _share(value: float | None) -> str:
-    return DASH if value is None else f"{100 * value:.1f} %"
-
-
-def _table(title: str, described: str) -> Table:
-    from rich.table import Table
-    from rich.text import Text
-
-    heading = Text.assemble((title, "bold"), "  ", (f"({described})", "dim"))
-    return Table(title=heading, title_justify="left", title_style="", header_style="bold")
+        for frame in worst
+        if frame.statistics is not None and frame.legacy is not None
+    )  # fmt: skip
+    title = f"Largest disagreement, {count_of(len(worst), 'frame')}"
+    return Sheet("worst_frames", title, columns, rows, compared.described)
 
 
 # ----------------------------------------------------------------------------------------- files
@@ -299,7 +252,7 @@ def _json(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
             "legacy": {name: asdict(average) for name, average in summary.legacy.items()},
         },
     }
-    return msgspec.json.format(msgspec.json.encode(content), indent=1) + b"\n"
+    return json_bytes(content)
 
 
 def _entry(frame: ComparedFrame) -> dict[str, Any]:
@@ -316,28 +269,16 @@ def _entry(frame: ComparedFrame) -> dict[str, Any]:
 
 
 def _csv(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
-    text = io.StringIO()
-    rows = csv.DictWriter(text, CSV_COLUMNS, lineterminator="\n")
-    rows.writeheader()
-    terms = {
-        "field": comparison.field.described,
-        "width": comparison.size[0],
-        "height": comparison.size[1],
-    }
-    for frame in compared.frames:
-        row: dict[str, Any] = {"name": frame.name, "error": "; ".join(frame.errors)} | terms
-        if frame.statistics is not None and frame.legacy is not None:
-            for unit in ("metres", "pixels"):
-                spread: Spread = getattr(frame.statistics, unit)
-                row |= {
-                    f"{unit}_min": spread.minimum,
-                    f"{unit}_median": spread.median,
-                    f"{unit}_max": spread.maximum,
-                }
-            row |= {
-                "within_offside_accuracy": frame.within,
-                "compared_share": frame.compared_share,
-            }
-            row |= asdict(frame.legacy)
-        rows.writerow(row)
-    return text.getvalue().encode()
+    terms = (comparison.field.described, *comparison.size)
+    rows = tuple(
+        (frame.name, *terms, *_values(frame), "; ".join(frame.errors))
+        for frame in compared.frames
+    )  # fmt: skip
+    return csv_bytes(Sheet("comparison", "", _COLUMNS, rows))
+
+
+def _values(frame: ComparedFrame) -> Row:
+    if frame.statistics is None or frame.legacy is None:
+        return (None,) * (8 + len(_LEGACY))
+    distances = (*astuple(frame.statistics.metres), *astuple(frame.statistics.pixels))
+    return (*distances, frame.within, frame.compared_share, *astuple(frame.legacy))

@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
-from rich.table import Table
-
 from procc_annotator.field.dimensions import Dimension
 from procc_annotator.field.geometry import (
     Arc,
@@ -21,6 +19,8 @@ from procc_annotator.field.geometry import (
 from procc_annotator.field.load import default_field_name
 from procc_annotator.field.model import MIDDLE, Element, Field
 from procc_annotator.field.paint import side_of_paint
+from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
 
 _KINDS: dict[type, str] = {
     Line: "line",
@@ -41,58 +41,66 @@ def size_of(field: Field) -> str:
     return f"{' x '.join(known)} m" if known else ""
 
 
-def list_table(fields: Iterable[Field]) -> Table:
+def list_table(fields: Iterable[Field]) -> Sheet:
     """One row a field."""
-    table = _table("Fields")
-    for heading in ("name", "sport", "size by the rules", "elements", "rules"):
-        table.add_column(heading, justify="right" if heading == "elements" else "left")
+    columns = (
+        Column("name", "name"), Column("sport", "sport"), Column("size", "size by the rules"),
+        whole("elements"), Column("rules", "rules"),
+    )  # fmt: skip
+    rows = []
     for field in fields:
-        elements = str(len(field.elements))
         is_default = field.name == default_field_name()
         name = f"{field.name} (default)" if is_default else field.name
-        table.add_row(name, field.title, size_of(field), elements, field.rules)
-    return table
+        rows.append((name, field.title, size_of(field), len(field.elements), field.rules))
+    return Sheet("fields", "Fields", columns, tuple(rows))
 
 
-def elements_table(field: Field) -> Table:
+def elements_table(field: Field) -> Sheet:
     """One row an element: what people and files call it, where and how long it is."""
-    table = _table(f"Elements of {field.title} (m)")
-    if any(side_of_paint(element) for element in field.elements):
-        table.caption = _PAINT_CAPTION
-        table.caption_justify = "left"
-    headings = ("element", "class in files", "group", "key", "kind", "length", "height", "paint")
-    for heading in headings:
-        table.add_column(heading, justify="right" if heading == "length" else "left")
-    for element in field.elements:
-        kind = _kind(element.geometry) + (", optional" if element.optional else "")
-        length = "" if element.is_spot else f"{length_of(element.geometry):.2f}"
-        table.add_row(
+    length = of(Figure("length", "length"))
+    columns = (
+        Column("element", "element"), Column("class", "class in files"), Column("group", "group"),
+        Column("shortcut", "key"), Column("kind", "kind"), length, Column("height", "height"),
+        Column("paint", "paint"),
+    )  # fmt: skip
+    rows: list[Row] = [
+        (
             element.title,
             repr(element.name) if element.name != element.name.strip() else element.name,
             element.group,
             element.shortcut,
-            kind,
-            length,
+            _kind(element.geometry) + (", optional" if element.optional else ""),
+            None if element.is_spot else float(length_of(element.geometry)),
             _heights(element.geometry),
             _paint(element),
         )
-    for name in field.classes_without_geometry:
-        table.add_row("", name, "", "", "without geometry", "", "", "")
-    return table
+        for element in field.elements
+    ]
+    rows += [
+        (None, name, None, None, "without geometry", None, None, None)
+        for name in field.classes_without_geometry
+    ]
+    sided = any(side_of_paint(element) for element in field.elements)
+    notes = (_PAINT_CAPTION,) if sided else ()
+    return Sheet(
+        "elements", f"Elements of {field.title} (m)", columns, tuple(rows), notes=notes
+    )  # fmt: skip
 
 
-def dimensions_table(field: Field) -> Table:
+def dimensions_table(field: Field) -> Sheet:
     """One row a dimension, with what the rules allow."""
-    table = _table("Dimensions (m)")
-    for heading in ("dimension", "name", "here", "rules"):
-        table.add_column(heading, justify="right" if heading == "here" else "left")
-    for dimension in field.dimensions:
-        allowed = _range(dimension, " to ") if dimension.is_open else "fixed"
-        here = f"{dimension.value:.10g}"
-        if dimension.value != dimension.nominal:
-            here += f" (nominal {dimension.nominal:.10g})"
-        table.add_row(dimension.title, dimension.name, here, allowed)
-    return table
+    columns = (
+        Column("dimension", "dimension"), Column("name", "name"), Column("here", "here", "number"),
+        Column("nominal", kind="number", joined=" (nominal {})"), Column("rules", "rules"),
+    )  # fmt: skip
+    rows = tuple(
+        (
+            d.title, d.name, d.value, None if d.value == d.nominal else d.nominal,
+            _range(d, " to ") if d.is_open else "fixed",
+        )
+        for d in field.dimensions
+    )  # fmt: skip
+    return Sheet("dimensions", "Dimensions (m)", columns, rows)
 
 
 def facts(field: Field) -> list[str]:
@@ -149,7 +157,3 @@ def _paint(element: Element) -> str:
         return ""
     side = side_of_paint(element)
     return f"{element.line_width:.3g}{', ' if side else ''}{side}"
-
-
-def _table(title: str) -> Table:
-    return Table(title=title, title_justify="left")

@@ -2,31 +2,27 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
-
-import msgspec
+from typing import Any, NamedTuple
 
 from procc_annotator.errors import UsageError
 from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severity
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.csv_text import no_formula
 from procc_annotator.report.field_terms import field_terms
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.as_json import json_bytes
+from procc_annotator.report.sheet.sheet import Column, Row, Sheet, whole
 from procc_annotator.session.runs.check_run import Checked, CheckRun
 from procc_annotator.words import count_of
 
-if TYPE_CHECKING:
-    from rich.table import Table
-
-CSV_COLUMNS = (
-    "frame", "severity", "rule", "elements", "reason", "suggestion", "point", "error_px", "model",
-    "width", "height",
+_COLUMNS = (
+    Column("frame"), Column("severity"), Column("rule"), Column("elements"), Column("reason"),
+    Column("suggestion"), whole("point"), Column("error_px", kind="number", written=".2f"),
+    Column("model"), whole("width"), whole("height"),
 )  # fmt: skip
 UNREADABLE = "unreadable"
 NO_CAMERA = "no camera"
@@ -172,27 +168,21 @@ def findings_csv(report: CheckReport) -> bytes:
     severity), then one an unreadable annotation.
 
     Elements are named exactly as in annotation files, spaces at their ends included.
-
-    Text that a spreadsheet would run as a formula gets a leading apostrophe.
     """
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(CSV_COLUMNS)
+    rows: list[Row] = []
+    nothing = (None,) * 4  # suggestion, point, error and model
     for name, finding, size in report.found:
         elements = "; ".join(finding.elements)
-        point = "" if finding.point is None else finding.point + 1
-        error = "" if finding.error_px is None else f"{finding.error_px:.2f}"
-        words = (name, finding.severity, finding.rule, elements, finding.reason)
-        cells = (*words, _suggestion(finding))
-        table.writerow([*map(no_formula, cells), point, error, finding.model or "", *size])
+        words = (name, finding.severity.value, finding.rule.value, elements, finding.reason)
+        point = None if finding.point is None else finding.point + 1
+        where = (_suggestion(finding), point, finding.error_px, finding.model)
+        rows.append((*words, *where, *size))
     for name, _, failure, size in report.without_camera:
-        known = (name, "", NO_CAMERA, "", f"by eye only: {failure}")
-        empty = [""] * (len(CSV_COLUMNS) - len(known) - len(size))
-        table.writerow([*map(no_formula, known), *empty, *size])
+        rows.append((name, None, NO_CAMERA, None, f"by eye only: {failure}", *nothing, *size))
     for name, problem in report.unreadable:
-        known = (name, Severity.ERROR, UNREADABLE, "", problem)
-        table.writerow([*map(no_formula, known), *[""] * (len(CSV_COLUMNS) - len(known))])
-    return text.getvalue().encode()
+        known = (name, Severity.ERROR.value, UNREADABLE, None, problem)
+        rows.append((*known, *nothing, None, None))
+    return csv_bytes(Sheet("findings", "Findings", _COLUMNS, tuple(rows)))
 
 
 def findings_json(report: CheckReport, run: CheckRun) -> bytes:
@@ -209,7 +199,7 @@ def findings_json(report: CheckReport, run: CheckRun) -> bytes:
         ],
         "unreadable": [{"frame": n, "problem": problem} for n, problem in report.unreadable],
     }
-    return msgspec.json.format(msgspec.json.encode(content), indent=2) + b"\n"
+    return json_bytes(content, indent=2)
 
 
 def _only(sizes: Iterable[tuple[int, int]]) -> list[int] | None:
@@ -246,27 +236,23 @@ def _suggestion(finding: Finding) -> str:
     return " or ".join(alike) if first.kind is not RemedyKind.LOOK else first.text
 
 
-def counts_table(report: CheckReport) -> Table:
+def counts_table(report: CheckReport) -> Sheet:
     """One row a rule that found something: how often, and how surely."""
-    from rich.table import Table
-
-    table = Table(
-        title=f"Checked {count_of(report.frames, 'frame')}",
-        caption=report.described,
-        title_justify="left",
-        caption_justify="left",
-    )
-    table.add_column("found")
-    for severity in Severity:
-        table.add_column(f"{severity}s", justify="right")
+    columns = (
+        Column("rule", "found"), *(whole(severity.value, f"{severity}s") for severity in Severity)
+    )  # fmt: skip
     counts = Counter((told.finding.rule, told.finding.severity) for told in report.found)
-    for rule in Rule:
-        own = [counts[rule, severity] for severity in Severity]
-        if any(own):
-            table.add_row(rule.value, *(str(count or "") for count in own))
-    table.add_section()
-    table.add_row("frames concerned", *(str(report.frames_with(s)) for s in Severity))
-    return table
+    by_rule: list[Row] = [(rule.value, *(counts[rule, s] for s in Severity)) for rule in Rule]
+    rows = [row for row in by_rule if any(row[1:])]
+    concerned: Row = ("frames concerned", *(report.frames_with(severity) for severity in Severity))
+    return Sheet(
+        "findings",
+        f"Checked {count_of(report.frames, 'frame')}",
+        columns,
+        (*rows, concerned),
+        notes=(report.described,),
+        parts=(len(rows),),
+    )
 
 
 def by_eye_words(report: CheckReport) -> list[str]:
@@ -285,22 +271,20 @@ def by_eye_words(report: CheckReport) -> list[str]:
     ]
 
 
-def findings_table(report: CheckReport, *, in_file: bool) -> Table:
+def findings_table(report: CheckReport, *, in_file: bool) -> Sheet:
     """The worst findings: surest first, then the largest errors."""
-    from rich.table import Table
-
-    table = Table(title="Worst findings", title_justify="left")
-    table.add_column("frame", no_wrap=True)
-    table.add_column("severity")
-    table.add_column("why", ratio=3)
-    table.add_column("suggestion", ratio=1)
+    columns = (
+        Column("frame", "frame"), Column("severity", "severity"), Column("reason", "why"),
+        Column("suggestion", "suggestion"),
+    )  # fmt: skip
     worst = sorted(
         report.worth_listing, key=lambda t: (t.finding.severity.rank, -(t.finding.error_px or 0.0))
     )
-    for name, finding, _ in worst[:_SHOWN]:
-        table.add_row(name, finding.severity.value, finding.reason, _suggestion(finding))
+    rows = tuple(
+        (name, finding.severity.value, finding.reason, _suggestion(finding))
+        for name, finding, _ in worst[:_SHOWN]
+    )
     more = len(worst) - _SHOWN
-    if more > 0:
-        where = "in the file" if in_file else "with --output"
-        table.add_row("...", "", f"{more} more {where}", "")
-    return table
+    where = "in the file" if in_file else "with --output"
+    notes = (f"{more} more {where}",) if more > 0 else ()
+    return Sheet("worst_findings", "Worst findings", columns, rows, notes=notes)

@@ -4,44 +4,49 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rich.table import Table
-
+from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.sheet import Column, Sheet, of, whole
 from procc_annotator.session.landmarks.landmark_clicks import LocatedLandmark
 
 
-def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> Table:
+def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> Sheet:
     """One row a landmark, and an instant if it moves.
 
     Args:
         located: in the order of the rows.
         described: where the cameras come from.
     """
-    table = Table(
-        title="Landmarks", caption=described, title_justify="left", caption_justify="left"
-    )
-    table.add_column("landmark")
-    table.add_column("instant")
-    table.add_column("views", justify="right")
-    table.add_column("position (x, y, z), m", justify="right")
-    table.add_column("sd (x, y, z), m", justify="right")
-    table.add_column("angle, deg", justify="right")
-    table.add_column("off, px", justify="right")
-    table.add_column("remark")
+    columns = (
+        Column("landmark", "landmark"), Column("instant", "instant"), whole("views"),
+        whole("clicked", joined=" of {}"), *_axes("position"), *_axes("sd"),
+        of(Figure("angle", "angle,", "deg", digits=1)), of(Figure("off", "off,", "px", digits=1)),
+        Column("remark", "remark"),
+    )  # fmt: skip
+    rows = []
     for one in located:
-        found = one.found
+        found, clicked = one.found, len(one.clicked.clicks)
         kept = [px for frame, px in found.residuals_px if frame not in found.left_out]
         position, deviations = found.position, found.deviations_m
-        table.add_row(
+        rows.append((
             one.clicked.name.strip(),
-            one.clicked.instant or "",
-            _views(one),
-            "" if position is None else "{:.2f}, {:.2f}, {:.2f}".format(*position),
-            "" if deviations is None else "{:.2f}, {:.2f}, {:.2f}".format(*deviations),
-            f"{found.angle_degrees:.1f}" if position is not None else "",
-            f"{max(kept):.1f}" if kept and (one.kept or position is not None) else "",
+            one.clicked.instant,
+            clicked - len(one.without_view),
+            clicked if one.without_view else None,
+            *(3 * [None] if position is None else map(float, position)),
+            *(3 * [None] if deviations is None else map(float, deviations)),
+            found.angle_degrees if position is not None else None,
+            max(kept) if kept and (one.kept or position is not None) else None,
             "; ".join(_remarks(one)),
-        )
-    return table
+        ))  # fmt: skip
+    return Sheet("landmarks", "Landmarks", columns, tuple(rows), notes=(described,))
+
+
+def _axes(what: str) -> tuple[Column, ...]:
+    figure, heading = Figure(what, what), f"{what} (x, y, z), m"
+    return (
+        of(figure, key=f"{what}_x_m", heading=heading),
+        *(of(figure, key=f"{what}_{axis}_m", joined=", {}") for axis in "yz"),
+    )
 
 
 def frames_without_camera(located: Sequence[LocatedLandmark]) -> dict[str, str]:
@@ -65,12 +70,6 @@ def _far(one: LocatedLandmark) -> str:
         f"{px[frame]:.0f} px off in {frame}" if frame in px else f"{frame} does not show the place"
         for frame in one.astray
     )
-
-
-def _views(one: LocatedLandmark) -> str:
-    clicked = len(one.clicked.clicks)
-    without = len(one.without_view)
-    return f"{clicked - without} of {clicked}" if without else str(clicked)
 
 
 def _remarks(one: LocatedLandmark) -> list[str]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterable, Mapping
@@ -12,7 +10,8 @@ from itertools import pairwise
 from statistics import median
 
 from procc_annotator.field.model import Field
-from procc_annotator.io.csv_text import no_formula
+from procc_annotator.report.sheet.as_csv import CRLF, csv_bytes
+from procc_annotator.report.sheet.sheet import Column, Sheet
 from procc_annotator.session.filter.frame_query import STATUSES
 
 FINISHED = frozenset({"done", "approved"})
@@ -207,25 +206,31 @@ def _time_histogram(seconds: list[float]) -> TimeHistogram:
 # -------------------------------------------------------------------------------- table
 
 
-def overview_csv(rows: Iterable[OverviewRow]) -> str:
+def overview_csv(rows: Iterable[OverviewRow]) -> bytes:
     """One row a frame: `TABLE_COLUMNS`, points by origin (``points_<origin>``), points by class.
 
-    RFC 4180 with its CRLF line ends (write it with ``newline=""``). Figures that are undefined are
-    empty. Text that a spreadsheet would run as a formula gets a leading apostrophe.
+    RFC 4180 with its CRLF line ends. Figures that are undefined are empty.
     """
     rows = list(rows)
     origins = sorted({origin for row in rows for origin in row.origins})
     classes = sorted({name for row in rows for name in row.classes})
-    text = io.StringIO(newline="")
-    table = csv.writer(text)
     head = [*TABLE_COLUMNS, *(f"points_{origin.replace(' ', '_')}" for origin in origins)]
     # a file may hold a class that is called like one of our columns
-    head += [f"{name} (class)" if name in head else no_formula(name) for name in classes]
-    table.writerow(head)
-    for row in rows:
-        figures = [row.elements, row.points, f"{row.seconds:.1f}", row.comments]
-        figures += [row.open_comments, "" if row.jac is None else row.jac, row.blind]
-        figures += [row.origins.get(origin, 0) for origin in origins]
-        figures += [row.classes.get(name, 0) for name in classes]
-        table.writerow([no_formula(row.name), no_formula(row.status), *figures])
-    return text.getvalue()
+    head += [f"{name} (class)" if name in head else name for name in classes]
+    columns = tuple(_column(key) for key in head)
+    values = tuple(
+        (
+            row.name, row.status, row.elements, row.points, row.seconds, row.comments,
+            row.open_comments, row.jac, row.blind,
+            *(row.origins.get(origin, 0) for origin in origins),
+            *(row.classes.get(name, 0) for name in classes),
+        )
+        for row in rows
+    )  # fmt: skip
+    return csv_bytes(Sheet("overview", "Overview", columns, values), line_end=CRLF)
+
+
+def _column(key: str) -> Column:
+    if key in ("name", "status", "blind"):
+        return Column(key)
+    return Column(key, kind="number", written=".1f" if key == "seconds" else "")

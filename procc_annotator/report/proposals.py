@@ -6,16 +6,17 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from rich.table import Table
 
 from procc_annotator.errors import SaveError
 from procc_annotator.fit.from_picture.proposal import NONE, STATES, SURE, UNSURE, KnownPosition
 from procc_annotator.io.atomic import remove, write_atomic
-from procc_annotator.io.csv_text import no_formula
-from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, csv_bytes, deviation_cells
+from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.figures import COVERAGE, EXPLAINED, MARGIN, RESIDUAL, SECONDS
+from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
 from procc_annotator.report.targets import Interrupted, make_folder
 from procc_annotator.session.runs.calibration_run import camera_file
 from procc_annotator.session.runs.proposal_run import (
@@ -28,8 +29,9 @@ from procc_annotator.words import count_of
 TABLE_FILE = "proposals.csv"
 UNSURE_FOLDER = "unsure"
 _COLUMNS = (
-    "frame", "state", "reason", "coverage", "explained", "residual_px", "margin",
-    *DEVIATION_COLUMNS, "seconds", "width", "height", "camera", "known_position",
+    Column("frame"), Column("state"), Column("reason"), of(COVERAGE), of(EXPLAINED), of(RESIDUAL),
+    of(MARGIN), *DEVIATION_COLUMNS, of(SECONDS), whole("width"), whole("height"),
+    Column("camera"), Column("known_position", kind="yes_no"),
 )  # fmt: skip
 _SHOWN = 20
 
@@ -98,7 +100,8 @@ def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposal
         if not one.is_sure and _has_camera(one):
             written.add(_write_camera(one, out))
     _remove_older(out, run.names, written)
-    write_atomic(out / TABLE_FILE, csv_bytes([_COLUMNS, *map(_row, frames)]))
+    table = Sheet("proposals", "", _COLUMNS, tuple(map(_row, frames)))
+    write_atomic(out / TABLE_FILE, csv_bytes(table))
     return Proposals(frames, positions)
 
 
@@ -136,64 +139,48 @@ def _remove_older(out: Path, names: Iterable[str], written: set[str]) -> None:
                 raise SaveError(f"{path}: could not be removed: {error.strerror}") from error
 
 
-def _row(one: Proposed) -> list[Any]:
-    if one.proposal is None:
-        blank = [""] * (len(_COLUMNS) - 3)
-        return [no_formula(one.name), "unreadable", no_formula(one.error), *blank]
+def _row(one: Proposed) -> Row:
     said = one.proposal
-    return [
-        no_formula(one.name),
-        said.state,
-        no_formula(said.reason),
-        round(said.coverage, 4),
-        round(said.explained, 4),
-        "" if said.residual_px is None else round(said.residual_px, 3),
-        round(said.margin, 4),
-        *deviation_cells(said.fit.deviations),
-        round(one.seconds, 3),
-        *said.fit.size,
-        no_formula(_file_of(one)),
-        "true" if one.from_agreement else "false",
-    ]
+    if said is None:
+        return (one.name, "unreadable", one.error, *[None] * (len(_COLUMNS) - 3))
+    residual = None if said.residual_px is None else round(said.residual_px, 3)
+    agreement = (round(said.coverage, 4), round(said.explained, 4), residual)
+    return (
+        one.name, said.state, said.reason, *agreement, round(said.margin, 4),
+        *deviation_values(said.fit.deviations), round(one.seconds, 3), *said.fit.size,
+        _file_of(one), one.from_agreement,
+    )  # fmt: skip
 
 
-def states_table(found: Proposals) -> Table:
+def states_table(found: Proposals) -> Sheet:
     """How many frames are in each state, and how they are, median."""
     looked_at = len(found.frames) - len(found.errors)
-    table = Table(title=f"Proposals for {count_of(looked_at, 'frame')}", title_justify="left")
-    for heading in ("", "frames", "coverage %", "explained %", "residual px", "margin", "s"):
-        table.add_column(heading, justify="right" if heading else "left")
+    told = (COVERAGE, EXPLAINED, RESIDUAL, MARGIN)
+    rows = []
     for state in STATES:
         own = [one for one in found.frames if one.proposal and one.proposal.state == state]
-        said = [one.proposal for one in own if one.proposal is not None]
-        table.add_row(
-            state,
-            str(len(own)),
-            _median([100 * p.coverage for p in said], 0),
-            _median([100 * p.explained for p in said], 0),
-            _median([p.residual_px for p in said if p.residual_px is not None], 2),
-            _median([p.margin for p in said], 2),
-            _median([one.seconds for one in own], 2),
-        )
-    return table
+        said = [values_of(told, one.proposal) for one in own]
+        medians = (_median([values[i] for values in said]) for i in range(len(told)))
+        rows.append((state, len(own), *medians, _median([one.seconds for one in own])))
+    columns = (Column("state"), whole("frames"), *map(of, told), of(SECONDS))
+    title = f"Proposals for {count_of(looked_at, 'frame')}"
+    return Sheet("proposals", title, columns, tuple(rows))
 
 
-def _median(values: Sequence[float], digits: int) -> str:
-    return f"{float(np.median(values)):.{digits}f}" if values else "–"
+def _median(values: Sequence[float | None]) -> float | None:
+    known = [value for value in values if value is not None]
+    return float(np.median(known)) if known else None
 
 
-def doubtful_table(found: Proposals) -> Table:
+def doubtful_table(found: Proposals) -> Sheet:
     """The frames without a sure camera and why, the first ones of many."""
-    doubtful = [one for one in found.frames if one.proposal is not None and not one.is_sure]
-    table = Table(title=f"{count_of(len(doubtful), 'frame')} not sure", title_justify="left")
-    for heading in ("frame", "state", "why"):
-        table.add_column(heading)
-    for one in doubtful[:_SHOWN]:
-        assert one.proposal is not None
-        table.add_row(one.name, one.proposal.state, one.proposal.reason)
-    if (more := len(doubtful) - _SHOWN) > 0:
-        table.add_row("...", "", f"{more} more in {TABLE_FILE}")
-    return table
+    doubtful = [(one.name, p.state, p.reason) for one in found.frames
+                if (p := one.proposal) is not None and not one.is_sure]  # fmt: skip
+    columns = (Column("frame", "frame"), Column("state", "state"), Column("reason", "why"))
+    more = len(doubtful) - _SHOWN
+    notes = (f"{more} more in {TABLE_FILE}",) if more > 0 else ()
+    title = f"{count_of(len(doubtful), 'frame')} not sure"
+    return Sheet("doubtful", title, columns, tuple(doubtful[:_SHOWN]), notes=notes)
 
 
 def summary_words(found: Proposals) -> str:

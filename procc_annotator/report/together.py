@@ -2,134 +2,117 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-
-from rich.table import Table
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 from procc_annotator.metric.sets import SetSummary
-from procc_annotator.report.camera_tables import csv_bytes
-from procc_annotator.report.sheet.figure import DASH
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.figures import MEAN_ERROR, MEAN_JAC
+from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
 from procc_annotator.session.runs.together_run import FieldSize, SharedPlace, SharedRun
 
 POSITIONS_FILE = "positions.csv"
 _AXES = "xyz"
 _FRAMES_SHOWN = 20
+_METRES = Figure("m", "m", "m")
 
 
 def positions_csv(places: Sequence[SharedPlace]) -> bytes:
     """A row a shared position: where it is, how surely, and how the frames' own positions lay."""
     kinds = ("", "sd_", "scatter_", "predicted_sd_")
-    header = ["position", "frames", *(f"{kind}{axis}_m" for kind in kinds for axis in _AXES)]
-    rows: list[list[object]] = [
-        [
-            place.name,
-            place.frames,
-            *(float(v) for v in place.tripod.position_m),
-            *(float(v) for v in place.tripod.deviations_m),
-            *(float(v) for v in place.tripod.scatter_m),
-            *(float(v) for v in place.tripod.predicted_m),
-        ]
+    keys = [f"{kind}{axis}_m" for kind in kinds for axis in _AXES]
+    columns = (Column("position"), whole("frames"), *(Column(k, kind="number") for k in keys))
+    rows: tuple[Row, ...] = tuple(
+        (place.name, place.frames, *(float(v) for of_kind in _axes(place) for v in of_kind))
         for place in places
-    ]
-    return csv_bytes([header, *rows])
-
-
-def positions_table(run: SharedRun) -> Table:
-    """The shared positions, and how the frames' own positions scattered before."""
-    table = Table(
-        title="Shared positions (m)",
-        caption="scatter: of the frames' own positions, standard deviation; predicted: what their"
-        " fits said of it",
-        title_justify="left",
-        caption_justify="left",
     )
-    table.add_column("position")
-    table.add_column("frames", justify="right")
-    table.add_column("axis")
-    for heading in ("place", "scatter", "predicted"):
-        table.add_column(heading, justify="right")
-    for place in run.places:
-        tripod = place.tripod
-        of_axes = zip(
-            _AXES,
-            tripod.position_m,
-            tripod.deviations_m,
-            tripod.scatter_m,
-            tripod.predicted_m,
-            strict=True,
-        )
-        for axis, at, sd, own, said in of_axes:
-            named = (place.name, str(place.frames)) if axis == _AXES[0] else ("", "")
-            table.add_row(*named, axis, f"{at:.2f} ± {sd:.2f}", f"{own:.2f}", f"{said:.2f}")
-        table.add_section()
-    return table
+    return csv_bytes(Sheet("positions", "", columns, rows))
+
+
+def _axes(place: SharedPlace) -> tuple[Iterable[float], ...]:
+    """Position, its standard deviation, scatter and what was predicted, each along x, y and z."""
+    found = place.tripod
+    return found.position_m, found.deviations_m, found.scatter_m, found.predicted_m
+
+
+def positions_table(run: SharedRun) -> Sheet:
+    """The shared positions, and how the frames' own positions scattered before."""
+    columns = (
+        Column("position", "position"), whole("frames"), Column("axis", "axis"),
+        of(_METRES, key="place", heading="place"), of(_METRES, key="sd", joined=" ± {}"),
+        of(_METRES, key="scatter", heading="scatter"),
+        of(_METRES, key="predicted", heading="predicted"),
+    )  # fmt: skip
+    rows = tuple(
+        (place.name, place.frames, axis, *map(float, along))
+        for place in run.places
+        for axis, *along in zip(_AXES, *_axes(place), strict=True)
+    )
+    notes = (
+        "scatter: of the frames' own positions, standard deviation; predicted: what their fits"
+        " said of it",
+    )
+    parts = tuple(range(len(_AXES), len(rows), len(_AXES)))
+    return Sheet("positions", "Shared positions (m)", columns, rows, notes=notes, parts=parts)
 
 
 def before_after_table(
     before: Mapping[float, SetSummary], after: Mapping[float, SetSummary], words: tuple[str, str]
-) -> Table:
+) -> Sheet:
     """How a set scores one way and the other, on the points both were fitted to."""
-    table = Table(title="On the fitted points", title_justify="left")
-    table.add_column("")
-    for threshold in before:
-        table.add_column(f"JaC@{threshold:g} %", justify="right")
-    table.add_column("error px", justify="right")
-    table.add_column("with camera", justify="right")
+    columns = (
+        Column("way"), *(of(MEAN_JAC, f"@{threshold:g}") for threshold in before),
+        of(MEAN_ERROR, heading="error px"), whole("evaluated", "with camera"),
+        whole("images", joined=" of {}"),
+    )  # fmt: skip
+    rows = []
     for word, summaries in zip(words, (before, after), strict=True):
         first = next(iter(summaries.values()))
-        table.add_row(
-            word,
-            *(_percent(s.mean_jac) for s in summaries.values()),
-            DASH if (error := first.mean_reprojection_error) is None else f"{error:.2f}",
-            f"{first.evaluated} of {first.images}",
-        )
-    return table
+        jacs = (s.mean_jac for s in summaries.values())
+        rows.append((word, *jacs, first.mean_reprojection_error, first.evaluated, first.images))
+    return Sheet("before_after", "On the fitted points", columns, tuple(rows))
 
 
-def apart_table(apart: Mapping[str, str]) -> Table:
+def apart_table(apart: Mapping[str, str]) -> Sheet:
     """Frames that share no position and the reason, the first ones of many."""
-    table = Table(title=f"Own positions: {len(apart)}", title_justify="left")
-    table.add_column("frame")
-    table.add_column("why")
-    for name, why in list(apart.items())[:_FRAMES_SHOWN]:
-        table.add_row(name, why)
-    if len(apart) > _FRAMES_SHOWN:
-        table.add_row("...", f"{len(apart) - _FRAMES_SHOWN} more")
-    return table
+    columns = (Column("frame", "frame"), Column("why", "why"))
+    more = len(apart) - _FRAMES_SHOWN
+    notes = (f"{more} more",) if more > 0 else ()
+    rows = tuple(list(apart.items())[:_FRAMES_SHOWN])
+    return Sheet("apart", f"Own positions: {len(apart)}", columns, rows, notes=notes)
 
 
-def field_sizes_table(sizes: Sequence[FieldSize], described: str) -> Table:
+def field_sizes_table(sizes: Sequence[FieldSize], described: str) -> Sheet:
     """The dimensions of every group's stadium, and the scores before and after."""
-    several = len(sizes) > 1 or any(size.group for size in sizes)
-    table = Table(
-        title="Dimensions of the field",
-        caption=f"{described}; JaC and error on the fitted points, before → after",
-        title_justify="left",
-        caption_justify="left",
-    )
-    if several:
-        table.add_column("group")
-    for heading in ("dimension", "value m", "sd m", "frames", "range of the rules"):
-        table.add_column(heading, justify="left" if heading == "dimension" else "right")
     thresholds = next((list(size.before) for size in sizes if size.before), [])
-    for threshold in thresholds:
-        table.add_column(f"JaC@{threshold:g} %", justify="right")
-    table.add_column("error px", justify="right")
+    scores = [
+        *(of(MEAN_JAC, f"@{tau:g}", key=f"jac@{tau:g}") for tau in thresholds),
+        of(replace(MEAN_ERROR, digits=3), key="error", heading="error px"),
+    ]
+    after = (replace(c, key=f"{c.key}_after", joined=" → {}") for c in scores)
+    columns = (
+        Column("group", "group"), Column("dimension", "dimension"),
+        of(_METRES, key="value", heading="value m"), Column("undetermined", joined=" ({})"),
+        of(_METRES, key="sd", heading="sd m"), whole("frames"),
+        whole("of_frames", joined=" of {}"), Column("low", "range of the rules", "number"),
+        Column("high", kind="number", joined=" to {}"),
+        *(column for pair in zip(scores, after, strict=True) for column in pair),
+    )  # fmt: skip
+    rows: list[Row] = []
     for size in sizes:
-        group = [size.group or DASH] if several else []
-        for row, found in enumerate(size.stadium.dimensions if size.stadium else ()):
-            d = found.dimension
-            scores = _scores(size) if row == 0 else [""] * (len(thresholds) + 1)
-            table.add_row(
-                *(group if row == 0 else [""] * len(group)),
-                d.title,
-                f"{d.value:.2f}" if found.is_determined else f"({d.value:.1f})",
-                f"{found.sd_m:.2f}" if found.is_determined else "not determined",
-                f"{found.frames} of {size.stadium.frames if size.stadium else 0}",
-                f"{d.minimum:g} to {d.maximum:g}",
-                *scores,
-            )
-    return table
+        for number, found in enumerate(size.stadium.dimensions if size.stadium else ()):
+            d, sure = found.dimension, found.is_determined
+            told = _scores(size) if number == 0 else (None,) * (2 * len(scores))
+            rows.append((
+                size.group, d.title, d.value, None if sure else "not determined",
+                found.sd_m if sure else None, found.frames,
+                size.stadium.frames if size.stadium else 0, d.minimum, d.maximum, *told,
+            ))  # fmt: skip
+    if not any(row[0] for row in rows):
+        columns, rows = columns[1:], [row[1:] for row in rows]
+    notes = (f"{described}; JaC and error on the fitted points, before → after",)
+    return Sheet("dimensions", "Dimensions of the field", columns, tuple(rows), notes=notes)
 
 
 def remarks(size: FieldSize) -> list[str]:
@@ -140,16 +123,9 @@ def remarks(size: FieldSize) -> list[str]:
     return [f"{where}{remark}" for remark in size.stadium.remarks]
 
 
-def _scores(size: FieldSize) -> list[str]:
-    pairs = [
-        f"{_percent(size.before[t].mean_jac)} → {_percent(size.after[t].mean_jac)}"
-        for t in size.before
-    ]
+def _scores(size: FieldSize) -> Row:
+    """Before and after, of JaC at each threshold and of the mean error."""
+    pairs = [(size.before[tau].mean_jac, size.after[tau].mean_jac) for tau in size.before]
     first = next(iter(size.before))
-    errors = [s[first].mean_reprojection_error for s in (size.before, size.after)]
-    shown = [DASH if error is None else f"{error:.3f}" for error in errors]
-    return [*pairs, " → ".join(shown)]
-
-
-def _percent(share: float | None) -> str:
-    return DASH if share is None else f"{100 * share:.2f}"
+    error = tuple(s[first].mean_reprojection_error for s in (size.before, size.after))
+    return tuple(value for pair in (*pairs, error) for value in pair)

@@ -12,13 +12,16 @@ from types import TracebackType
 from typing import Any, Self
 
 import numpy as np
-from rich.table import Table
 
 from procc_annotator.errors import InputError, SaveError
 from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.io.atomic import remove, write_atomic
-from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
-from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, csv_bytes, deviation_cells
+from procc_annotator.io.csv_text import csv_cells
+from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.figures import COVERAGE, RESIDUAL
+from procc_annotator.report.sheet.from_csv import value_of
+from procc_annotator.report.sheet.sheet import Column, Sheet, of, whole
 from procc_annotator.report.targets import Interrupted, make_folder
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.runs.calibration_run import camera_file
@@ -27,15 +30,18 @@ from procc_annotator.words import count_of
 
 TABLE_FILE = "track.csv"
 COLUMNS = (
-    "frame", "shot", "state", "reason", "coverage", "residual_px", *DEVIATION_COLUMNS,
-    "anchor_distance", "width", "height", "camera",
+    Column("frame"), Column("shot"), Column("state"), Column("reason"), of(COVERAGE), of(RESIDUAL),
+    *DEVIATION_COLUMNS, whole("anchor_distance"), whole("width"), whole("height"),
+    Column("camera"),
 )  # fmt: skip
+_KEYS = tuple(column.key for column in COLUMNS)
 STATES = ("anchor", "followed", "bridged", "lost")
 _SHOWN = 20
+_ADVICE = "move it away, or --overwrite to replace it"
 _WRITERS = 4  # most of writing is waiting for the disk
 _WAITING = 200  # files
 
-Row = Mapping[str, str]
+Line = Mapping[str, Any]  # values of a row, by the keys of the columns
 Progress = Callable[[int, int], None]
 
 
@@ -50,7 +56,7 @@ class TrackTable:
     """
 
     names: tuple[str, ...]
-    rows: dict[str, Row] = field(default_factory=dict)
+    rows: dict[str, Line] = field(default_factory=dict)
     errors: list[str] = field(default_factory=list)
 
     def has_all(self, frames: Iterable[Frame]) -> bool:
@@ -62,13 +68,14 @@ class TrackTable:
         for frame in frames:
             self.rows.pop(frame.name, None)
 
-    def in_order(self) -> list[Row]:
+    def in_order(self) -> list[Line]:
         """The rows in the order of the frames."""
         return [self.rows[name] for name in self.names if name in self.rows]
 
     def encoded(self) -> bytes:
         """As a CSV file."""
-        return csv_bytes([COLUMNS, *([row[c] for c in COLUMNS] for row in self.in_order())])
+        rows = tuple(tuple(line[key] for key in _KEYS) for line in self.in_order())
+        return csv_bytes(Sheet("track", "", COLUMNS, rows))
 
 
 def read_table(out: Path, names: tuple[str, ...]) -> TrackTable:
@@ -82,15 +89,18 @@ def read_table(out: Path, names: tuple[str, ...]) -> TrackTable:
     if not path.exists():
         return table
     lines = csv_cells(path)
-    if not lines or tuple(lines[0][1]) != COLUMNS:
+    if not lines or tuple(lines[0][1]) != _KEYS:
         why = "is no table of a track"
-        raise InputError(path, why, advice="move it away, or --overwrite to replace it")
+        raise InputError(path, why, advice=_ADVICE)
     ours = set(names)
-    for _, cells in lines[1:]:
-        row = dict(zip(COLUMNS, cells, strict=False))
-        if len(row) != len(COLUMNS):
+    for number, cells in lines[1:]:
+        if len(cells) != len(COLUMNS):
             continue
-        name = formula_text(row["frame"])
+        try:
+            row = dict(zip(_KEYS, map(value_of, COLUMNS, cells), strict=True))
+        except ValueError as error:
+            raise InputError(path, str(error), place=f"line {number}", advice=_ADVICE) from error
+        name = str(row["frame"])
         if name not in ours:
             why = f"is of other frames, such as {name}"
             raise InputError(path, why, advice="choose another place, or --overwrite to replace it")
@@ -209,54 +219,42 @@ def _add_rows(shot: FollowedShot, table: TrackTable) -> None:
     table.errors += (shot.damaged or {}).values()
 
 
-def _row(name: str, begin: str, one: TrackedFrame) -> Row:
+def _row(name: str, begin: str, one: TrackedFrame) -> Line:
     fit = one.fit
     has_camera = fit is not None and fit.camera is not None
-    cells: list[Any] = [
-        no_formula(name),
-        no_formula(begin),
-        one.state,
-        no_formula(one.reason),
-        round(one.coverage, 4),
-        "" if one.residual_px is None else round(one.residual_px, 3),
-        *deviation_cells(fit.deviations if fit is not None else None),
-        "" if one.anchor_distance is None else one.anchor_distance,
-        *(fit.size if fit is not None else ("", "")),
-        no_formula(f"camera_{name}.json") if has_camera else "",
-    ]
-    return dict(zip(COLUMNS, map(str, cells), strict=True))
+    cells = (
+        name, begin, one.state, one.reason, round(one.coverage, 4),
+        None if one.residual_px is None else round(one.residual_px, 3),
+        *deviation_values(fit.deviations if fit is not None else None), one.anchor_distance,
+        *(fit.size if fit is not None else (None, None)),
+        f"camera_{name}.json" if has_camera else None,
+    )  # fmt: skip
+    return dict(zip(_KEYS, cells, strict=True))
 
 
 # --- what is said of it -------------------------------------------------------------------------
 
 
-def shots_table(table: TrackTable) -> Table:
+def shots_table(table: TrackTable) -> Sheet:
     """A row a shot: its frames by state, and how well the paint agrees, median."""
-    rows = table.in_order()
-    shots = [list(own) for _, own in groupby(rows, key=lambda row: row["shot"])]
-    shown = Table(
-        title=f"{count_of(len(rows), 'frame')} in {count_of(len(shots), 'shot')}",
-        title_justify="left",
-    )
-    shown.add_column("from")
-    shown.add_column("to")
-    for heading in ("frames", *STATES, "coverage %", "residual px"):
-        shown.add_column(heading, justify="right")
+    lines = table.in_order()
+    shots = [list(own) for _, own in groupby(lines, key=lambda line: line["shot"])]
+    columns = (
+        Column("from", "from"), Column("to", "to"), whole("frames"), *map(whole, STATES),
+        of(COVERAGE), of(RESIDUAL),
+    )  # fmt: skip
+    rows = []
     for own in shots[:_SHOWN]:
-        states = Counter(row["state"] for row in own)
-        coverage = [100 * float(row["coverage"]) for row in own if row["state"] != "lost"]
-        residuals = [float(row["residual_px"]) for row in own if row["residual_px"]]
-        shown.add_row(
-            formula_text(own[0]["frame"]),
-            formula_text(own[-1]["frame"]),
-            str(len(own)),
-            *(str(states[state]) for state in STATES),
-            f"{np.median(coverage):.0f}" if coverage else "–",
-            f"{np.median(residuals):.2f}" if residuals else "–",
-        )
-    if (more := len(shots) - _SHOWN) > 0:
-        shown.add_row("...", f"{more} more")
-    return shown
+        states = Counter(line["state"] for line in own)
+        coverage = [line["coverage"] for line in own if line["state"] != "lost"]
+        residuals = [line["residual_px"] for line in own if line["residual_px"] is not None]
+        counts = (len(own), *(states[state] for state in STATES))
+        medians = (float(np.median(v)) if v else None for v in (coverage, residuals))
+        rows.append((own[0]["frame"], own[-1]["frame"], *counts, *medians))
+    more = len(shots) - _SHOWN
+    title = f"{count_of(len(lines), 'frame')} in {count_of(len(shots), 'shot')}"
+    notes = (f"{more} more",) if more > 0 else ()
+    return Sheet("shots", title, columns, tuple(rows), notes=notes)
 
 
 @dataclass(frozen=True)
@@ -281,23 +279,23 @@ def gaps_of(table: TrackTable) -> list[Gap]:
     """The stretches that were not followed on paint."""
     found = []
     for (state, _), own in groupby(table.in_order(), key=lambda row: (row["state"], row["shot"])):
-        rows: Sequence[Row] = list(own)
+        rows: Sequence[Line] = list(own)
         if state in ("bridged", "lost"):
-            ends = formula_text(rows[0]["frame"]), formula_text(rows[-1]["frame"])
-            found.append(Gap(*ends, len(rows), state, formula_text(rows[0]["reason"])))
+            ends = rows[0]["frame"], rows[-1]["frame"]
+            found.append(Gap(*ends, len(rows), state, rows[0]["reason"] or ""))
     return found
 
 
-def gaps_table(gaps: Sequence[Gap]) -> Table:
+def gaps_table(gaps: Sequence[Gap]) -> Sheet:
     """Gaps, the first ones of many."""
-    shown = Table(title=count_of(len(gaps), "gap"), title_justify="left")
-    for heading in ("from", "to", "frames", "", "why"):
-        shown.add_column(heading, justify="right" if heading == "frames" else "left")
-    for gap in gaps[:_SHOWN]:
-        shown.add_row(gap.first, gap.last, str(gap.frames), gap.state, gap.reason)
-    if (more := len(gaps) - _SHOWN) > 0:
-        shown.add_row("...", f"{more} more in {TABLE_FILE}")
-    return shown
+    columns = (
+        Column("from", "from"), Column("to", "to"), whole("frames"), Column("state"),
+        Column("why", "why"),
+    )  # fmt: skip
+    rows = tuple((g.first, g.last, g.frames, g.state, g.reason) for g in gaps[:_SHOWN])
+    more = len(gaps) - _SHOWN
+    notes = (f"{more} more in {TABLE_FILE}",) if more > 0 else ()
+    return Sheet("gaps", count_of(len(gaps), "gap"), columns, rows, notes=notes)
 
 
 def summary_words(table: TrackTable) -> str:

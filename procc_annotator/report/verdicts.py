@@ -2,54 +2,43 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterable
 from datetime import UTC, datetime
 
 from procc_annotator.field.model import Field
-from procc_annotator.io.csv_text import no_formula
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.sheet.as_csv import CRLF, csv_bytes
+from procc_annotator.report.sheet.sheet import Column, Sheet
 from procc_annotator.session.runs.triage import JudgedVerdict
 
 
 def verdicts_csv(
     rows: Iterable[JudgedVerdict], field: Field, setup: EvaluationSetup, tau: float
-) -> str:
+) -> bytes:
     """One row a verdict, with the figures at tau and the terms they were computed on.
 
-    RFC 4180 with its CRLF line ends (write it with ``newline=""``). Figures that are undefined are
-    empty; ``problem`` says why. Text that a spreadsheet would run as a formula gets a leading
-    apostrophe. Times are UTC.
+    RFC 4180 with its CRLF line ends. Figures that are undefined are empty; ``problem`` says why.
+    Times are UTC.
     """
-    text = io.StringIO(newline="")
-    table = csv.writer(text)
-    figure = f"jac@{tau:g}px"
-    head = ["frame", "source", "verdict", figure, "largest_error_px", "worst_element", "author"]
-    table.writerow([*head, "time", "comment", "problem", "terms"])
+    columns = (
+        Column("frame"), Column("source"), Column("verdict"), _figure(f"jac@{tau:g}px"),
+        _figure("largest_error_px"), Column("worst_element"), Column("author"), Column("time"),
+        Column("comment"), Column("problem"), Column("terms"),
+    )  # fmt: skip
     terms = setup.describe()
-    for row in rows:
-        verdict = row.verdict
-        words = (verdict.frame, verdict.source, verdict.fault.value)
-        figures = (_figure(row.jac), _figure(row.largest_px))
-        element = field.title_of(row.worst_element) if row.worst_element else ""
-        table.writerow(
-            [
-                *map(no_formula, words),
-                *figures,
-                no_formula(element),
-                no_formula(verdict.author),
-                _utc(verdict.time),
-                no_formula(verdict.comment),
-                no_formula(row.problem),
-                terms,
-            ]
+    values = tuple(
+        (
+            row.verdict.frame, row.verdict.source, row.verdict.fault.value, row.jac, row.largest_px,
+            field.title_of(row.worst_element) if row.worst_element else None, row.verdict.author,
+            _utc(row.verdict.time), row.verdict.comment, row.problem, terms,
         )
-    return text.getvalue()
+        for row in rows
+    )  # fmt: skip
+    return csv_bytes(Sheet("verdicts", "Verdicts", columns, values), line_end=CRLF)
 
 
-def _figure(value: float | None) -> str:
-    return "" if value is None else f"{value:.6g}"
+def _figure(key: str) -> Column:
+    return Column(key, kind="number", written=".6g")
 
 
 def _utc(seconds: float) -> str:

@@ -255,7 +255,8 @@ def test_the_page_shows_them_and_loads_nothing(compared) -> None:
     # A worst one and one by lot for either source, and the three frames that can be compared.
     assert [src.partition(";")[0] for src in pictures] == ["data:image/jpeg"] * 7
     tex = out.with_suffix(".tex").read_text()
-    assert tex.count(r"\begin{tabular}") == tex.count(r"\end{tabular}") == 3
+    assert tex.count(r"\begin{tabular}") == tex.count(r"\end{tabular}")
+    assert tex.count(r"\begin{table}") == tex.count(r"\end{table}") == 3
     best = re.search(r"^good .*$", tex, re.MULTILINE)
     assert best is not None
     assert r"\textbf{100.00}" in best[0]
@@ -325,7 +326,9 @@ def test_hostile_names_are_only_text(oddly_named) -> None:
     tex = oddly_named.out.with_suffix(".tex").read_text()
     row = next(line for line in tex.splitlines() if "100\\%" in line)
     wanted = r"\_\_\textless{}b\textgreater{}\$x\$ 100\% a\_b \#\{\}\textasciitilde{}"
-    assert row.startswith(wanted + r"\textasciicircum{}\& & pinhole &")
+    name, model, *_ = row.replace(r"\allowbreak{}", "").split(" & ")
+    assert wanted + r"\textasciicircum{}\&" in name
+    assert model == "pinhole"
 
 
 def test_a_source_that_shares_projections_only(cli, few, tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -24,13 +25,16 @@ from procc_annotator.gui.plots.looks import contrast, dash_of, readable, symbol_
 from procc_annotator.gui.plots.poses import AnglesPage, PosesPage, PositionPage
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
 from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
+from procc_annotator.gui.plots.steady import SteadyPage
 from procc_annotator.interact.palette import SOURCE_COLOURS
+from tests.cli.conftest import camera_file
 from tests.gui.conftest import MakeWindow, all_done
 
 SETS = ("true", "bad", "homography")
 PAGES = (
     TauPage,
     TimelinePage,
+    SteadyPage,
     HistogramPage,
     RadiusPage,
     VectorsPage,
@@ -93,6 +97,44 @@ def numbers(window: MainWindow, qtbot: QtBot, path: Path) -> list[dict[str, str]
     qtbot.waitUntil(path.exists)
     all_done(qtbot)
     return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
+
+
+class TestSteady:
+    @pytest.fixture
+    def panning(self, plotted: MainWindow, tmp_path: Path) -> MainWindow:
+        """Cameras of all frames, annotated or not, that pan evenly but for the seventh."""
+        folder = tmp_path / "panning"
+        folder.mkdir()
+        for number in range(1, 15):
+            pan = number + (0.2 if number == 7 else 0.0)
+            text = json.dumps(camera_file(pan))
+            (folder / f"camera_{number:05d}.json").write_text(text)
+        assert plotted.document.load_cameras(folder)
+        return plotted
+
+    def test_the_frame_that_leaps_stands_out_and_a_click_leads_there(
+        self, panning: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(panning, qtbot, SteadyPage)
+        page = panning.plots.page
+        assert not page.is_empty
+        rows = numbers(panning, qtbot, tmp_path / "steady.csv")
+        found = {row["frame"]: float(row["jitter_px panning"] or "nan") for row in rows}
+        assert max(found, key=lambda name: np.nan_to_num(found[name])) == "00007"
+        assert found["00003"] < 0.1 * found["00007"]
+        assert np.isnan([found["00001"], found["00014"]]).all()
+        assert not any(row["jitter_px bad"] for row in rows)  # strewn cameras
+        click_at(page, 7)
+        assert panning.document.frame_index == 6
+
+    def test_blind_mode_shows_committed_frames_only(
+        self, panning: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        panning.document.set_blind(True)
+        panning.document.commit_frame()  # the second
+        show(panning, qtbot, SteadyPage)
+        rows = numbers(panning, qtbot, tmp_path / "steady.csv")
+        assert [row["frame"] for row in rows if row["jitter_px panning"]] == ["00002"]
 
 
 class TestTimeline:
@@ -320,7 +362,8 @@ class TestBlind:
 
 
 class TestTakingAlong:
-    @pytest.mark.parametrize("page", PAGES)
+    # Of the sample, whose frames do not follow each other, there is no jitter to take along.
+    @pytest.mark.parametrize("page", [page for page in PAGES if page is not SteadyPage])
     def test_pictures_and_numbers_of_every_plot(
         self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path, page: type
     ) -> None:

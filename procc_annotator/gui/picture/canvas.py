@@ -11,6 +11,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
+from procc_annotator.gui.picture.camera_hand import CameraHand
 from procc_annotator.gui.picture.comparison import OtherSources
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.found_plate import FoundPlate
@@ -53,6 +54,7 @@ class Canvas(PictureView):
         self._other_layer = OverlayLayer(document, self.editor)
         self._ghost_layer = GhostLayer(document)
         self.found_plate = FoundPlate(document, self.viewport())
+        self.camera_hand = CameraHand(document, self, self.editor)
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
@@ -82,6 +84,8 @@ class Canvas(PictureView):
         self.editor.changed.connect(self.refresh)
         self.editor.explained.connect(self._explain)
         self.viewChanged.connect(self._view_changed)
+        self.camera_hand.changed.connect(self._refresh_ghosts)
+        self.camera_hand.moved.connect(self._follow_cursor)
         document.frameChanged.connect(self._show_frame)
         document.pictureChanged.connect(self._show_whole)
         document.previewChanged.connect(self._carry)
@@ -118,6 +122,7 @@ class Canvas(PictureView):
         self.set_picture(self.shown.pixels, state.picture_size, keep_view=self.keep_zoom)
         self.overlay_item.set_area(self.sceneRect())
         self.comparison.set_area(self.sceneRect())
+        self.camera_hand.item.set_area(self.sceneRect())
         self._everywhere = True
         self.refresh()
 
@@ -188,6 +193,7 @@ class Canvas(PictureView):
         self.overlay_item.set_overlay(overlay, scale, everywhere=everywhere)
         comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
         self._draw_ghosts()
+        self.camera_hand.refresh(hidden=self.overlays_hidden)
         self._place_loupe()
         self._say_hint()
 
@@ -208,13 +214,14 @@ class Canvas(PictureView):
             self._say_hint()
 
     def _draw_ghosts(self) -> None:
-        ghosts = self._ghost_layer.overlay(hidden=self.overlays_hidden)
+        hidden = self.overlays_hidden or self.camera_hand.held  # its wireframe is shown instead
+        ghosts = self._ghost_layer.overlay(hidden=hidden)
         self.overlay_item.set_ghosts(ghosts, self.view_scale)
         beside = ghosts if self.comparison.split.shown else NOTHING
         self.comparison.other_side.set_ghosts(beside, self.view_scale)
 
     def _say_hint(self) -> None:
-        hint = self.editor.hint()
+        hint = self.camera_hand.hint or self.editor.hint()
         if hint != self.hint:
             self.hint = hint
             self.hintChanged.emit(hint)
@@ -233,7 +240,8 @@ class Canvas(PictureView):
 
     @property
     def _loupe_wanted(self) -> bool:
-        return self.loupe_always or self._loupe_by_key or self.editor.dragging
+        held = self.editor.dragging or self.camera_hand.dragging
+        return self.loupe_always or self._loupe_by_key or held
 
     def _place_loupe(self) -> None:
         px, pixels = self.cursor_px, self.shown.pixels
@@ -243,7 +251,7 @@ class Canvas(PictureView):
             return
         at = self.to_view(*px)
         item = self.comparison.item_at(at.x())
-        self.loupe.show_at(at, px, pixels, *item.layers)
+        self.loupe.show_at(at, px, pixels, *item.layers, *self.camera_hand.item.layers)
 
     def _view_changed(self) -> None:
         self.editor.view_scale = self.view_scale
@@ -341,6 +349,11 @@ class Canvas(PictureView):
             self._say_cursor()
         elif not self._carried_on.isActive():
             self._carried_on.start()
+
+    def _follow_cursor(self, px: tuple[float, float]) -> None:
+        self.cursor_px = px
+        self._place_loupe()
+        self._say_cursor()
 
     def _say_cursor(self) -> None:
         self._carried_on.stop()

@@ -18,8 +18,9 @@ from procc_annotator.metric.ground import Rectangle, field_rectangle
 from procc_annotator.metric.legacy import LegacyMetrics
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.metric.spread import Spread
-from procc_annotator.report.comparison import LEGACY_ROWS, ComparisonScene, spread_cells
+from procc_annotator.report.comparison import ComparisonScene
 from procc_annotator.report.sheet.figure import DASH
+from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
 
 PANEL_SIZE = (430.0, 540.0)
 """Width and height in points; the panel may be higher than that."""
@@ -177,7 +178,7 @@ def _paint_figures(sheet: _Sheet, scene: ComparisonScene, y: float) -> None:
     if compared.statistics is None or compared.legacy is None:
         return
     y = _paint_spreads(sheet, compared.statistics.metres, compared.statistics.pixels, y)
-    within = DASH if compared.within is None else f"{100 * compared.within:.1f} %"
+    within = DASH if compared.within is None else f"{WITHIN.text(compared.within)} %"
     full = sheet.width - 2 * _MARGIN
     sheet.text(
         sheet.box(_MARGIN, y, full, _ROW),
@@ -194,8 +195,9 @@ def _paint_figures(sheet: _Sheet, scene: ComparisonScene, y: float) -> None:
 
 def _figure(legacy: LegacyMetrics, name: str) -> str:
     """A figure with its title and unit."""
-    value, (_, unit, factor) = getattr(legacy, name), LEGACY_ROWS[name]
-    number = DASH if value is None else f"{factor * value:.2f} {unit}"
+    figure = next(figure for figure in LEGACY if figure.key == name)
+    value = figure.of(legacy)
+    number = DASH if value is None else f"{figure.text(value)} {figure.unit}"
     return _SHORT[name].format(number)
 
 
@@ -204,8 +206,8 @@ def _paint_spreads(sheet: _Sheet, metres: Spread, pixels: Spread, y: float) -> f
     first, column = 130.0, (sheet.width - 2 * _MARGIN - 130.0) / 3
     rows = (
         ("Disagreement", ("min", "median", "max"), True),
-        ("on the ground, m", spread_cells(metres), False),
-        ("in the picture, px", spread_cells(pixels), False),
+        ("on the ground, m", [f.text(f.of(metres)) for f in METRES], False),
+        ("in the picture, px", [f.text(f.of(pixels)) for f in PIXELS], False),
     )
     for title, cells, muted in rows:
         sheet.text(sheet.box(_MARGIN, y, first, _ROW), title, muted=muted)

@@ -9,6 +9,8 @@ from procc_annotator.fit.from_picture.proposal import NONE, SURE
 from procc_annotator.gui.picture.split_view import NamePlate
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
+from procc_annotator.interact.hints import counted
+from procc_annotator.session.clicks.correction import Correction
 
 _MARGIN = 8
 _GREY = tones.UNKNOWN_CLASS
@@ -61,8 +63,11 @@ class FoundPlate(NamePlate):
         state, foresight = document.state, document.foresight
         if state.frame is None or not document.proposals.allowed:
             return None
-        if state.annotation.annotated and not foresight.stands_in:
+        stands_in = foresight.stands_in or document.corrections.rules
+        if state.annotation.annotated and not stands_in:
             return None  # the clicks say more
+        if (corrected := document.corrections.here) is not None:
+            return _of_corrected(corrected, looking=document.corrections.looking)
         if document.shot_track.fit_here is not None:
             doubt = foresight.doubt
             if doubt:
@@ -78,3 +83,16 @@ class FoundPlate(NamePlate):
         if proposal.state == SURE:
             return f"Camera found, sure: {proposal.reason}", tones.PASSES
         return f"Camera found, unsure: {proposal.reason}", tones.UNSURE_GHOST
+
+
+def _of_corrected(corrected: Correction, *, looking: bool) -> tuple[str, str]:
+    pegs = counted(len(corrected.pegs), "peg")
+    if not corrected.looked:
+        then = ": its lines are looked for …" if looking else ""
+        return f"Camera dragged, {pegs}{then}", _GREY
+    if corrected.why_not:
+        return f"Camera dragged, {pegs}, not made exact: {corrected.why_not}", tones.UNSURE_GHOST
+    return (
+        f"Camera dragged, {pegs}, made exact on paint: {corrected.coverage:.0%} of its lines",
+        tones.PASSES,
+    )

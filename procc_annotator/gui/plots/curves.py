@@ -110,9 +110,10 @@ class TimelinePage(PlotPage[Timelines]):
     title = "JaC over the frames"
     scopes: tuple[Scope, ...] = ("set",)
     follows_tau = True
+    digits = 3
 
-    def __init__(self) -> None:
-        super().__init__("plot_timeline")
+    def __init__(self, name: str = "plot_timeline") -> None:
+        super().__init__(name)
         self.item = self.add_plot(0, "frame", "JaC")
         self.item.setMouseEnabled(x=True, y=False)
         self.item.disableAutoRange()
@@ -191,7 +192,7 @@ class TimelinePage(PlotPage[Timelines]):
             self.readout.emit("")
             return
         values = [
-            f"{source.name} {values[index]:.3f}" if np.isfinite(values[index]) else
+            f"{source.name} {values[index]:.{self.digits}f}" if np.isfinite(values[index]) else
             f"{source.name} –"
             for source, values, *_ in self._lines
         ]  # fmt: skip

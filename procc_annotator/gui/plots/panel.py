@@ -49,10 +49,12 @@ def _kinds() -> tuple[_Kind, ...]:
     from procc_annotator.gui.plots.errors import HistogramPage, RadiusPage
     from procc_annotator.gui.plots.poses import AnglesPage, PositionPage
     from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
+    from procc_annotator.gui.plots.steady import SteadyPage
 
     return (
         TauPage,
         TimelinePage,
+        SteadyPage,
         HistogramPage,
         RadiusPage,
         VectorsPage,

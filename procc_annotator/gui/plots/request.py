@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from procc_annotator.field.model import Field
+from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.runs.audit import FrameAudit
 
 Scope = Literal["frame", "set"]
@@ -20,6 +22,7 @@ class PlottedSource:
         number: its place among all sources, which gives its dashes and its symbol.
         audits: by frame name; only of frames that may be shown.
         active: whether it is the one that is judged.
+        cameras: of all its frames, annotated or not.
     """
 
     name: str
@@ -27,6 +30,7 @@ class PlottedSource:
     number: int
     audits: Mapping[str, FrameAudit]
     active: bool = False
+    cameras: FrameCameras | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +47,8 @@ class PlotRequest:
         size: of the evaluation, px.
         titles: of the classes, by row of the field.
         blind: whether blind mode hides frames of the scope.
+        field: the elements, metres.
+        hidden: frames of which blind mode lets nothing be told.
     """
 
     sources: tuple[PlottedSource, ...]
@@ -54,6 +60,8 @@ class PlotRequest:
     size: tuple[int, int]
     titles: tuple[str, ...] = ()
     blind: bool = False
+    field: Field | None = None
+    hidden: frozenset[str] = frozenset()
 
     def why_nothing(self, otherwise: str) -> str:
         """Why there is nothing to plot: blind mode, or what else a page says."""

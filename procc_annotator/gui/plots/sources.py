@@ -53,6 +53,7 @@ class PlotSources:
                 number,
                 self._of_frame(source) if scope == "frame" else dict(source.audits),
                 source.camera_set is document.active_camera,
+                source.camera_set,
             )
             for number, source in enumerate(document.sources)
             if source.visible or source.camera_set is document.active_camera
@@ -67,6 +68,7 @@ class PlotSources:
             document.setup.size,
             tuple(titles_of_all_frames(document.field).values()),
             document.blind if scope == "set" else not document.projection_visible,
+            document.field,
         )
         return request, self._restriction(scope)
 
@@ -98,7 +100,8 @@ class PlotSources:
                 replace(s, audits={n: a for n, a in s.audits.items() if n in committed})
                 for s in request.sources
             )
-            return replace(request, sources=sources)
+            hidden = frozenset(request.frames) - committed
+            return replace(request, sources=sources, hidden=hidden)
 
         return restrict
 

@@ -13,6 +13,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.state.annotated_frames import AnnotatedFrames
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.blind_lock import BlindLock
+from procc_annotator.gui.state.corrections import Corrections
 from procc_annotator.gui.state.disagreement import DisagreementWatch
 from procc_annotator.gui.state.editing import Editing
 from procc_annotator.gui.state.field_choice import FieldChoice
@@ -275,8 +276,15 @@ class Document(QObject):
         )
         self.proposals = Proposals(store, signals, self.blind_lock, self.cache)
         self.proposals.fits = lambda: (f.fit for f in self.fit_source.cameras.fits.values())
+        self.corrections = Corrections(store, signals, self.proposals)
         self.foresight = Foresight(
-            store, signals, self.live_fit, self.review, self.shot_track, self.proposals
+            store,
+            signals,
+            self.live_fit,
+            self.review,
+            self.shot_track,
+            self.proposals,
+            self.corrections,
         )
         self.ghosts = Ghosts(store, signals, self.foresight, self.review)
         self.paint_watch = PaintWatch(store, signals)
@@ -320,6 +328,7 @@ class Document(QObject):
             self.landmarks,
             self.ghosts,
             self.foresight,
+            self.corrections,
             self.proposals,
             self.uncertainty,
             self.disagreement,

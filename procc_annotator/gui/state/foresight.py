@@ -1,7 +1,8 @@
 """What the elements that are missing in the frame on screen follow from.
 
 That is the camera fitted to the clicks. As long as these give none, a camera that was found without
-clicks stands in for it: that of the track, where the shot was followed, else the proposed one.
+clicks stands in for it: that of the track, where the shot was followed, else the proposed one. One
+that somebody dragged goes before all of them, until something is annotated after it.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.fit.from_picture.proposal import SURE
 from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.state.corrections import Corrections
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.proposals import Proposals
@@ -37,10 +39,11 @@ class Foresight(QObject):
         review: ReviewState,
         track: ShotTrack,
         proposals: Proposals,
+        corrections: Corrections,
     ) -> None:
         super().__init__(store)
         self._store, self._live_fit, self._review = store, live_fit, review
-        self._track, self._proposals = track, proposals
+        self._track, self._proposals, self._corrections = track, proposals, corrections
         self._stand_in = Derived(
             self._made_of, foresee, Where.BESIDE, self, kept=_KEPT, stoppable=True
         )
@@ -53,6 +56,7 @@ class Foresight(QObject):
             track.changed,
             track.followed,
             proposals.changed,
+            corrections.changed,
             signals.modeChanged,
         ):
             signal.connect(self._look)
@@ -74,9 +78,11 @@ class Foresight(QObject):
 
     @property
     def found(self) -> FitResult | None:
-        """The camera of the frame on screen that was found without clicks."""
+        """The camera of the frame on screen that was found without clicks, or dragged."""
         if not self._proposals.allowed or self._store.state.frame is None:
             return None
+        if (corrected := self._corrections.here) is not None:
+            return corrected.fit
         if (followed := self._track.fit_here) is not None:
             return followed
         proposal = self._proposals.here
@@ -86,7 +92,7 @@ class Foresight(QObject):
     def insight(self) -> Insight | None:
         """What the camera tells; None while that is worked out, or to be hidden."""
         fitted = self._live_fit.insight
-        if fitted is not None and fitted.fit.camera is not None:
+        if fitted is not None and fitted.fit.camera is not None and not self._corrections.rules:
             return fitted
         stand_in = self._stand_in.value
         if stand_in is not None and stand_in.fit.camera is not None:
@@ -96,6 +102,8 @@ class Foresight(QObject):
     @property
     def doubt(self) -> str:
         """Why the camera that stands in should be looked at first; empty where it is sure."""
+        if (corrected := self._corrections.here) is not None:
+            return corrected.why_not
         if (frame := self._track.here) is not None and self._track.fit_here is not None:
             return doubt_about(frame)
         proposal = self._proposals.here
@@ -118,7 +126,7 @@ class Foresight(QObject):
         found, state = self.found, self._store.state
         if found is None or state.frame_name is None:
             return None
-        if state.annotation.annotated and self._live_fit.wanted:
+        if state.annotation.annotated and self._live_fit.wanted and not self._corrections.rules:
             fitted = self._live_fit.insight
             if fitted is None or fitted.fit.camera is not None:
                 return None

@@ -64,6 +64,10 @@ class ShotTrack(QObject):
         self.tracked |= {frame.number: frame for frame in frames}
         self.followed.emit(frames)
 
+    def correct(self, frame: TrackedFrame) -> None:
+        """One frame is known otherwise."""
+        self.replace({**self.tracked, frame.number: frame}, self.cuts)
+
     def replace(self, frames: Mapping[int, TrackedFrame], cuts: Iterable[int]) -> None:
         """This is all that is known from now on."""
         self.tracked, self.cuts = dict(frames), tuple(sorted(cuts))

@@ -16,6 +16,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
 from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.image.decode import HalfPicture, PixelArray
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.clicks.correction import Correction
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.edits import PointRef
 from procc_annotator.session.dataset.frames import Frame
@@ -86,6 +87,7 @@ class State:
         blind: whether nothing of a camera is shown before a frame is committed.
         blind_lock: the lock of the dataset to blind mode, if it has one.
         committed: the frames whose clicks were declared final.
+        corrected: frame name -> its camera as somebody dragged it; nothing of it is in a file.
         author: whose name points, comments and versions bear.
         notices: lines that are so until they are withdrawn.
         told: the last line that was said.
@@ -116,6 +118,7 @@ class State:
     blind: bool = False
     blind_lock: LockEvent | None = None
     committed: frozenset[str] = frozenset()
+    corrected: Mapping[str, Correction] = field(default_factory=dict)
     author: str = ""
     notices: tuple[Notice, ...] = ()
     told: Told | None = None

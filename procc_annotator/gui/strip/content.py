@@ -22,6 +22,7 @@ class StripContent(QObject):
         sequence: the frames; None while nothing is open that has an order in time.
         band: what is known of each frame's camera.
         anchors: (n,) numbers of annotated frames, ascending.
+        dragged: those of frames whose camera somebody dragged, ascending.
         statuses: (number, status) of the frames that were touched, ascending.
     """
 
@@ -34,12 +35,14 @@ class StripContent(QObject):
         self.band = Band.unknown(0)
         self._told: dict[int, TrackedFrame] = {}  # what the band tells, by number
         self.anchors: tuple[int, ...] = ()
+        self.dragged: tuple[int, ...] = ()
         self.statuses: tuple[tuple[int, Status], ...] = ()
         document.sequence.changed.connect(self._begin_anew)
         document.datasetChanged.connect(self._begin_anew)
         document.shot_track.followed.connect(self._take_followed)
         document.shot_track.changed.connect(self._take_track)
         document.annotated_frames.changed.connect(self._take_anchors)
+        document.corrections.changed.connect(self._take_dragged)
         document.review.statusChanged.connect(self._take_statuses)
 
     @property
@@ -61,6 +64,7 @@ class StripContent(QObject):
         self.band, self._told = Band.unknown(0 if sequence is None else sequence.count), {}
         self._take_track()
         self._take_anchors()
+        self._take_dragged()
         self._take_statuses()
         self.changed.emit()
 
@@ -89,6 +93,14 @@ class StripContent(QObject):
             numbers = sequence.numbers.tolist()
             annotated = sorted(self._document.annotated_frames.indices)
             self.anchors = tuple(numbers[i] for i in annotated if i < len(numbers))
+            self.changed.emit()
+
+    def _take_dragged(self, _: str = "") -> None:
+        sequence, workspace = self.sequence, self._document.workspace
+        if sequence is not None and workspace is not None:
+            index, numbers = workspace.index, sequence.numbers
+            names = self._document.state.corrected.keys() & index.keys()
+            self.dragged = tuple(sorted(int(numbers[index[name]]) for name in names))
             self.changed.emit()
 
     def _take_statuses(self, _: str = "") -> None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
@@ -198,22 +200,34 @@ def _paint_status(painter: QPainter, content: StripContent, axis: Axis, rows: Ro
 def _paint_anchors(
     painter: QPainter, content: StripContent, axis: Axis, rows: Rows, colours: QPalette
 ) -> None:
-    """Diamonds; uprights where they would lie on each other."""
-    numbers = np.array(content.anchors, dtype=np.float64)
-    numbers = numbers[(numbers >= axis.begin - 1) & (numbers <= axis.end)]
-    places = np.unique(np.round((numbers + 0.5 - axis.begin) * axis.per_frame))
+    """Diamonds, hollow where only the camera was dragged; uprights where they would lie on each
+    other."""
+    places = _places(content.anchors, axis)
+    dragged = _places(() if content.hidden else content.dragged, axis)
+    dragged = np.setdiff1d(dragged, places)
     tone, y = colours.color(QPalette.ColorRole.Highlight), rows.marks + _MARKS / 2
     if len(places) * 2 * _ANCHOR > axis.width / 2:
         painter.setPen(QPen(tone, 1.0))
         top, bottom = y - _ANCHOR, y + _ANCHOR
         painter.drawLines([QLineF(x, top, x, bottom) for x in places.tolist()])
-        return
+        places = places[:0]
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(tone)
     for x in places.tolist():
         painter.drawPolygon(_diamond(x, y))
+    painter.setPen(QPen(tone, 1.4))
+    painter.setBrush(colours.color(QPalette.ColorRole.Window))
+    for x in dragged.tolist():
+        painter.drawPolygon(_diamond(x, y))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+
+
+def _places(numbers: Sequence[int], axis: Axis) -> NDArray[np.float64]:
+    """Px of the widget where frames in sight have their marks."""
+    every = np.array(numbers, dtype=np.float64)
+    every = every[(every >= axis.begin - 1) & (every <= axis.end)]
+    return np.unique(np.round((every + 0.5 - axis.begin) * axis.per_frame))
 
 
 def _diamond(x: float, y: float) -> QPolygonF:

@@ -18,6 +18,8 @@ def words_of(document: Document, content: StripContent, number: int | None) -> s
         said.append(f"{int(seconds // 60)}:{seconds % 60:05.2f}")
     if number in content.anchors:
         said.append("annotated")
+    if number in content.dragged and not content.hidden:
+        said.append("its camera was dragged")
     status = dict(content.statuses).get(number)
     if status is not None:
         said.append(status.value)

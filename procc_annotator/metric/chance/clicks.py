@@ -15,12 +15,13 @@ _MEDIAN_OF_TWO = 0.6744897501960817 * 2**0.5
 
 @dataclass(frozen=True, eq=False)
 class ClickSpread:
-    """K figures of a set, evaluated R times with every point moved at random.
+    """K means over frames that were judged R times with every point moved at random.
 
     Attributes:
-        means: (K,) over the repeats; below the figures themselves, whose clicks had been off once.
-        deviations: (K,) standard deviations from repeat to repeat: what other clicks on these very
-            frames would make of the figure.
+        means: (K,) over frames and repeats. Below the figures themselves, whose clicks were off
+            once already.
+        deviations: (K,) standard deviation of a mean: what other clicks on these very frames would
+            make of it.
         shares: (K,) how much of the variance from set to set comes from clicks, in [0, 1]; NaN
             where it does not vary.
     """
@@ -30,17 +31,23 @@ class ClickSpread:
     shares: FloatArray
 
 
-def click_spread(repeated: FloatArray, deviations: FloatArray) -> ClickSpread:
+def click_spread(moved: FloatArray, deviations: FloatArray) -> ClickSpread:
     """Compare what clicks alone change with what sets of other frames change.
 
+    Frames are clicked each for itself, so that the variance of their mean is the sum of theirs over
+    the square of their number; that takes far fewer repeats than the means' own variance.
+
     Args:
-        repeated: (R, K) figures of the repeats.
-        deviations: (K,) of the figures from set to set, where both frames and clicks are others.
+        moved: (F, R, K) figures of F frames in R repeats.
+        deviations: (K,) of the means from set to set, where both frames and clicks are others.
     """
-    means = repeated.mean(axis=0)
-    own = repeated.std(axis=0, ddof=1) if len(repeated) > 1 else np.full(len(means), np.nan)
+    frames, repeats, _ = moved.shape
+    own = np.full(moved.shape[2], np.nan)
+    if frames and repeats > 1:
+        own = np.sqrt(moved.var(axis=1, ddof=1).sum(axis=0)) / frames
     with np.errstate(divide="ignore", invalid="ignore"):
         shares = np.where(deviations > 0, np.minimum(1.0, (own / deviations) ** 2), np.nan)
+    means = moved.mean(axis=(0, 1)) if frames else np.full(moved.shape[2], np.nan)
     return ClickSpread(means, own, shares)
 
 

@@ -133,19 +133,22 @@ class Sampled:
         return np.where(count > 1, found, np.nan)
 
 
-def sample(ratios: Ratios, clusters: IntArray, draws: Draws) -> Sampled:
+def sample(ratios: Ratios, clusters: IntArray, draws: Draws | None) -> Sampled:
     """Draw sets of as many clusters, with replacement.
 
     Args:
         ratios: K figures over F frames.
         clusters: (F,) number of each frame's cluster, from 0 on; where every frame is drawn for
             itself, a number for each.
+        draws: None to draw nothing: the deviation and an interval ``t`` need no more.
     """
     sums = ratios.by_cluster(clusters)
     parts, wholes = sums.parts.sum(axis=0), sums.wholes.sum(axis=0)
     both = np.hstack((sums.parts, sums.wholes))
     figures = len(parts)
-    drawn = np.concatenate([counts @ both for counts in counts_drawn(len(sums.parts), draws)])
+    drawn = np.empty((0, 2 * figures))
+    if draws is not None:
+        drawn = np.concatenate([counts @ both for counts in counts_drawn(len(sums.parts), draws)])
     squares = (sums.wholes**2).sum(axis=0)
     return Sampled(
         _divided(parts, wholes),

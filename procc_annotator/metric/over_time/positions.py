@@ -41,12 +41,15 @@ class Poses:
 
 @dataclass(frozen=True)
 class PoseJitter:
-    """Second differences over a shot as the error of one frame; None where none is known."""
+    """Second differences over a shot as the error of one frame; None where none is known.
+
+    ``zoom`` is a share of the focal length.
+    """
 
     pan_deg: float | None
     tilt_deg: float | None
     roll_deg: float | None
-    zoom_percent: float | None
+    zoom: float | None
     position_m: float | None
 
 
@@ -115,7 +118,7 @@ def pose_jitter(poses: Poses, numbers: Sequence[int], left_out: BoolArray) -> Po
         of(poses.pan_deg),
         of(poses.tilt_deg),
         of(poses.roll_deg),
-        of(100 * poses.log_focal),
+        of(poses.log_focal),
         of(poses.position_world),
     )
 

@@ -13,15 +13,15 @@ from procc_annotator.report.page.chart_svg import Chart
 from procc_annotator.report.page.report_pairs import ReportedPair
 from procc_annotator.report.page.report_pictures import OverlayFigure
 from procc_annotator.report.page.report_tables import (
-    ReportTable,
     classes_section,
     comparison_table,
     errors_table,
+    every_frame_table,
     frames_table,
     terms,
 )
-from procc_annotator.report.scores.tables import percent_text
-from procc_annotator.report.sheet.figure import DASH
+from procc_annotator.report.sheet.as_html import html_table
+from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.resources import resources_dir
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ class Page:
     worst: Sequence[tuple[str, Sequence[OverlayFigure]]] = ()
     lot: Sequence[tuple[str, Sequence[OverlayFigure]]] = ()
     pairs: Sequence[ReportedPair] = ()
-    pair_tables: Sequence[ReportTable] = ()
+    pair_tables: Sequence[Sheet] = ()
     failures: Sequence[str] = ()
 
 
@@ -84,28 +84,12 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
         terms=terms(report),
         tables=[comparison_table(report), frames_table(report), errors_table(report)],
         classes=classes_section(report),
-        frames=_frames_table(report) if len(report.frames) <= MOST_FRAMES else None,
+        frames=every_frame_table(report) if len(report.frames) <= MOST_FRAMES else None,
         failures=failures[:MOST_FAILURES],
         more_failures=max(0, len(failures) - MOST_FAILURES),
         notices=notices,
     )
     return text.encode("utf-8", "replace")
-
-
-def _frames_table(report: AuditReport) -> ReportTable:
-    """JaC of every frame under every source."""
-    from procc_annotator.report.page.report_tables import Cell, ReportColumn
-
-    sources = report.evaluated
-    rows = []
-    for name in report.frames:
-        found = [source.figures(name, report.tau) for source in sources]
-        cells = [Cell(DASH if f is None else percent_text(f.jac)) for f in found]
-        rows.append((Cell(name), *cells))
-    columns = (ReportColumn("Frame", numeric=False), *(ReportColumn(s.name) for s in sources))
-    return ReportTable(
-        f"JaC@{report.tau:g} of every frame, % ({terms(report)})", columns, tuple(rows)
-    )
 
 
 @cache
@@ -123,6 +107,7 @@ def _template() -> Template:
     )
     # Drawn here from escaped texts, not read from anywhere.
     environment.filters["drawn"] = lambda chart: Markup(chart.svg)
+    environment.filters["table"] = lambda sheet, **look: Markup(html_table(sheet, **look))
     environment.filters["data_uri"] = _data_uri
     return environment.get_template("report.html")
 

@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from typing import Any
 
 import msgspec
 
-from procc_annotator.io.csv_text import no_formula
-from procc_annotator.metric.sets import ClassSummary
+from procc_annotator.metric.sets import ClassSummary, SetSummary
 from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.page.audit_report import AuditReport, FrameFigures, ReportedSource
+from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.page.report_pairs import ReportedPair
-from procc_annotator.report.scores.score_files import summary_entry
-from procc_annotator.report.sheet.figure import shortest
+from procc_annotator.report.scores.score_columns import COUNTS
+from procc_annotator.report.scores.score_files import frame_entry, summary_entry
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.as_json import json_bytes
+from procc_annotator.report.sheet.figure import shortest, values_of
+from procc_annotator.report.sheet.figures import MEAN_JAC, MEAN_PRECISION, MEAN_RECALL, OF_SET
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
 
-CSV_COLUMNS = (
-    "source", "model", "protocol", "options", "width", "height", "threshold", "class",
-    "images", "evaluated", "mean_jac", "sd_jac", "median_jac", "completeness", "final_score",
-    "mean_precision", "mean_recall", "mean_reprojection_error", "tp", "fp", "fn",
+_COLUMNS = (
+    Column("source"), Column("model"), Column("protocol"), Column("options"), whole("width"),
+    whole("height"), TAU, Column("class"), whole("images"), whole("evaluated"), *map(of, OF_SET),
+    *(whole(count.key) for count in COUNTS), Column("field"),
 )  # fmt: skip
 
 
@@ -36,7 +38,7 @@ def report_json(report: AuditReport, pairs: tuple[ReportedPair, ...] = ()) -> by
         "pairs": [_pair_entry(pair) for pair in pairs],
         "failures": report.failures(),
     }
-    return msgspec.json.format(msgspec.json.encode(content), indent=1) + b"\n"
+    return json_bytes(content)
 
 
 def _source_entry(source: ReportedSource) -> dict[str, Any]:
@@ -52,23 +54,10 @@ def _source_entry(source: ReportedSource) -> dict[str, Any]:
             {
                 "name": frame.name,
                 "error": frame.error,
-                "results": {shortest(t): _frame_entry(f) for t, f in frame.figures.items()},
+                "results": {shortest(t): frame_entry(f) for t, f in frame.figures.items()},
             }
             for frame in source.frames
         ],
-    }
-
-
-def _frame_entry(figures: FrameFigures) -> dict[str, Any]:
-    return {
-        "tp": figures.tp,
-        "fp": figures.fp,
-        "fn": figures.fn,
-        "jac": figures.jac,
-        "mirrored": figures.mirrored,
-        "precision": figures.precision,
-        "recall": figures.recall,
-        "mean_reprojection_error": figures.mean_error,
     }
 
 
@@ -83,38 +72,30 @@ def _pair_entry(pair: ReportedPair) -> dict[str, Any]:
 
 def report_csv(report: AuditReport) -> bytes:
     """One row a source and threshold, then one for each of its classes (counted in points)."""
-    text = io.StringIO()
-    rows = csv.DictWriter(text, CSV_COLUMNS, lineterminator="\n", restval="")
-    rows.writeheader()
+    rows: list[Row] = []
     for source in report.evaluated:
         for tau, summary in source.summaries.items():
-            terms = _terms(report, source) | {"threshold": shortest(tau)}
-            figures = {name: getattr(summary, name) for name in CSV_COLUMNS[8:18]}
-            rows.writerow(terms | figures)
+            rows.append(_row(report, source, tau, summary))
             for name, found in summary.per_class.items():
-                rows.writerow(terms | {"class": no_formula(name)} | _class_figures(found))
-    return text.getvalue().encode()
+                rows.append(_row(report, source, tau, found, name))
+    return csv_bytes(Sheet("report", "", _COLUMNS, tuple(rows)))
 
 
-def _terms(report: AuditReport, source: ReportedSource) -> dict[str, Any]:
-    width, height = report.setup.size
-    said = source.described.split(", ", 2)
-    return {
-        "source": no_formula(source.name),
-        "model": no_formula(source.model),
-        "protocol": report.setup.protocol,
-        "options": said[2] if len(said) > 2 else "",
-        "width": width,
-        "height": height,
-    }
-
-
-def _class_figures(found: ClassSummary) -> dict[str, Any]:
-    return {
-        "mean_jac": found.jac,
-        "mean_precision": found.precision,
-        "mean_recall": found.recall,
-        "tp": found.tp,
-        "fp": found.fp,
-        "fn": found.fn,
-    }
+def _row(
+    report: AuditReport,
+    source: ReportedSource,
+    tau: float,
+    found: SetSummary | ClassSummary,
+    class_name: str | None = None,
+) -> Row:
+    setup = report.setup
+    options = ", ".join(setup.options(source.ground_only))
+    terms = (source.name, source.model, setup.protocol, options, *setup.size, tau, class_name)
+    if isinstance(found, SetSummary):
+        images = (found.images, found.evaluated)
+        figures = (*images, *values_of(OF_SET, found), None, None, None)
+    else:
+        of_class = {MEAN_JAC: found.jac, MEAN_PRECISION: found.precision, MEAN_RECALL: found.recall}
+        shared = (of_class.get(figure) for figure in OF_SET)
+        figures = (None, None, *shared, *values_of(COUNTS, found))
+    return (*terms, *figures, setup.field.described)

@@ -10,14 +10,10 @@ from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.legacy import Average
-from procc_annotator.report.comparison import (
-    LEGACY_ROWS,
-    ComparisonScene,
-    shown_number,
-    spread_cells,
-)
-from procc_annotator.report.page.report_tables import Cell, ReportColumn, ReportTable
-from procc_annotator.report.sheet.figure import DASH
+from procc_annotator.report.comparison import ComparisonScene
+from procc_annotator.report.sheet.figure import Figure, values_of
+from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
+from procc_annotator.report.sheet.sheet import Column, Sheet, of, whole
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.comparison_run import (
     ComparedFrame,
@@ -172,57 +168,57 @@ def _words(frame: ComparedFrame) -> str:
     if frame.statistics is None:
         return ""
     metres = frame.statistics.metres
-    within = DASH if frame.within is None else f"{100 * frame.within:.1f} %"
-    least, median, largest = spread_cells(metres)
+    least, median, largest = (figure.text(figure.of(metres)) for figure in METRES)
+    within = WITHIN.text(frame.within)
     return (
         f"min {least}, median {median}, max {largest} m;"
-        f" {within} of the compared area within {OFFSIDE_ACCURACY_M:g} m"
+        f" {within} % of the compared area within {OFFSIDE_ACCURACY_M:g} m"
     )
 
 
-def disagreement_section(pairs: Sequence[ReportedPair]) -> ReportTable:
+def disagreement_section(pairs: Sequence[ReportedPair]) -> Sheet:
     """One row a pair: metres on the ground, px in the picture."""
     columns = (
-        ReportColumn("Sources", numeric=False),
-        ReportColumn("Frames"),
-        *(ReportColumn(heading, group="on the ground, m") for heading in ("min", "median", "max")),
-        ReportColumn(f"within {OFFSIDE_ACCURACY_M:g} m, %"),
-        *(
-            ReportColumn(heading, group="in the picture, px")
-            for heading in ("min", "median", "max")
-        ),
+        Column("sources", "Sources"),
+        whole("frames", "Frames"),
+        *(_spread_column(f, "metres", "on the ground, m") for f in METRES),
+        of(WITHIN),
+        *(_spread_column(f, "pixels", "in the picture, px") for f in PIXELS),
     )
     rows = []
     for pair in pairs:
-        texts = [f"{pair.a}, {pair.b}", *[DASH] * 8]
-        if pair.summary is not None:
-            found = pair.summary
-            within = DASH if found.within is None else f"{100 * found.within:.1f}"
-            texts = [texts[0], str(found.frames), *spread_cells(found.metres), within]
-            texts += spread_cells(found.pixels)
-        rows.append(tuple(Cell(text) for text in texts))
-    described = next((p.described for p in pairs if p.described), "")
-    return ReportTable(f"Disagreement of camera sources ({described})", columns, tuple(rows))
+        found = pair.summary
+        metres = values_of(METRES, found and found.metres)
+        pixels = values_of(PIXELS, found and found.pixels)
+        within, frames = (found.within, found.frames) if found else (None, None)
+        rows.append((f"{pair.a}, {pair.b}", frames, *metres, within, *pixels))
+    return Sheet(
+        "disagreement", "Disagreement of camera sources", columns, tuple(rows), _described(pairs)
+    )
 
 
-def legacy_section(reference: str, pairs: Sequence[ReportedPair]) -> ReportTable:
+def _spread_column(figure: Figure, what: str, group: str) -> Column:
+    return of(figure, key=f"{what}_{figure.key}", heading=figure.title, group=group)
+
+
+def legacy_section(reference: str, pairs: Sequence[ReportedPair]) -> Sheet:
     """One row a source: the metrics of earlier papers against the reference, mean and median."""
-    columns = [ReportColumn("Source", numeric=False), ReportColumn("Frames")]
-    for title, unit, _ in LEGACY_ROWS.values():
-        columns += [
-            ReportColumn("mean", group=f"{title}, {unit}"),
-            ReportColumn("median", group=f"{title}, {unit}"),
-        ]
+    columns = [Column("source", "Source"), whole("frames", "Frames")]
+    for figure in LEGACY:
+        group = f"{figure.title}, {figure.unit}"
+        for average in ("mean", "median"):
+            key = f"{figure.key}_{average}"
+            columns.append(of(figure, key=key, heading=average, group=group))
     rows = []
     for pair in pairs:
         legacy = {} if pair.summary is None else pair.summary.legacy
-        frames = DASH if pair.summary is None else str(pair.summary.frames)
-        cells = [Cell(pair.b), Cell(frames)]
-        for name, (_, _, factor) in LEGACY_ROWS.items():
-            found = legacy.get(name, Average(None, None, 0))
-            cells += [Cell(shown_number(value, factor)) for value in (found.mean, found.median)]
-        rows.append(tuple(cells))
-    described = next((p.described for p in pairs if p.described), "")
-    return ReportTable(
-        f"Metrics of earlier papers against {reference} ({described})", tuple(columns), tuple(rows)
-    )
+        averages = [legacy.get(figure.key, Average(None, None, 0)) for figure in LEGACY]
+        values = [value for found in averages for value in (found.mean, found.median)]
+        frames = None if pair.summary is None else pair.summary.frames
+        rows.append((pair.b, frames, *values))
+    title = f"Metrics of earlier papers against {reference}"
+    return Sheet("legacy", title, tuple(columns), tuple(rows), _described(pairs))
+
+
+def _described(pairs: Sequence[ReportedPair]) -> str:
+    return next((p.described for p in pairs if p.described), "")

@@ -15,7 +15,6 @@ from procc_annotator.io.source import FileSource
 from procc_annotator.report.page.audit_report import AuditReport, Work
 from procc_annotator.report.page.charts import draw_charts
 from procc_annotator.report.page.html_report import Heading, Page, report_html
-from procc_annotator.report.page.latex import latex_tables
 from procc_annotator.report.page.report_files import report_csv, report_json
 from procc_annotator.report.page.report_pairs import (
     PairPainters,
@@ -30,7 +29,9 @@ from procc_annotator.report.page.report_pictures import (
     Painters,
     choose_frames,
 )
-from procc_annotator.report.page.report_tables import ReportTable, comparison_table, terms
+from procc_annotator.report.page.report_tables import comparison_table, terms
+from procc_annotator.report.sheet.as_latex import latex_tables
+from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 REPORT_SUFFIXES = (".html", ".csv", ".json", ".tex")
@@ -46,6 +47,7 @@ class ReportRequest:
         worst: frames a source to draw; lot: frames to draw by lot, with ``seed``.
         disagreement: pairs of sources; pictures: how many of each.
         reference: the source that the metrics of earlier papers take as true; empty for none.
+        recipe: name of the file that holds what all figures were made from; empty for none.
     """
 
     title: str
@@ -56,6 +58,7 @@ class ReportRequest:
     disagreement: tuple[tuple[str, str], ...] = ()
     pictures: int = 3
     reference: str = ""
+    recipe: str = ""
 
 
 @dataclass(frozen=True)
@@ -144,7 +147,7 @@ def write_report(
     )
     legacy = _legacy_pairs(request, report, pairs)
     disagreeing = tuple(pairs.compared(a, b) for a, b in request.disagreement)
-    tables: list[ReportTable] = []
+    tables: list[Sheet] = []
     if disagreeing:
         tables.append(disagreement_section(disagreeing))
     if legacy:
@@ -159,6 +162,7 @@ def write_report(
         contents["json"] = report_json(report, every_pair)
     if "tex" in kinds:
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
+        remarks += [f"recipe: {request.recipe}"] if request.recipe else []
         contents["tex"] = latex_tables([comparison_table(report), *tables], remarks).encode()
     if "html" in kinds:
         page = _page(report, material, request, drawing, pairs, tables, work, problems)
@@ -196,7 +200,7 @@ def _page(
     request: ReportRequest,
     drawing: Drawing,
     pairs: Pairs,
-    tables: Sequence[ReportTable],
+    tables: Sequence[Sheet],
     work: Work,
     problems: Sequence[str],
 ) -> Page:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import IO
+from typing import IO, Any
 
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
@@ -90,5 +90,6 @@ class CsvScores:
         *,
         ground_only: bool,
         groups: Sequence[GroupSummary] = (),
+        more: Mapping[str, Any] | None = None,
     ) -> None:
         """Nothing: a set's figures have no row of their own."""

@@ -44,6 +44,7 @@ class ScoreWriter(Protocol):
         *,
         ground_only: bool,
         groups: Sequence[GroupSummary] = (),
+        more: Mapping[str, Any] | None = None,
     ) -> None: ...
 
 
@@ -186,6 +187,7 @@ class JsonScores:
         *,
         ground_only: bool,
         groups: Sequence[GroupSummary] = (),
+        more: Mapping[str, Any] | None = None,
     ) -> None:
         entries = None
         if summary is not None:
@@ -199,7 +201,7 @@ class JsonScores:
             self._stream.write(b',"mirrored_labels":true')
         if groups:
             self._stream.write(b',"groups":' + msgspec.json.encode(_group_entries(groups)))
-        self._stream.write(b"}\n")
+        self._stream.write(_more(more) + b"}\n")
 
 
 class JsonList:
@@ -214,9 +216,14 @@ class JsonList:
         self._stream.write(self._separator)
         self._separator = b","
 
-    def end(self) -> None:
-        """That was all."""
-        self._stream.write(b"]}\n")
+    def end(self, more: Mapping[str, Any] | None = None) -> None:
+        """That was all, but for what is told of the evaluations together."""
+        self._stream.write(b"]" + _more(more) + b"}\n")
+
+
+def _more(entries: Mapping[str, Any] | None) -> bytes:
+    """More keys of an object that has some."""
+    return b"," + msgspec.json.encode(entries)[1:-1] if entries else b""
 
 
 def _summary_entries(summaries: Mapping[float, SetSummary]) -> dict[str, Any]:

@@ -5,25 +5,16 @@ from __future__ import annotations
 
 import csv
 import io
-import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from procc_annotator.errors import InputError
-from procc_annotator.io.csv_text import formula_text
 from procc_annotator.report.scores.score_columns import COLUMNS, NAMES, Row
 from procc_annotator.report.sheet.as_parquet import parquet_libraries, parquet_schema
-from procc_annotator.report.sheet.sheet import Column
+from procc_annotator.report.sheet.from_csv import value_of
 
 _ADVICE = "choose another file, or move this one away"
-_YES_NO = {"true": True, "false": False}
-_EXPECTED = {
-    "whole": "a whole number",
-    "number": "a number",
-    "yes_no": "true or false",
-    "text": "some text",
-}
 
 
 def read_csv_rows(path: Path) -> list[Row]:
@@ -55,7 +46,7 @@ def _rows(path: Path, reader: Any) -> list[Row]:
                 raise _damaged(path, reader.line_num, problem)
             found = ("" if place is None else cells[place] for place in places)
             try:
-                rows.append(tuple(map(_value, COLUMNS, found)))
+                rows.append(tuple(map(value_of, COLUMNS, found)))
             except ValueError as error:
                 raise _damaged(path, reader.line_num, str(error)) from error
     except csv.Error as error:
@@ -77,26 +68,6 @@ def _places(path: Path, header: Sequence[str], line: str = "") -> list[int | Non
 
 def _damaged(path: Path, line: int, problem: str) -> InputError:
     return InputError(path, problem, place=f"line {line}", advice="mend the line, or remove it")
-
-
-def _value(column: Column, cell: str) -> Any:
-    """Raises ValueError with what is wrong."""
-    if not cell and not column.required:
-        return None
-    try:
-        if column.kind == "number":
-            value = float(cell)
-            if math.isfinite(value):
-                return value
-        elif column.kind == "whole":
-            return int(cell)
-        elif column.kind == "yes_no":
-            return _YES_NO[cell]
-        elif cell:
-            return formula_text(cell)
-    except (ValueError, KeyError):
-        pass
-    raise ValueError(f"{column.key} is {cell[:40]!r}, expected {_EXPECTED[column.kind]}")
 
 
 def read_parquet_rows(path: Path) -> list[Row]:

@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
-import io
-import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import IO, Any, cast
+from typing import IO, Any
 
-from procc_annotator.errors import ProccError, SaveError, UsageError
+from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores import score_files
+from procc_annotator.report.scores.chance import (
+    ChanceTerms,
+    ToldOfSet,
+    chance_entries,
+    chance_told,
+)
 from procc_annotator.report.scores.score_columns import Row
 from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
 from procc_annotator.report.scores.score_files import JsonList, JsonScores, ScoreWriter
+from procc_annotator.report.scores.score_output import forgiving_output
 from procc_annotator.report.scores.score_table import Figures, figures_of, whole_rows
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
 from procc_annotator.session.runs.evaluation_run import (
@@ -30,6 +35,7 @@ from procc_annotator.session.runs.evaluation_run import (
     run_digested,
 )
 from procc_annotator.session.runs.execution.executor import Executor, make_executor
+from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
 from procc_annotator.session.runs.tags import MODEL, Grouping
 
 
@@ -42,6 +48,7 @@ class FrameDigest:
     notices: tuple[str, ...]
     fragments: tuple[bytes, ...]
     figures: tuple[Figures, ...] = ()
+    sums: FrameSums | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,11 +75,13 @@ class Outcome:
         outputs: ``.json`` and ``.csv`` files; each appears when it is complete.
         named: whether these say set and method of every evaluation; they have to for several.
         rows: whether rows for a table of scores are kept.
+        chance: how surely the figures are to be told; None for not at all.
     """
 
     outputs: Sequence[Path] = ()
     named: bool = False
     rows: bool = False
+    chance: ChanceTerms | None = None
 
     @property
     def formats(self) -> tuple[str, ...]:
@@ -85,6 +94,7 @@ class Scored:
     """A set's figures and what has to be said about it."""
 
     summaries: Mapping[float, SetSummary]
+    setup: EvaluationSetup
     described: str
     frames: int
     with_camera: int
@@ -97,6 +107,7 @@ class Scored:
     groups: tuple[GroupSummary, ...] = ()
     rows: list[Row] = field(default_factory=list)
     in_pixels: tuple[str, ...] = ()
+    sums: SourceSums | None = None
 
     @property
     def first_threshold(self) -> float:
@@ -120,6 +131,7 @@ def digest_frame(
     names: tuple[str, ...] = (),
     by: tuple[str, ...] = (),
     with_figures: bool = False,
+    chance: ChanceTerms | None = None,
 ) -> FrameDigest:
     """Encode a frame for each output format and keep its row at the first threshold."""
     result = evaluated.result
@@ -133,7 +145,8 @@ def digest_frame(
     if result.scores:  # as they are written, also where mirrored labels count on a tie
         row = FrameRow.of(result.name, result.scores[thresholds[0]])
     figures = figures_of(result, thresholds) if with_figures else ()
-    return FrameDigest(row, result.error, result.notices, fragments, figures)
+    sums = None if chance is None else frame_sums(evaluated, thresholds, chance.noise)
+    return FrameDigest(row, result.error, result.notices, fragments, figures, sums)
 
 
 def score_set(
@@ -172,6 +185,7 @@ class Evaluations:
 
     scorings: list[_Scoring]
     outcome: Outcome
+    told: tuple[ToldOfSet, ...] = ()  # what chance leaves of them, once they are scored
 
     @classmethod
     def prepare(
@@ -226,7 +240,7 @@ class Evaluations:
         failures: dict[Path, ProccError] = {} if unwritten is None else unwritten
         with ExitStack() as files:
             paths = self.outcome.outputs
-            streams = [files.enter_context(_output(path, failures)) for path in paths]
+            streams = [files.enter_context(forgiving_output(path, failures)) for path in paths]
             for scoring, frame in progress(self._steps(streams, executor), self.frames, "scoring"):
                 scoring.take(frame)
         if unwritten is None and failures:
@@ -248,58 +262,14 @@ class Evaluations:
                 scoring.run.executor = executor
             for frame in scoring.run:
                 yield scoring, frame
-            scoring.finish()
+            scoring.sum_up()
+            if scoring is self.scorings[-1] and self.outcome.chance is not None:
+                scored = [one.scored for one in self.scorings]
+                self.told = tuple(chance_told(scored, self.outcome.chance))
+            # In a file of several, what is told of all follows behind them.
+            scoring.write_end({} if self.outcome.named else chance_entries(self.told))
         for several in lists:
-            several.end()
-
-
-class _Output(io.RawIOBase):
-    """A stream that notes its first failure and takes no more from then on."""
-
-    def __init__(self, stream: IO[bytes]) -> None:
-        self._stream = stream
-        self.failure: OSError | None = None
-
-    def write(self, data: Any) -> int:
-        return self._noting(self._stream.write, data) or len(data)
-
-    def flush(self) -> None:
-        self._noting(self._stream.flush)
-
-    def sync(self) -> None:
-        """Everything reaches the disk; raises what went wrong until then."""
-        self.flush()
-        self._noting(os.fsync, self._stream.fileno())
-        if self.failure is not None:
-            raise self.failure
-
-    def _noting(self, do: Callable[..., Any], *arguments: Any) -> Any:
-        if self.failure is not None:
-            return None
-        try:
-            return do(*arguments)
-        except OSError as error:
-            self.failure = error
-            return None
-
-
-@contextmanager
-def _output(path: Path, unwritten: dict[Path, ProccError]) -> Iterator[IO[bytes]]:
-    """A file as of `replacing`; that it cannot be written must not stop the work.
-
-    Raises:
-        SaveError: it cannot even be begun.
-    """
-    output: _Output | None = None
-    try:
-        with score_files.replacing(path) as stream:
-            output = _Output(stream)
-            yield cast(IO[bytes], output)
-            output.sync()
-    except SaveError as error:
-        if output is None or output.failure is None:
-            raise
-        unwritten[path] = error
+            several.end(chance_entries(self.told))
 
 
 class _Scoring:
@@ -323,6 +293,7 @@ class _Scoring:
             names=self._names,
             by=asked.grouping.by,
             with_figures=outcome.rows,
+            chance=outcome.chance,
         )
         self.run: EvaluationRun[FrameDigest] = run_digested(
             asked.annotations,
@@ -338,6 +309,7 @@ class _Scoring:
         self._errors: list[str] = []
         self._notices = Counter[str](self.run.notices)
         self._rows: list[Row] = []
+        self._sums: list[FrameSums | None] = []
         self.scored: Scored
 
     def begin(self, streams: Iterable[IO[bytes]], *, first: bool) -> None:
@@ -360,24 +332,23 @@ class _Scoring:
         if frame.error is not None:
             self._errors.append(frame.error)
         self._notices.update(frame.notices)
+        self._sums.append(frame.sums)
         for writer, fragment in zip(self._writers, frame.fragments, strict=True):
             writer.add(fragment)
         if frame.figures:
             asked = self._asked
             self._rows += whole_rows(asked.set_name, asked.method, asked.setup, frame.figures)
 
-    def finish(self) -> None:
-        """Write the end of the outputs; all frames have been taken."""
+    def sum_up(self) -> None:
+        """Make the figures; all frames have been taken."""
         run = self.run
         if run.counted == 0:
             raise UsageError(
                 f"none of the {run.total} annotations can be read; the first: {self._errors[0]}"
             )
-        summaries, groups = run.summary(), run.group_summaries()
-        for writer in self._writers:
-            writer.end(summaries, ground_only=run.ground_only, groups=groups)
         self.scored = Scored(
-            summaries,
+            run.summary(),
+            run.setup,
             run.describe(),
             run.counted,
             run.with_camera,
@@ -387,7 +358,14 @@ class _Scoring:
             run.unmatched_cameras,
             self._asked.set_name,
             self._asked.method,
-            groups,
+            run.group_summaries(),
             self._rows,
             run.in_pixels,
+            SourceSums.of(self._asked.method, self._thresholds, self._sums),
         )
+
+    def write_end(self, more: Mapping[str, Any]) -> None:
+        """Write the end of the outputs, with more entries where they hold any."""
+        scored, ground_only = self.scored, self.run.ground_only
+        for writer in self._writers:
+            writer.end(scored.summaries, ground_only=ground_only, groups=scored.groups, more=more)

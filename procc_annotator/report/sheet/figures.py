@@ -85,6 +85,7 @@ P95_PX = Figure("p95", "95 %", "px", "lower", definition="95 of 100 distances ar
 LARGEST_PX = Figure(
     "max", "max", "px", "lower", definition="The largest distance.", attribute="largest"
 )
+DISTANCES = (MEDIAN_PX, P95_PX, LARGEST_PX)
 BIAS_RIGHT = Figure(
     "bias_right", "bias right", "px", signed=True,
     definition="The median of the differences, projection minus click, to the right.",
@@ -94,10 +95,20 @@ BIAS_DOWN = Figure(
     definition="The median of the differences, projection minus click, down the picture.",
 )  # fmt: skip
 
+# --- two annotators: attributes of `AgreementFigures`, keys of agreements -------------------------
+
+COMMON = Figure("common", "elements in common", "", None, 0, "Elements both annotated.")
+APART = Figure("apart", "apart", "", None, 0, "Elements both annotated, sharing hardly a stretch.")
+ONLY_A = Figure("only_a", "only A", "", None, 0, "Elements only the first annotated.")
+ONLY_B = Figure("only_b", "only B", "", None, 0, "Elements only the second annotated.")
+POINTS = Figure("points", "points", "", None, 0, "Points whose distance was taken.")
+LEFT_OUT = Figure("left_out", "beyond", "", None, 0, "Clicks beyond the other's ends.")
+OF_AGREEMENT = (COMMON, APART, ONLY_A, ONLY_B, POINTS, LEFT_OUT, *DISTANCES)
+
 # --- two sources of cameras: attributes of `Spread` and `LegacyMetrics`, keys of comparisons ------
 
 METRES = tuple(
-    Figure(key, title, "m", "lower", most=FAR, definition=f"The {words} distance on the ground.")
+    Figure(key, title, "m", most=FAR, definition=f"The {words} distance on the ground.")
     for key, title, words in (
         ("minimum", "min", "least"),
         ("median", "median", "median"),
@@ -105,7 +116,7 @@ METRES = tuple(
     )
 )
 PIXELS = tuple(
-    Figure(key, title, "px", "lower", most=FAR, definition=f"The {words} distance in the picture.")
+    Figure(key, title, "px", most=FAR, definition=f"The {words} distance in the picture.")
     for key, title, words in (
         ("minimum", "min", "least"),
         ("median", "median", "median"),
@@ -113,7 +124,7 @@ PIXELS = tuple(
     )
 )
 WITHIN = Figure(
-    "within_offside_accuracy", "within 0.5 m", "%", "higher", 1,
+    "within_offside_accuracy", "within 0.5 m", "%", None, 1,
     "The share of the compared area in which two cameras are at most 0.5 m apart on the ground.",
 )  # fmt: skip
 LEGACY = (
@@ -143,6 +154,24 @@ LEGACY = (
     ),
 )  # fmt: skip
 
+# --- cameras found in pictures: medians in tables, keys of tables of cameras ----------------------
+
+COVERAGE = Figure(
+    "coverage", "coverage", "%", "higher", 0,
+    "The share of the projected lines on which paint was found.",
+)  # fmt: skip
+EXPLAINED = Figure(
+    "explained", "explained", "%", "higher", 0,
+    "The share of the paint found that lies on a projected line.",
+)  # fmt: skip
+RESIDUAL = Figure(
+    "residual_px", "residual", "px", "lower", definition="How far paint is off the lines."
+)
+MARGIN = Figure(
+    "margin", "margin", better="higher", definition="How much better than the next best camera."
+)
+SECONDS = Figure("seconds", "s", better="lower", definition="Time it took.")
+
 # --- how surely a camera is known: standard deviations, keys of tables of cameras -----------------
 
 DEVIATIONS = tuple(
@@ -159,4 +188,122 @@ DEVIATIONS = tuple(
         ("y_m", "y", "m", "position across the field"),
         ("z_m", "z", "m", "height"),
     )
+)  # fmt: skip
+
+# --- how steady cameras are over a shot: second differences, as the error of one frame ------------
+
+JITTER_PX = Figure(
+    "jitter_px", "jitter", "px", "lower",
+    definition="How far the field's points in sight lie from where steady motion from the frame"
+    " before to the frame after would have them: second differences divided by the root of 6, root"
+    " mean square; frames of a jump left out.",
+)  # fmt: skip
+JITTER_M = Figure(
+    "jitter_m", "jitter on the ground", "m", "lower", 3,
+    "The same on the ground: how far away the pixels of these points then mean.",
+)  # fmt: skip
+POSE_JITTER = tuple(
+    Figure(
+        f"jitter_{key}", title, unit, "lower", 3,
+        f"Second differences of the {words} over a shot, as the error of one frame.",
+    )
+    for key, title, unit, words in (
+        ("pan_degrees", "pan", "°", "pan angle"),
+        ("tilt_degrees", "tilt", "°", "tilt angle"),
+        ("roll_degrees", "roll", "°", "roll angle"),
+        ("zoom", "zoom", "%", "focal length, as a share of it"),
+        ("position_m", "position", "m", "position, implied by the homography if there is no other"),
+    )
+)  # fmt: skip
+WANDER_M = Figure(
+    "wander_m", "wander", "m", "lower",
+    definition="How far the position, implied or not, is from its median over the shot, root mean"
+    " square.",
+)  # fmt: skip
+FARTHEST_M = Figure(
+    "wander_largest_m", "farthest", "m", "lower",
+    definition="How far the position is from its median over the shot in the worst frame.",
+)  # fmt: skip
+VERTIGO = Figure(
+    "vertigo", "vertigo",
+    definition="Correlation over a shot of the way the camera backs off along its axis and its"
+    " focal length: near 1 position and zoom make up for each other's errors.",
+)  # fmt: skip
+VERTIGO_WAY = Figure(
+    "vertigo_m_a_percent", "backs off", "m a %",
+    definition="How far the camera backs off for each percent of focal length.",
+)  # fmt: skip
+OUTAGE_SHARE = Figure(
+    "outage_share", "without a camera", "%", "lower", 1, "Frames of the shot without a camera."
+)
+JAC_THIRDS = tuple(
+    Figure(f"jac_{key}", key, "%", "higher", 1, f"Mean JaC in the {key} third of the shot.")
+    for key in ("first", "middle", "last")
+)
+OFFSET_COST = Figure(
+    "offset_cost_px", "then", "px", "lower",
+    definition="Mean distance of the clicks at the shift that fits best; what is farther off than"
+    " 20 px, or not shown, counts as 20.",
+)  # fmt: skip
+OFFSET_AS_IS = Figure(
+    "offset_cost_as_is_px", "as it is", "px", "lower", definition="The same without a shift."
+)
+OFFSET_MARGIN = Figure(
+    "offset_margin_px", "margin", "px", "higher",
+    definition="By how much the next best shift is worse.",
+)  # fmt: skip
+STEP_PX = Figure(
+    "step_px", "moved", "px", definition="How far the field moved since the frame before."
+)
+
+# --- is a difference real: two sources on the frames both have ------------------------------------
+
+JAC_DIFFERENCE = Figure(
+    "jac_difference", "JaC, A less B", "%", signed=True,
+    definition="The mean JaC of A less that of B, on the frames both have a camera for.",
+)  # fmt: skip
+SCORE_DIFFERENCE = Figure(
+    "final_score_difference", "final score, A less B", "%", signed=True,
+    definition="The final score of A less that of B, over all annotated frames.",
+)  # fmt: skip
+ERROR_DIFFERENCE = Figure(
+    "mean_reprojection_error_difference", "mean error, A less B", "px", signed=True,
+    definition="The mean reprojection error of A less that of B, on the frames both have.",
+)  # fmt: skip
+P_VALUE = Figure(
+    "p", "p", digits=4,
+    definition="The share of exchanges of the two sources, whole clusters at once, that differ at"
+    " least as much (permutation test).",
+)  # fmt: skip
+P_CORRECTED = Figure(
+    "p_holm", "p, Holm", digits=4,
+    definition="The same, corrected for as many comparisons as the table makes at a tau.",
+)  # fmt: skip
+BEST_IN = Figure(
+    "best_in", "best in", "%", digits=1,
+    definition="The share of the sets drawn in which the source has the highest mean JaC, on the"
+    " frames all sources have.",
+)  # fmt: skip
+LEAST_DIFFERENCE = Figure(
+    "least_difference", "least difference found", "%", digits=2,
+    definition="The true difference that sets like this one find beyond chance in 80 of 100 cases.",
+)  # fmt: skip
+CLICKED_JAC = Figure(
+    "moved_jac", "JaC, points moved", "%",
+    definition="The mean JaC after every point was moved at random, mean over the repeats.",
+)  # fmt: skip
+CLICK_DEVIATION = Figure(
+    "click_sd", "sd of clicks", "%",
+    definition="The standard deviation of a set's figure from repeat to repeat, each with every"
+    " point moved at random.",
+)  # fmt: skip
+CLICK_SHARE = Figure(
+    "click_share", "share of clicks", "%", digits=1,
+    definition="How much of the variance of a set's figure comes from where points were clicked;"
+    " the rest from which frames the set has.",
+)  # fmt: skip
+TOLD_APART_FROM = Figure(
+    "told_apart_from", "told apart from tau", "px", digits=1,
+    definition="The least tau at which the band about the difference lies beside 0, and so does"
+    " what other clicks on these frames would make of it.",
 )  # fmt: skip

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Literal
 
 from procc_annotator.report.sheet.figure import DASH, Figure
 
 Value = str | int | float | bool | None
-Row = Sequence[Value]
+Row = tuple[Value, ...]
 Kind = Literal["text", "whole", "number", "yes_no"]
 
 
@@ -44,16 +44,23 @@ class Column:
         """Whether it stands at the right edge."""
         return self.kind in ("whole", "number")
 
-    def text(self, value: Value) -> str:
+    def text(self, value: Value, of_row: Figure | None = None) -> str:
         """A value as it is shown: figures by their digits, True as ``yes``, None as a dash; of text
-        None is empty."""
+        None is empty.
+
+        Args:
+            of_row: the figure that the row is about, where the column is not.
+        """
+        figure = self.figure or of_row
         if isinstance(value, bool):
             return "yes" if value else ""
         if value is None:
             return DASH if self.numeric else ""
         if isinstance(value, str):
             return value
-        return f"{value:g}" if self.figure is None else self.figure.text(value)
+        if figure is None or self.kind == "whole":
+            return f"{value:.15g}"
+        return figure.text(value)
 
 
 def of(
@@ -92,16 +99,18 @@ class Sheet:
         notes: below it, for people.
         bold: places (row, column) of values that stand out.
         parts: rows that a line is drawn above.
+        of_rows: the figures that the rows are about, where the columns are not: mean, median, ...
     """
 
     name: str
     title: str
     columns: tuple[Column, ...]
-    rows: tuple[tuple[Value, ...], ...]
+    rows: tuple[Row, ...]
     described: str = ""
     notes: tuple[str, ...] = ()
     bold: frozenset[tuple[int, int]] = frozenset()
     parts: tuple[int, ...] = ()
+    of_rows: tuple[Figure, ...] = ()
 
     def __post_init__(self) -> None:
         for row in self.rows:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from procc_annotator.report.sheet.figure import Better
-from procc_annotator.report.sheet.sheet import Column, Row, Sheet
+from procc_annotator.report.sheet.sheet import Sheet
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,11 +20,10 @@ class ShownColumn:
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """What is shown; ``value`` is what it is sorted by."""
+    """What is shown, and whether it stands out."""
 
     text: str
     bold: bool = False
-    value: str | float | None = None
 
 
 @dataclass(frozen=True)
@@ -59,19 +58,18 @@ def shown(sheet: Sheet) -> ShownSheet:
         for column in sheet.columns
         if not column.joined
     )  # fmt: skip
-    rows = tuple(_cells(sheet.columns, row, at, sheet.bold) for at, row in enumerate(sheet.rows))
+    rows = tuple(_cells(sheet, at) for at in range(len(sheet.rows)))
     return ShownSheet(sheet.caption, columns, rows, sheet.notes, sheet.parts)
 
 
-def _cells(
-    columns: tuple[Column, ...], row: Row, at: int, bold: frozenset[tuple[int, int]]
-) -> tuple[Cell, ...]:
+def _cells(sheet: Sheet, at: int) -> tuple[Cell, ...]:
     cells: list[Cell] = []
-    for place, (column, value) in enumerate(zip(columns, row, strict=True)):
+    figure = sheet.of_rows[at] if sheet.of_rows else None
+    for place, (column, value) in enumerate(zip(sheet.columns, sheet.rows[at], strict=True)):
+        text = column.text(value, figure)
         if not column.joined:
-            cells.append(Cell(column.text(value), (at, place) in bold, value))
+            cells.append(Cell(text, (at, place) in sheet.bold))
         elif value is not None:
             before = cells[-1]
-            text = before.text + column.joined.format(column.text(value))
-            cells[-1] = Cell(text, before.bold, before.value)
+            cells[-1] = Cell(before.text + column.joined.format(text), before.bold)
     return tuple(cells)

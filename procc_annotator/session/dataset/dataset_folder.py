@@ -18,10 +18,11 @@ from procc_annotator.session.database.file import FOLDER as WORKSPACE_FOLDER
 ANNOTATIONS_FOLDER = "annotations"
 FIELD_FILE = "field.toml"
 VIEWS_FILE = "views.csv"
+FRAMES_FILE = "frames.csv"
 
 _ARCHIVES = frozenset({".zip"})
 _ANNOTATION_SUFFIXES = (".zip", ".json")
-_OWN_THINGS = (FIELD_FILE, LANDMARKS_FILE, VIEWS_FILE)
+_OWN_THINGS = (FIELD_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE)
 
 
 def pictures_in(folder: Path) -> list[str]:

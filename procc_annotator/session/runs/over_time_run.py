@@ -41,6 +41,7 @@ from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.runs.execution.executor import Executor
+from procc_annotator.session.runs.frame_jitter import moves_on
 from procc_annotator.session.runs.frame_order import ShotFrames
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
@@ -55,8 +56,6 @@ from procc_annotator.session.runs.set_run import (
 # width of 960 px. One wild frame must not decide.
 _FARTHEST_OFF_PX = 20.0
 _MOST_PAIRS = 120  # of pictures of a shot whose motion is looked at
-_TOO_FAR = 0.25  # of the picture's width: a step by which nothing follows
-_FEWEST_STEPS = 5
 _FEWEST_CARRIED = 6
 
 
@@ -124,7 +123,7 @@ class ShotOverTime:
         return float(known.mean()) if len(known) else None
 
     def jac_third(self, third: int) -> float | None:
-        """Mean JaC at the beginning (0), in the middle (1) and at the end (2) of the shot."""
+        """Mean JaC in the first (0), the middle (1) and the last (2) third of the shot."""
         own = np.array_split(self.jac, 3)[third]
         known = own[np.isfinite(own)]
         return float(known.mean()) if len(known) else None
@@ -132,10 +131,7 @@ class ShotOverTime:
     @property
     def follows(self) -> bool:
         """Whether the frames of the shot show what those before them showed."""
-        steps = self.steady.step_px[np.isfinite(self.steady.step_px)]
-        if len(steps) < _FEWEST_STEPS:
-            return True
-        return bool(np.median(steps) < _TOO_FAR * self.size[0])
+        return moves_on(self.steady.step_px, self.size)
 
 
 @dataclass(frozen=True)

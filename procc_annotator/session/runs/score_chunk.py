@@ -51,14 +51,15 @@ class FrameResult:
 class Evaluated:
     """A frame's result with what it was computed from, which stays in the process that has it.
 
-    ``camera`` (px of the evaluation size), ``model`` and ``measurement`` are there for frames that
-    have scores.
+    ``camera`` (px of the evaluation size), ``model``, ``measurement`` and ``annotation`` are there
+    for frames that have scores.
     """
 
     result: FrameResult
     camera: CameraOrProjections | None = None
     model: str = ""
     measurement: Measurement | None = None
+    annotation: FrameAnnotation | None = None
 
 
 class FrameFiles(NamedTuple):
@@ -223,7 +224,7 @@ def _scored(
         model=read.model,
         groups=groups,
     )
-    return Evaluated(result, read.camera, read.model, measurement)
+    return Evaluated(result, read.camera, read.model, measurement, read.annotation)
 
 
 def _load_camera(

@@ -199,3 +199,24 @@ def test_the_states_differ_without_colour() -> None:
     assert dashes["tp"] == dashes["too_far"] == ()
     assert len({dashes["tp"], dashes["not_annotated"], dashes["missed"]}) == 3
     assert len(set(tones.STATUS_COLOURS.values())) == 4
+
+
+def test_a_distance_line_to_a_foot_outside_the_picture_is_drawn_as_it_is() -> None:
+    """A click on the picture's border, where the projection is just beyond it."""
+    touchline = np.array([[x, 34.0, 0] for x in np.linspace(-52.5, 52.5, 2001)])
+    camera = PinholeCamera(
+        math.radians(4), math.radians(76), 0, (0, 90, -18), (1300, 1300), (479.5, 450.0)
+    )
+    px, seen = camera.project(touchline)
+    outside = px[seen & (px[:, 1] > 540) & (px[:, 1] < 545) & (px[:, 0] > 50) & (px[:, 0] < 900)]
+    x, y = outside[len(outside) // 2]
+    annotation = FrameAnnotation(
+        (Polyline("Side line bottom", (point_from_px(x, 539, (960, 540)),)),)
+    )
+    measurement = measure(annotation, camera, setup("procc"))
+    found = verdicts(measurement, score(measurement, 10.0), (960, 540))
+    assert found.status == {"Side line bottom": "tp"}
+    (whisker,) = found.passing_whiskers
+    assert whisker[3] > 539.5
+    assert np.hypot(*(whisker[2:] - whisker[:2])) == pytest.approx(found.distances[0], abs=1e-6)
+    assert found.distances[0] <= y - 539 + 1e-6

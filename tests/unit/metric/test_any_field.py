@@ -91,12 +91,15 @@ def test_a_chain_goes_round_its_corner(protocol, map_camera, annotate):
 
 
 def test_a_chain_that_is_cut_by_the_picture_is_there_on_both_sides(map_camera, annotate):
-    """Its corner is outside: two pieces, nothing between them along the border."""
+    """Its corner is outside: nothing along the border, but the other side counts beyond it."""
     field = field_of({"chain": CORNER})
     camera = map_camera((50.0, 45.0))  # the corner at y = 55, below the picture's 50
     found = measured(field, annotate({"chain": [(50, 42), (40, 50)]}), camera, "procc")
     assert len(found.projected.pieces["chain"]) == 1
-    assert found.plain.all_distances.tolist() == pytest.approx([0.0, 10.0])
+    in_sight = found.projected.polylines.segments
+    row = np.zeros(2, np.intp)
+    assert in_sight.distances(found.points_px, row).tolist() == pytest.approx([0.0, 10.0])
+    assert found.plain.all_distances.tolist() == pytest.approx([0.0, 5.0])
 
 
 @pytest.mark.parametrize("protocol", PROTOCOLS)

@@ -103,7 +103,7 @@ def test_a_point_without_distance_passes_at_no_tau(one_line, annotate, map_camer
     lines = Polylines(
         vertices, np.zeros(3, np.intp), np.array([False, False, True]), 1, nan_if_zero_length=True
     )
-    shown = ProjectedField(("it",), lines)
+    shown = ProjectedField(("it",), lines, lines)
     measured = measure_projected(annotate({"it": [(50.0, 25.0)]}), shown, setup)
     (said,) = explain_score(score(measured, 1e9), measured, field)
     assert said.status == "too_far"
@@ -132,3 +132,25 @@ def test_worst_first(small_field, annotate, map_camera):
     assert [said.name for said in worst_elements_first(found.values())] == [
         "right", "left", "Line unknown", "bar", "Circle", "middle",
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize("tau", [2, 5])
+def test_what_only_the_clipping_of_soccernet_makes_too_far_is_said(
+    tau, one_line, map_camera, annotate
+):
+    """The line leaves the picture at (59, 51) and is 2.97 px below the click at (80, 50)."""
+    from procc_annotator.field.geometry import Line
+
+    field = one_line(Line((-50.0, 20.0, 0.0), (50.0, 30.0, 0.0)))
+    annotation = annotate({"it": [(0, 45), (80, 50)]})
+    said = explained(field, annotation, map_camera(CENTRE), tau, "soccernet")["it"]
+    assert said.status == "too_far"
+    plain = "it is too far: point 2 is 20.9 px off; it passes at tau > 20.9."
+    reason = (
+        " As it goes on beyond the picture it is at most 3.0 px off, but soccernet measures to"
+        " what is in the picture alone."
+    )
+    assert said.sentence == (plain + reason if tau == 5 else plain)
+    clean = explained(field, annotation, map_camera(CENTRE), tau)["it"]
+    assert "beyond" not in clean.sentence
+    assert clean.deciding_px == pytest.approx(300 / 101, abs=0.02)

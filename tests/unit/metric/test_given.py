@@ -45,11 +45,14 @@ def test_the_polylines_of_a_camera_score_as_the_camera_does(
             continue
         annotation = read_annotation(file.read_bytes(), path=str(file), field=FIELD)
         camera = read_camera_file(path.read_bytes(), path=str(path)).camera
-        drawn = project_field(camera, setup).pieces
+        drawn = project_field(camera, setup)
         shared = json.dumps(
             {
-                name: [[{"x": x / 959, "y": y / 539} for x, y in p.tolist()] for p in pieces]
-                for name, pieces in drawn.items()
+                name: [
+                    [{"x": x / 959, "y": y / 539} for x, y in piece.tolist()]
+                    for piece in drawn.measured.pieces_of(row)
+                ]
+                for row, name in enumerate(drawn.names)
             }
         )
         loaded = read_camera_file(shared.encode(), path="1.json", fmt="polylines")

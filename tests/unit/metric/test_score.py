@@ -238,6 +238,30 @@ def test_whiskers_end_at_the_nearest_projected_point(setup, map_camera, annotate
         assert mirrored[1].tolist() == [[70, 25], [70, 35]]
 
 
+@pytest.mark.parametrize(
+    ("protocol", "distances", "foot"),
+    [
+        ("procc", [0.0, 0.0, 300 / 101], (79.703, 52.970)),
+        ("soccernet", [0.0, 0.0, 20.91], (59.091, 50.909)),
+    ],
+)
+def test_a_line_that_grazes_the_border_is_judged_as_it_goes_on(
+    protocol, distances, foot, one_line, map_camera, annotate
+):
+    """It leaves the picture at (50, 50) and is 3 px below the click at (80, 50) there; to the
+    official evaluation the last row of pixels is in the picture as a whole."""
+    field = one_line(Line((-50.0, 20.0, 0.0), (50.0, 30.0, 0.0)))
+    annotation = annotate({"it": [(0, 45), (40, 49), (80, 50)]})
+    measurement = measure(annotation, map_camera(CENTRE), EvaluationSetup(field, SIZE, protocol))
+    assert measurement.plain.all_distances == pytest.approx(distances, abs=0.02)
+    assert (score(measurement, 5).tp == 1) == (protocol == "procc")
+    (feet,) = nearest_points(measurement, measurement.plain)
+    assert feet is not None
+    assert feet[2] == pytest.approx(foot, abs=0.02)
+    below = measure(annotation, map_camera((50.0, 31.5)), EvaluationSetup(field, SIZE, protocol))
+    assert score(below, 50).fn == 1  # whether it is in sight the picture decides
+
+
 def test_pieces_are_named_and_only_of_what_is_visible(setup, map_camera):
     projected = project_field(map_camera((30.0, 25.0)), setup)
     assert set(projected.pieces) == {"left", "right", "middle", "Circle", "bar"}

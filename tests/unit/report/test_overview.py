@@ -86,7 +86,7 @@ def test_an_empty_set_has_no_figures_and_no_errors() -> None:
     assert overview.times == Times(0, 0.0, None)
     assert overview.time_histogram.counts == ()
     assert [s.share for s in overview.statuses] == [0.0] * 5
-    assert overview_csv([]) == ",".join(TABLE_COLUMNS) + "\r\n"
+    assert overview_csv([]).decode() == ",".join(TABLE_COLUMNS) + "\r\n"
 
 
 def _histogram(*seconds: float) -> tuple[float, tuple[int, ...], bool]:
@@ -117,7 +117,7 @@ def test_every_time_is_counted_once(seconds: list[float]) -> None:
 
 
 def _table(rows: tuple[OverviewRow, ...]) -> list[dict[str, str]]:
-    return list(csv.DictReader(io.StringIO(overview_csv(rows), newline="")))
+    return list(csv.DictReader(io.StringIO(overview_csv(rows).decode(), newline="")))
 
 
 def test_the_table_has_a_row_a_frame_and_a_column_a_class() -> None:
@@ -139,7 +139,7 @@ def test_the_table_has_a_row_a_frame_and_a_column_a_class() -> None:
 
 def test_the_table_is_rfc_4180() -> None:
     row = replace(EMPTY, name='a,"b"\nc')
-    head, rest = overview_csv([row]).split("\r\n", 1)
+    head, rest = overview_csv([row]).decode().split("\r\n", 1)
     assert head == ",".join(TABLE_COLUMNS)
     assert rest == '"a,""b""\nc",untouched,0,0,0.0,0,0,,\r\n'
     assert _table((row,))[0]["name"] == row.name
@@ -149,7 +149,7 @@ def test_the_table_is_rfc_4180() -> None:
 def test_nothing_in_the_table_is_a_formula(start: str) -> None:
     text = start + "SUM(A1:A9)"
     row = replace(EMPTY, name=text, status=text, classes={text: 3}, origins={text: 3})
-    for lines in csv.reader(io.StringIO(overview_csv([row]), newline="")):
+    for lines in csv.reader(io.StringIO(overview_csv([row]).decode(), newline="")):
         assert not any(cell.startswith(start) for cell in lines)
     assert _table((row,))[0]["name"] == "'" + text
 

@@ -61,7 +61,7 @@ class OverviewCommand:
         document = self._document
 
         def as_csv(rows: list[OverviewRow]) -> int:
-            write_atomic(path, overview_csv(rows).encode())
+            write_atomic(path, overview_csv(rows))
             return len(rows)
 
         scoring = document.set_scores.running

@@ -136,7 +136,7 @@ class Triage(QObject):
             for done, verdict in enumerate(verdicts, start=1):
                 control.progress_or_stop(done, len(verdicts))
                 rows.append(judge_verdict(verdict, sets.get(verdict.place), read, setup, tau))
-            write_atomic(path, verdicts_csv(rows, setup.field, setup, tau).encode())
+            write_atomic(path, verdicts_csv(rows, setup.field, setup, tau))
             return len(rows)
 
         return work

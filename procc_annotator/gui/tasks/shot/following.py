@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
@@ -12,6 +12,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
+from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
 from procc_annotator.fit.through_shot.bounds import shot_around
 from procc_annotator.fit.through_shot.following_shot import track
@@ -20,6 +21,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.clicks.anchors import anchors_of
+from procc_annotator.session.clicks.correction import Correction, as_anchor, on_paint
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
 from procc_annotator.session.dataset.tracked_cameras import doubt_about
 from procc_annotator.session.dataset.usable_pictures import UsablePictures, unseen
@@ -35,6 +37,7 @@ class _Asked:
         number: of the frame it begins at.
         camera: of that frame, px of the picture; None where nothing is known of it.
         within: the frames to follow; None: the shot of the frame, up to its cuts.
+        corrected: cameras that somebody dragged, by frame name.
     """
 
     workspace: Workspace
@@ -44,6 +47,7 @@ class _Asked:
     number: int
     camera: Camera | None
     within: range | None
+    corrected: Mapping[str, Correction]
 
 
 class _Come:
@@ -67,8 +71,9 @@ class _Come:
 
 
 class ShotFollowing(QObject):
-    """One shot at a time. Annotated frames are anchors: the track passes through their cameras, and
-    once one of them was corrected, what lies between its neighbours is followed again.
+    """One shot at a time. Annotated frames, and those whose camera somebody dragged, are anchors:
+    the track passes through their cameras, and once one of them was corrected, what lies between
+    its neighbours is followed again.
 
     Attributes:
         marked: the stretch that somebody marked on the strip; that is followed, not the shot.
@@ -87,6 +92,7 @@ class ShotFollowing(QObject):
         document.shot_track.forgotten.connect(self.forget)
         document.blindChanged.connect(self._hide)
         document.annotationChanged.connect(self._note_edit)
+        document.corrections.changed.connect(self._note_dragged)
         document.frameChanged.connect(self._follow_corrected)
 
     @property
@@ -139,6 +145,8 @@ class ShotFollowing(QObject):
         unsure: a whole shot would be; the track then looks for one that is sure."""
         document = self._document
         insight, found = document.foresight.insight, document.foresight.found
+        if (dragged := document.corrections.here) is not None and document.corrections.rules:
+            return dragged.fit.camera
         if insight is not None and insight.from_clicks and insight.fit.camera is not None:
             return insight.fit.camera
         agreed = insight is not None and insight.fit.camera is not None
@@ -168,6 +176,7 @@ class ShotFollowing(QObject):
             number,
             camera,
             within,
+            document.state.corrected,
         )
         come = self._come = _Come()
         self._job = run_in_background(
@@ -232,6 +241,20 @@ class ShotFollowing(QObject):
             else:
                 self._corrected.pop(number, None)  # taken back: the track did not pass through it
 
+    def _note_dragged(self, _: str) -> None:
+        """The camera of the frame on screen was dragged, or is as it was before that."""
+        document, sequence = self._document, self._document.sequence.value
+        dragged, index = document.corrections.here, document.frame_index
+        if sequence is None or not 0 <= index < len(sequence.numbers):
+            return
+        number = int(sequence.numbers[index])
+        before = document.shot_track.tracked.get(number)
+        if before is None or (dragged is None and before.state != "anchor"):
+            return
+        if dragged is not None:
+            document.shot_track.correct(as_anchor(dragged, number))
+        self._corrected[number] = None
+
     def _only_accepted(self) -> bool:
         """Whether all that is annotated here was taken over along the track: that is no news."""
         document, frame = self._document, self._document.frame
@@ -277,8 +300,8 @@ def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
             within = range(max(within[0], numbers[0]), min(within[-1], numbers[-1]) + 1)
         come.total = len(within)
         control.progress(0, come.total)
-        clicked = _anchors(asked, pictures, within, go_on)
-        anchors = dict(clicked)
+        given = _anchors(asked, pictures, within, go_on)
+        anchors = dict(given)
         if asked.camera is not None:
             anchors.setdefault(asked.number, asked.camera)
         found = track(
@@ -289,7 +312,7 @@ def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
         if (why := pictures.damaged.get(frame.number)) is not None:
             frames.append(unseen(frame, why))
         else:
-            frames.append(frame if frame.number in clicked else _not_an_anchor(frame))
+            frames.append(frame if frame.number in given else _not_an_anchor(frame))
     return replace(found, frames=tuple(frames))
 
 
@@ -298,7 +321,7 @@ def _anchors(
 ) -> dict[int, Camera]:
     picture = pictures(asked.number)
     indices = {n: i for n, i in asked.sequence.index_of.items() if n in within}
-    return anchors_of(
+    clicked = anchors_of(
         asked.workspace,
         indices,
         asked.field,
@@ -306,6 +329,32 @@ def _anchors(
         model=asked.model,
         go_on=go_on,
     )
+    return clicked | _dragged(asked, pictures, indices, clicked, go_on)
+
+
+def _dragged(
+    asked: _Asked,
+    pictures: UsablePictures,
+    indices: Mapping[int, int],
+    clicked: Collection[int],
+    go_on: Callable[[], None],
+) -> dict[int, Camera]:
+    """The cameras that somebody dragged, but where the clicks of later say more."""
+    found: dict[int, Camera] = {}
+    frames = asked.workspace.frames
+    for number, index in indices.items():
+        name = frames[index].name
+        dragged = asked.corrected.get(name)
+        if dragged is None:
+            continue
+        if number in clicked and asked.workspace.read(index) != dragged.annotation:
+            continue
+        if not dragged.looked:  # the frame was left at once
+            field = field_of_frame(asked.field, name)
+            dragged = on_paint(dragged, pictures(number), field, go_on=go_on)
+        if dragged.fit.camera is not None:
+            found[number] = dragged.fit.camera
+    return found
 
 
 def _not_an_anchor(frame: TrackedFrame) -> TrackedFrame:

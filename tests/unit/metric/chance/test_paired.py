@@ -179,11 +179,14 @@ def test_more_frames_are_needed_for_less_and_where_frames_are_alike() -> None:
 
 def test_the_share_of_clicks_in_the_spread() -> None:
     rng = np.random.default_rng(9)
-    repeated = np.column_stack((rng.normal(0.5, 0.01, 400), np.full(400, 0.7)))
-    found = click_spread(repeated, np.array([0.02, 0.02]))
-    assert found.shares[0] == pytest.approx(0.25, abs=0.05)
+    moved = np.stack((rng.normal(0.5, 0.1, (100, 20)), np.full((100, 20), 0.7)), axis=2)
+    found = click_spread(moved, np.array([0.02, 0.02]))
+    assert found.deviations[0] == pytest.approx(0.01, rel=0.05)
+    assert found.shares[0] == pytest.approx(0.25, abs=0.03)
     assert found.shares[1] == pytest.approx(0.0, abs=1e-12)
-    assert found.means == pytest.approx([0.5, 0.7], abs=0.002)
+    assert found.means == pytest.approx([0.5, 0.7], abs=0.005)
+    alone = click_spread(moved[:, :1], np.array([0.02, 0.02]))
+    assert np.isnan(alone.shares).all()
 
 
 def test_the_noise_of_one_annotator_from_the_floor_of_two() -> None:

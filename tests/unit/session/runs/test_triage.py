@@ -323,7 +323,7 @@ class TestExport:
         judged = score(measured, 5.0)
         assert found.jac == judged.jac
         assert found.largest_px == judged.max_error
-        (row,) = csv.DictReader(io.StringIO(verdicts_csv([found], FIELD, SETUP, 5.0)))
+        (row,) = csv.DictReader(io.StringIO(verdicts_csv([found], FIELD, SETUP, 5.0).decode()))
         worst = max(
             (e for e in judged.elements if e.max_distance is not None),
             key=lambda e: e.max_distance,
@@ -346,6 +346,6 @@ class TestExport:
         assert missing.problem == "the source cameras/bad is not loaded"
         found = judge_verdict(verdict, cameras, lambda n: None, SETUP, 5.0)
         assert "not annotated" in found.problem
-        (row,) = csv.DictReader(io.StringIO(verdicts_csv([found], FIELD, SETUP, 5.0)))
+        (row,) = csv.DictReader(io.StringIO(verdicts_csv([found], FIELD, SETUP, 5.0).decode()))
         assert row["jac@5px"] == ""
         assert "not annotated" in row["problem"]

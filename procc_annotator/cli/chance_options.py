@@ -1,0 +1,166 @@
+"""Options about chance: intervals, clusters, what the clicks leave open, how many frames."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Annotated, Any, cast
+
+import typer
+
+from procc_annotator.errors import UsageError
+from procc_annotator.metric.chance.intervals import METHODS, Method
+from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.report.scores.chance import ChanceTerms
+from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
+from procc_annotator.session.runs.clusters import NONE, SHOT
+from procc_annotator.session.runs.frame_order import FrameOrder
+from procc_annotator.session.runs.moved_clicks import ClickNoise
+from procc_annotator.session.runs.strata import DERIVED
+from procc_annotator.session.runs.tags import Tags
+
+
+def _known_method(text: str) -> str:
+    if text not in METHODS:
+        raise typer.BadParameter(f"{text!r} is none of {', '.join(METHODS)}")
+    return text
+
+
+Intervals = Annotated[
+    bool,
+    typer.Option(
+        "--intervals",
+        help="Also 95 % intervals of all figures and, of several sources, their differences on the"
+        " frames both have, with a permutation test, and ranks.",
+    ),
+]
+Cluster = Annotated[
+    str | None,
+    typer.Option(
+        metavar="TAG|shot|none",
+        show_default=False,
+        help="Which frames are alike, for intervals: those of one value of a tag, of one shot (by"
+        " frames.csv or names), or none.  [default: shots, where there are several]",
+    ),
+]
+IntervalMethod = Annotated[
+    str,
+    typer.Option(
+        "--interval-method",
+        metavar="t|percentile|bca",
+        callback=_known_method,
+        help="How intervals are found: t: jackknife of clusters; percentile, bca: from sets drawn.",
+    ),
+]
+Power = Annotated[
+    bool,
+    typer.Option(
+        "--power", help="Also how many frames are needed to tell 1, 2 and 5 points of JaC apart."
+    ),
+]
+Noise = Annotated[
+    float | None,
+    typer.Option(
+        "--click-noise",
+        metavar="PX",
+        min=0.01,
+        max=100.0,
+        show_default=False,
+        help="Also what clicks leave open: everything again and again with every point moved by so"
+        " much (standard deviation; agree's median distance / 0.95).",
+    ),
+]
+Count = Annotated[int, typer.Option(min=100, max=1_000_000, metavar="N", help="Sets to draw.")]
+Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the sets drawn.")]
+
+
+def cluster_of(name: str | None, tags: Tags | None) -> str | None:
+    """What to cluster by, if it is there.
+
+    Raises:
+        UsageError: there is no such tag.
+    """
+    columns = () if tags is None else tags.columns
+    if name not in (None, SHOT, NONE, *columns):
+        there = ", ".join((SHOT, NONE, *columns))
+        more = "" if tags else "; tags come from --tags FILE"
+        raise UsageError(f"cannot cluster by {name!r}: there is {there}{more}")
+    return name
+
+
+def parted_by(
+    by: Sequence[str] | None, tags: Tags | None, cluster: str | None
+) -> tuple[list[str] | None, tuple[str, ...]]:
+    """What was asked for with --by, apart: tags, and what is told from annotations and cameras.
+
+    Without --by every tag is meant but the one that frames are clustered by. The tags are None
+    where there is nothing to group by at all.
+    """
+    columns = () if tags is None else tags.columns
+    if by is None:
+        rest = [name for name in columns if name != cluster]
+        return (rest or None), ()
+    derived = tuple(n for n in dict.fromkeys(by) if n in DERIVED and n not in columns)
+    return ([n for n in by if n not in derived] or None), derived
+
+
+def tags_by_set(tags: Tags | None, sets: Sequence[str]) -> dict[str, dict[str, Any]]:
+    """Set -> tag -> frame -> value."""
+    if tags is None:
+        return {}
+    return {
+        of_set: {
+            column: {f: own[0] for f, own in tags.grouping((column,), of_set).values.items()}
+            for column in tags.columns
+        }
+        for of_set in sets
+    }
+
+
+def orders_by_set(annotations: Mapping[str, Path], shots: Path | None) -> dict[str, FrameOrder]:
+    """Set -> its table of frames: the one given, or that of its dataset, if it has one.
+
+    Raises:
+        InputError: a table that cannot be used.
+    """
+    found = {}
+    for of_set, path in annotations.items():
+        folder = folder_of_dataset(path)
+        table = shots or (folder / FRAMES_FILE if folder is not None else None)
+        if table is not None and (shots or table.is_file()):
+            found[of_set] = FrameOrder.read(table)
+    return found
+
+
+def chance_terms(
+    tags: Tags | None,
+    annotations: Mapping[str, Path],
+    cluster: str | None,
+    by: Sequence[str],
+    method: str,
+    draws: int,
+    seed: int,
+    *,
+    shots: Path | None = None,
+    power: bool = False,
+    click_noise: float | None = None,
+) -> ChanceTerms:
+    """What is asked of chance.
+
+    Args:
+        annotations: set -> its folder or archive.
+        by: what to break differences down by. shots: a table of frames.
+
+    Raises:
+        UsageError, InputError: no such tag; a table of frames that cannot be used.
+    """
+    return ChanceTerms(
+        cluster_of(cluster, tags),
+        tags_by_set(tags, list(annotations)),
+        orders_by_set(annotations, shots),
+        Draws(draws, seed),
+        cast(Method, method),
+        power,
+        None if click_noise is None else ClickNoise(click_noise, seed=seed),
+        tuple(by),
+    )

@@ -1,0 +1,196 @@
+"""Steadiness over shots, as `evaluate --over-time` asks for it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.cli import outputs
+from procc_annotator.cli.console import progress_bar, stdout_console
+from procc_annotator.errors import UsageError
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.report.over_time import (
+    SourceOverTime,
+    check_suffix,
+    over_time_bytes,
+    shots_sheet,
+    shown_sheets,
+)
+from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.report.sheet.as_terminal import terminal_table
+from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
+from procc_annotator.session.dataset.picture_source import open_pictures
+from procc_annotator.session.runs.execution.executor import Executor
+from procc_annotator.session.runs.frame_order import (
+    FrameOrder,
+    ShotFrames,
+    shots_by_name,
+    shots_from,
+)
+from procc_annotator.session.runs.over_time_run import OverTimeRun, require_shots
+from procc_annotator.session.runs.shots import find_shots
+
+_TRACK_FILE = "track.csv"
+
+OverTime = Annotated[
+    bool,
+    typer.Option(
+        "--over-time",
+        help="Also how steady the cameras are over the shots of the set: jitter, jumps, outages,"
+        " wandering positions, cameras that are some frames late.",
+    ),
+]
+Shots = Annotated[
+    Path | None,
+    typer.Option(
+        "--shots",
+        metavar="FILE.csv",
+        show_default=False,
+        help="Which frames follow each other: columns 'frame', 'shot' and perhaps 'number'."
+        "  [default: frames.csv of the dataset, track.csv beside the cameras, else by the names of"
+        " the frames]",
+    ),
+]
+Pictures = Annotated[
+    Path | None,
+    typer.Option(
+        "--pictures",
+        metavar="PATH",
+        show_default=False,
+        help="Folder of the pictures or video of the set: cuts are found in it, and cameras held"
+        " against what moves in it.",
+    ),
+]
+Output = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--over-time-output",
+        metavar="FILE",
+        show_default=False,
+        help="Write the figures over time: a .json of all, or a .csv with a row a frame; repeat"
+        " for both.",
+    ),
+]
+
+
+@dataclass(frozen=True)
+class OverTimeCall:
+    """What is asked over time.
+
+    Attributes:
+        shots: table that says which frames follow each other.
+        pictures: folder or video.
+        written_to: files of figures.
+    """
+
+    shots: Path | None
+    pictures: Path | None
+    written_to: Sequence[Path]
+
+    @classmethod
+    def of(
+        cls,
+        asked: bool,
+        shots: Path | None,
+        pictures: Path | None,
+        written_to: Sequence[Path] | None,
+    ) -> OverTimeCall | None:
+        """Read the options; None where nobody asks.
+
+        Raises:
+            UsageError: a file that cannot be written, or options of something not asked for.
+        """
+        files = outputs.each_once(written_to or ())
+        if not asked:
+            if shots or pictures or files:
+                raise UsageError("--shots, --pictures and --over-time-output need --over-time")
+            return None
+        for path in files:
+            check_suffix(path)
+            outputs.check_output_folder(path)
+        return cls(shots, pictures, files)
+
+    def run(
+        self, evaluations: Sequence[Asked], threshold: float, executor: Executor
+    ) -> list[SourceOverTime]:
+        """Look at every source of every set; of several sizes at the first.
+
+        Raises:
+            UsageError: no frames follow each other.
+        """
+        found: list[SourceOverTime] = []
+        for name, of_set in groupby(evaluations, key=lambda one: one.set_name):
+            own = {one.method: one for one in reversed(list(of_set))}
+            sources = list(reversed(own.values()))
+            shots, told_by, pictures = self._shots(sources)
+            for one in sources:
+                run = OverTimeRun(
+                    shots, one.annotations, one.cameras, one.setup, threshold,
+                    camera_size=one.camera_size, pictures=pictures, executor=executor,
+                )  # fmt: skip
+                with progress_bar(f"{one.method} over time") as progress:
+                    measured = []
+                    for shot in run:
+                        measured.append(shot)
+                        progress(len(measured), run.total)
+                require_shots(measured, told_by)
+                found.append(
+                    SourceOverTime(
+                        name, one.method, tuple(measured), told_by, one.setup.describe(), threshold
+                    )
+                )
+        return found
+
+    def _shots(self, sources: Sequence[Asked]) -> tuple[list[ShotFrames], str, Mapping[str, Path]]:
+        """The shots of a set, what says so, and its pictures by frame."""
+        names = dict.fromkeys(list_annotations(sources[0].annotations))
+        for one in sources:
+            names |= dict.fromkeys(one.cameras.frames)
+        pictures: dict[str, Path] = {}
+        ranges: list[range] = []
+        table = self._table(sources)
+        if self.pictures is not None:
+            source = open_pictures(self.pictures)
+            pictures = {frame.name: frame.image_path for frame in source.frames}
+            if table is None:
+                with progress_bar("looking for cuts") as progress:
+                    ranges = find_shots(source, progress)
+        if table is not None:
+            order = FrameOrder.read(table)
+            return order.shots_of(names | dict.fromkeys(pictures)), f"by {order.told_by}", pictures
+        if ranges:
+            return shots_from(ranges, list(pictures)), "by the cuts of the pictures", pictures
+        return shots_by_name(names), "by the names of frames", pictures
+
+    def _table(self, sources: Sequence[Asked]) -> Path | None:
+        if self.shots is not None:
+            return self.shots
+        folder = folder_of_dataset(sources[0].annotations.path)
+        beside = [] if folder is None else [folder / FRAMES_FILE]
+        beside += [one.cameras.path / _TRACK_FILE for one in sources if one.cameras.path.is_dir()]
+        return next((path for path in beside if path.is_file()), None)
+
+    def tell(self, found: Sequence[SourceOverTime]) -> None:
+        """Print the tables, write the files.
+
+        Raises:
+            SaveError: a file cannot be written.
+        """
+        console = stdout_console()
+        for sheet in shown_sheets(shots_sheet(found)):
+            console.print(terminal_table(sheet))
+        for path in self.written_to:
+            write_atomic(path, over_time_bytes(found, path))
+            typer.echo(f"written: {path}")
+
+
+def errors(found: Sequence[SourceOverTime], known: Collection[str]) -> list[str]:
+    """What could not be read on the way and is not told yet."""
+    lines = dict.fromkeys(error for one in found for error in one.errors)
+    return [line for line in lines if line not in known]

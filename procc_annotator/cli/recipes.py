@@ -1,0 +1,231 @@
+"""Making a recipe of what a command evaluated, and evaluating a recipe again."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+import procc_annotator
+from procc_annotator.cli.field_option import chosen_field, named_field
+from procc_annotator.errors import InputError
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import FileSource, read_file
+from procc_annotator.metric.sets import SetSummary
+from procc_annotator.report.recipe import (
+    FORMAT,
+    Recipe,
+    RecipeEvaluation,
+    RecipeFile,
+    RecipeInput,
+    field_of_recipe,
+    figures_of,
+    hashed,
+)
+from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
+
+RecipeOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--recipe",
+        metavar="FILE.json",
+        show_default=False,
+        help="Write what the figures were made from, with the SHA-256 of every file, so that"
+        " `procc-annotator repeat` makes them again.",
+    ),
+]
+
+
+@dataclass(frozen=True)
+class FieldAsked:
+    """What was asked of the field: the text of ``--field`` and of ``--lines``."""
+
+    given: str | None
+    lines: str | None
+
+    @property
+    def file(self) -> Path | None:
+        """The field's file, where it was named by one."""
+        if self.given is None:
+            return None
+        path = Path(named_field(self.given)[0])
+        return path if path.is_file() else None
+
+
+@dataclass(frozen=True)
+class RecipeFor:
+    """A recipe that was asked for.
+
+    Attributes:
+        path: of the file.
+        context: of the command, with what was typed.
+        field: what was asked of the field.
+    """
+
+    path: Path
+    context: typer.Context
+    field: FieldAsked
+
+    def write(
+        self,
+        asked: Sequence[Asked],
+        summaries: Sequence[Mapping[float, SetSummary]],
+        tags: Path | None = None,
+    ) -> None:
+        """Write it.
+
+        Args:
+            asked: what was evaluated, still open.
+            summaries: their figures, in the same order.
+
+        Raises:
+            InputError: an input cannot be read any more.
+            SaveError: it cannot be written.
+        """
+        own_file = self.field.file
+        paths = [p for one in asked for p in (one.annotations.path, one.cameras.path)]
+        root = common_folder([*paths, *(p for p in (own_file, tags) if p is not None)])
+        found: dict[tuple[str, Path], RecipeInput] = {}
+        for one in asked:
+            for role, source in (("annotations", one.annotations), ("cameras", one.cameras)):
+                if (role, source.path) not in found:
+                    found[role, source.path] = hashed_input(role, source, root)
+        for role, path in (("field", own_file), ("tags", tags)):
+            if path is not None:
+                files = (hashed(".", read_file(path)),)
+                found[role, path] = RecipeInput(role, relative(path, root), files)
+        recipe = Recipe(
+            FORMAT,
+            procc_annotator.__version__,
+            str(self.context.info_name),
+            _typed_options(self.context),
+            tuple(found.values()),
+            tuple(
+                evaluation_of(one, figures, self.field, root)
+                for one, figures in zip(asked, summaries, strict=True)
+            ),
+        )
+        write_atomic(self.path, recipe.encoded())
+
+
+def evaluation_of(
+    one: Asked, summaries: Mapping[float, SetSummary], field: FieldAsked, root: Path
+) -> RecipeEvaluation:
+    """One evaluation with its figures."""
+    setup, given = one.setup, field.given
+    if field.file is not None and given is not None:
+        given = given.replace(named_field(given)[0], relative(field.file, root))
+    return RecipeEvaluation(
+        one.set_name,
+        one.method,
+        relative(one.annotations.path, root),
+        relative(one.cameras.path, root),
+        one.cameras.format,
+        field_of_recipe(setup.field, given, field.lines),
+        setup.size,
+        setup.protocol,
+        setup.off_plane,
+        setup.allow_mirrored,
+        setup.planar_only,
+        tuple(summaries),
+        one.camera_size,
+        _picture_sizes(one.annotations),
+        figures_of(summaries),
+    )
+
+
+def field_again(asked: FieldAsked, root: Path, dataset: Path) -> Any:
+    """The field of a recipe, elsewhere.
+
+    Raises:
+        FieldError: it cannot be used.
+    """
+    given = asked.given
+    if given is not None:
+        name = named_field(given)[0]
+        if (root / name).is_file():
+            given = given.replace(name, str(root / name))
+    return chosen_field(given, dataset, lines=asked.lines)
+
+
+def common_folder(paths: Iterable[Path]) -> Path:
+    """The folder that holds all inputs; an input may be this folder itself."""
+    whole = [os.path.abspath(path) for path in paths]
+    common = Path(os.path.commonpath(whole))
+    return common if common.is_dir() else common.parent
+
+
+def relative(path: Path, root: Path) -> str:
+    """A path as a recipe has it."""
+    return Path(os.path.relpath(os.path.abspath(path), root)).as_posix()
+
+
+def hashed_input(role: str, source: FileSource | CameraCollection, root: Path) -> RecipeInput:
+    """An input with the SHA-256 of what is read of it; an archive is one file.
+
+    Raises:
+        InputError: a file cannot be read.
+    """
+    path = source.path
+    if not path.is_dir():
+        return RecipeInput(role, relative(path, root), (hashed(".", read_file(path)),))
+    if isinstance(source, CameraCollection):
+        names = sorted(os.path.relpath(file, path) for file in source.files())
+    else:
+        names = sorted(list_annotations(source).values())
+    files = [_hashed_file(path, Path(name).as_posix()) for name in names]
+    return RecipeInput(role, relative(path, root), tuple(f for f in files if f is not None))
+
+
+def _hashed_file(folder: Path, name: str) -> RecipeFile | None:
+    try:
+        return hashed(name, read_file(folder / name))
+    except InputError:  # an unreadable one is listed by the command, and has no content
+        return None
+
+
+def _picture_sizes(annotations: FileSource) -> dict[str, int]:
+    sizes = PictureSizes(picture_folders(annotations.path, annotations.path))
+    known = (sizes.size(name) for name in list_annotations(annotations))
+    return dict(sorted(Counter(f"{s[0]}x{s[1]}" for s in known if s is not None).items()))
+
+
+def _typed_options(context: typer.Context) -> dict[str, Any]:
+    """What was typed, by the names of the parameters; of paths the last part only."""
+    found: dict[str, Any] = {}
+    for name, value in sorted(context.params.items()):
+        source = context.get_parameter_source(name)
+        if source is not None and source.name == "COMMANDLINE" and name != "recipe":
+            found[name] = _plain(value)
+    return found
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, list | tuple):
+        return [_plain(one) for one in value]
+    if isinstance(value, Path):
+        return value.name or "."
+    if isinstance(value, str):
+        name, equals, path = value.rpartition("=")
+        if Path(path).is_absolute() or Path(path).exists():
+            return f"{name}{equals}{Path(path).name or '.'}"
+    return value
+
+
+def moved(one: RecipeEvaluation, summaries: Mapping[float, SetSummary], again: Asked) -> Any:
+    """The evaluation as it is here."""
+    field = field_of_recipe(again.setup.field, one.field.given, one.field.lines)
+    return replace(
+        one,
+        field=field,
+        picture_sizes=_picture_sizes(again.annotations),
+        figures=figures_of(summaries),
+    )

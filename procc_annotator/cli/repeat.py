@@ -1,0 +1,187 @@
+"""``procc-annotator repeat``: make the figures of a recipe again, and say what differs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+import procc_annotator
+from procc_annotator.cli import options, outputs
+from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.recipes import FieldAsked, field_again, hashed_input, moved
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.source import open_source, read_file
+from procc_annotator.report.recipe import (
+    Recipe,
+    RecipeEvaluation,
+    RecipeInput,
+    differing_figures,
+    differing_files,
+    hashed,
+    read_recipe,
+    setup_of,
+)
+from procc_annotator.report.scores.scoring import Asked, Evaluations, Outcome
+from procc_annotator.report.sheet.as_json import json_bytes
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.words import count_of
+
+HELP = """\
+RECIPE is what evaluate or report wrote with --recipe. Its inputs are looked for by their relative
+paths in --data DIR; without it beside the recipe, in the folder above it, and in the current one.
+
+Every file is held against its SHA-256, everything is evaluated again, and what differs is listed:
+a missing file, other content, a file that the recipe does not know, another field, another figure.
+
+Exit code: 0 if nothing differs; 1 if something does; 2 if it cannot be repeated.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator evaluate wc14/annotations wc14/cameras_pnlcalib --recipe wc14.json
+  procc-annotator repeat wc14.json --data downloads/wc14
+"""
+
+_LISTED = 50
+
+
+def repeat(
+    recipe: Annotated[
+        Path, typer.Argument(metavar="RECIPE", help="The recipe, a JSON file.", show_default=False)
+    ],
+    data: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", show_default=False, help="Folder that holds all inputs."),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE.json", show_default=False, help="Write what differs."),
+    ] = None,
+    workers: options.Workers = None,
+    dask: options.Dask = None,
+) -> None:
+    if output is not None:
+        outputs.check_output_folder(output)
+    known = read_recipe(recipe)
+    root = _root(known, recipe, data)
+    differences = _other_version(known)
+    with ExitStack() as opened:
+        asked, found = _open(known, root, opened)
+        differences += found
+        again = _again(known, asked, workers, dask)
+    for was, now in zip(known.evaluations, again, strict=True):
+        differences += differing_figures(was, now)
+    _tell(known, differences)
+    if output is not None:
+        write_atomic(output, json_bytes({"recipe": recipe.name, "differences": differences}))
+        typer.echo(f"written: {output}")
+    raise typer.Exit(1 if differences else 0)
+
+
+def _root(known: Recipe, recipe: Path, data: Path | None) -> Path:
+    """The folder of the inputs.
+
+    Raises:
+        UsageError: there is none.
+    """
+    if not known.evaluations or not known.inputs:
+        raise UsageError(f"{recipe}: holds no evaluation")
+    if any(_leads_out(one.path) for one in known.inputs):
+        raise UsageError(f"{recipe}: names paths outside of its folder")
+    beside = recipe.absolute().parent
+    places = [data] if data is not None else [beside, beside.parent, Path.cwd()]
+    paths = {path for one in known.evaluations for path in (one.annotations, one.cameras)}
+    for place in places:
+        missing = [path for path in sorted(paths) if not (place / path).exists()]
+        if not missing:
+            return place
+    raise UsageError(
+        f"{missing[0]}: is not in {data}" if data is not None
+        else f"{missing[0]}: is not beside the recipe; say where with --data DIR"
+    )  # fmt: skip
+
+
+def _leads_out(path: str) -> bool:
+    return Path(path).is_absolute() or ".." in Path(path).parts
+
+
+def _other_version(known: Recipe) -> list[str]:
+    own = procc_annotator.__version__
+    return [] if known.version == own else [f"other version: {own}, was {known.version}"]
+
+
+def _open(known: Recipe, root: Path, opened: ExitStack) -> tuple[list[Asked], list[str]]:
+    """The evaluations with what is here, and which files differ.
+
+    Raises:
+        UsageError, InputError: an input is not there at all, or cannot be opened.
+    """
+    asked: list[Asked] = []
+    here: dict[tuple[str, str], RecipeInput] = {}
+    for one in known.evaluations:
+        for path in (one.annotations, one.cameras):
+            if _leads_out(path):
+                raise UsageError(f"{path}: leads out of the folder of the inputs")
+        annotations = opened.enter_context(open_source(root / one.annotations))
+        cameras = opened.enter_context(CameraCollection.open(root / one.cameras, one.format))
+        shown = field_again(FieldAsked(one.field.given, one.field.lines), root, annotations.path)
+        asked.append(
+            Asked(
+                one.set, one.source, annotations, cameras, setup_of(one, shown),
+                camera_size=one.camera_size,
+            )
+        )  # fmt: skip
+        for role, path, source in (
+            ("annotations", one.annotations, annotations),
+            ("cameras", one.cameras, cameras),
+        ):
+            if (role, path) not in here:
+                here[role, path] = hashed_input(role, source, root.absolute())
+    differences: list[str] = []
+    for wanted in known.inputs:
+        now = here.get((wanted.role, wanted.path)) or _single(wanted, root)
+        differences += differing_files(wanted, now)
+    return asked, differences
+
+
+def _single(wanted: RecipeInput, root: Path) -> RecipeInput:
+    try:
+        file = hashed(".", read_file(root / wanted.path))
+    except InputError:
+        return RecipeInput(wanted.role, wanted.path, ())
+    return RecipeInput(wanted.role, wanted.path, (file,))
+
+
+def _again(
+    known: Recipe, asked: Sequence[Asked], workers: int | None, dask: str | None
+) -> list[RecipeEvaluation]:
+    """The evaluations as they are here."""
+    found = []
+    for was, one in zip(known.evaluations, asked, strict=True):
+        evaluations = Evaluations.prepare([one], was.thresholds, Outcome())
+        with make_executor(workers, dask, frames=evaluations.frames) as executor:
+            scored = evaluations.score(executor, progress=with_progress)
+        found.append(moved(was, scored[0].summaries, one))
+    return found
+
+
+def _tell(known: Recipe, differences: Sequence[str]) -> None:
+    for line in differences[:_LISTED]:
+        typer.echo(line)
+    if (more := len(differences) - _LISTED) > 0:
+        typer.echo(f"... and {count_of(more, 'more difference')}")
+    files = sum(len(one.files) for one in known.inputs)
+    figures = sum(len(f) for one in known.evaluations for f in one.figures.values())
+    if not differences:
+        typer.echo(
+            f"the same: {count_of(files, 'file')} and {count_of(figures, 'figure')} of"
+            f" {count_of(len(known.evaluations), 'evaluation')}"
+        )

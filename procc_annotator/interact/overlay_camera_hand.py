@@ -1,0 +1,39 @@
+"""A camera in a hand: its wireframe, the place under the cursor, and the pegs that hold it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from procc_annotator.interact import palette as tones
+from procc_annotator.interact.overlay_shapes import FloatArray, Labels, Marks, Overlay, Strokes
+from procc_annotator.interact.verdicts import NO_POINTS
+
+Place = tuple[float, float]
+
+
+def build_camera_hand(
+    segments: FloatArray, pegs: FloatArray, under: tuple[Place, str] | None, *, pressed: bool
+) -> Overlay:
+    """Draw a camera that can be taken hold of.
+
+    Args:
+        segments: (N, 4) px of its wireframe; none where only the pegs are to be seen.
+        pegs: (n, 2) px.
+        under: where the place under the cursor is, px, and what it is called.
+        pressed: whether it is held.
+    """
+    strokes = (
+        Strokes(segments, tones.RIM, tones.HAND_WIDTH + 1.2, layer="wireframe"),
+        Strokes(segments, tones.HAND, tones.HAND_WIDTH, layer="wireframe"),
+    )
+    centre = NO_POINTS if under is None else np.array([under[0]])
+    size = tones.PEG_SIZE + (2.0 if pressed else 6.0)
+    marks = (
+        Marks(pegs, "ring", tones.RIM, tones.PEG_SIZE + 2.5),
+        Marks(pegs, "ring", tones.PEG, tones.PEG_SIZE),
+        Marks(pegs, "dot", tones.HAND, tones.PEG_SIZE / 2),
+        Marks(centre, "ring", tones.RIM, size + 3.0),
+        Marks(centre, "ring", tones.PEG, size),
+    )
+    labels = () if under is None or pressed else (Labels(centre, (under[1],), tones.LABEL),)
+    return Overlay(strokes, marks, labels)

@@ -1,0 +1,305 @@
+"""Sources over time as sheets: a row a shot, a row a frame, a row a jump or an outage."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import numpy as np
+
+from procc_annotator.errors import UsageError
+from procc_annotator.metric.over_time.frame_offset import FrameOffset
+from procc_annotator.metric.over_time.positions import way_back
+from procc_annotator.metric.over_time.steadiness import of_shot
+from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.report.sheet import figures
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
+from procc_annotator.report.sheet.sheet import Column, Sheet, Value, of, whole
+from procc_annotator.session.runs.over_time_run import ShotOverTime
+from procc_annotator.words import count_of
+
+SUFFIXES = (".json", ".csv")
+
+_OF_SHOT = (
+    Column("set", "set"),
+    Column("source", "source"),
+    Column("shot", "shot"),
+    whole("frames"),
+    of(figures.MEAN_JAC),
+    *(of(figure) for figure in figures.JAC_THIRDS),
+    of(figures.JITTER_PX),
+    of(figures.JITTER_M),
+    *(of(figure) for figure in figures.POSE_JITTER),
+    of(figures.WANDER_M),
+    of(figures.FARTHEST_M),
+    of(figures.VERTIGO),
+    of(figures.VERTIGO_WAY),
+    whole("jumps"),
+    whole("jumps_that_stay", "stay"),
+    whole("outages"),
+    whole("longest_outage", "longest"),
+    of(figures.OUTAGE_SHARE),
+    Column("back_after", "back after", "number"),
+    Column("offset", "offset"),
+    whole("offset_frames", "frames late"),
+    Column("offset_sure", "sure", "yes_no"),
+    of(figures.OFFSET_COST),
+    of(figures.OFFSET_AS_IS),
+    of(figures.OFFSET_MARGIN),
+    Column("picture_offset", "offset of pictures"),
+    whole("picture_offset_frames", "frames late"),
+    Column("picture_offset_sure", "sure", "yes_no"),
+    of(figures.OFFSET_MARGIN, key="picture_offset_margin_px"),
+)
+_SHOWN = (
+    (
+        "set", "source", "shot", "frames", "mean_jac", "jac_first", "jac_middle", "jac_last",
+        "jitter_px", "jitter_m", "jumps", "outages", "longest_outage", "outage_share",
+        "back_after",
+    ),
+    (
+        "set", "source", "shot", "jitter_pan_degrees", "jitter_tilt_degrees",
+        "jitter_zoom", "jitter_position_m", "wander_m", "wander_largest_m", "vertigo",
+        "vertigo_m_a_percent",
+    ),
+    (
+        "set", "source", "shot", "offset", "offset_cost_px", "offset_cost_as_is_px",
+        "offset_margin_px", "picture_offset", "picture_offset_margin_px",
+    ),
+)  # fmt: skip
+_TITLES = ("Over time", "Over time: poses", "Over time: are cameras late?")
+
+_OF_FRAME = (
+    Column("set", "set"),
+    Column("source", "source"),
+    Column("shot", "shot"),
+    Column("frame", "frame"),
+    whole("number"),
+    Column("camera", "camera", "yes_no"),
+    of(figures.JAC),
+    of(figures.STEP_PX),
+    of(figures.JITTER_PX),
+    of(figures.JITTER_M),
+    Column("jump", "jump", "yes_no"),
+    *(
+        Column(key, key, "number")
+        for key in (
+            "pan_degrees", "tilt_degrees", "roll_degrees", "focal_px", "x_m", "y_m", "z_m",
+            "way_back_m",
+        )
+    ),
+)  # fmt: skip
+
+_OF_BREAK = (
+    Column("set", "set"),
+    Column("source", "source"),
+    Column("shot", "shot"),
+    Column("frame", "frame"),
+    Column("what", "what"),
+    Column("size_px", "px", "number", written=".2f"),
+    whole("length", "frames"),
+    whole("back_after", "back after"),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class SourceOverTime:
+    """One source of cameras over the shots of a set.
+
+    Attributes:
+        told_by: what says which frames follow each other.
+        described: protocol, size and options, in words.
+        threshold: px, of JaC.
+    """
+
+    set_name: str
+    source: str
+    shots: tuple[ShotOverTime, ...]
+    told_by: str
+    described: str
+    threshold: float
+
+    @property
+    def errors(self) -> list[str]:
+        """What could not be read, one line each."""
+        return [error for one in self.shots for error in one.errors]
+
+
+def shots_sheet(found: Sequence[SourceOverTime]) -> Sheet:
+    """Every figure: a row a source and shot; above those of several shots one of all of them."""
+    rows: list[tuple[Value, ...]] = []
+    for one in found:
+        if len(one.shots) > 1:
+            rows.append(_all_shots_row(one))
+        rows += [_shot_row(one, shot) for shot in one.shots]
+    first = found[0]
+    described = f"{first.described}, JaC@{first.threshold:g}, shots {first.told_by}"
+    notes = (
+        "Jitter: second differences as the error of one frame; what the camera itself does by fits"
+        " and starts counts for every source alike.",
+        *(
+            ("Positions of homographies are implied: square pixels, a centred lens.",)
+            if any(shot.poses.implied for one in found for shot in one.shots)
+            else ()
+        ),
+    )
+    return Sheet("over_time", "Over time", _OF_SHOT, tuple(rows), described, notes)
+
+
+def shown_sheets(whole_sheet: Sheet) -> list[Sheet]:
+    """The same in sheets that fit a terminal; columns that say nothing are left out."""
+    keys = [column.key for column in whole_sheet.columns]
+    parts = []
+    for number, (title, chosen) in enumerate(zip(_TITLES, _SHOWN, strict=True)):
+        places = [keys.index(key) for key in chosen]
+        kept = [
+            at
+            for at in places
+            if at < 4 or any(row[at] not in (None, "") for row in whole_sheet.rows)
+        ]
+        if len({row[0] for row in whole_sheet.rows}) < 2:
+            kept.remove(0)
+        rows = tuple(tuple(row[at] for at in kept) for row in whole_sheet.rows)
+        columns = tuple(whole_sheet.columns[at] for at in kept)
+        described = "" if number else whole_sheet.described
+        notes = () if number else whole_sheet.notes
+        if any(at > 3 for at in kept):
+            parts.append(Sheet(f"over_time_{number}", title, columns, rows, described, notes))
+    return parts
+
+
+def frames_sheet(found: Sequence[SourceOverTime]) -> Sheet:
+    """A row a source and frame."""
+    rows = [row for one in found for shot in one.shots for row in _frame_rows(one, shot)]
+    return Sheet("over_time_frames", "Frames over time", _OF_FRAME, tuple(rows))
+
+
+def breaks_sheet(found: Sequence[SourceOverTime]) -> Sheet:
+    """A row a jump or outage, in the order of the frames."""
+    rows: list[tuple[Value, ...]] = []
+    for one in found:
+        for shot in one.shots:
+            names = shot.shot.frames
+            events: list[tuple[int, tuple[Value, ...]]] = [
+                (j.frame, ("jump", j.size_px, None, j.back_after)) for j in shot.broken.jumps
+            ]
+            events += [
+                (o.frame, ("outage", None, o.length, o.back_after)) for o in shot.broken.outages
+            ]
+            rows += [
+                (one.set_name, one.source, shot.shot.name, names[at], *rest)
+                for at, rest in sorted(events, key=lambda event: event[0])
+            ]
+    return Sheet("over_time_breaks", "Jumps and outages", _OF_BREAK, tuple(rows))
+
+
+def over_time_bytes(found: Sequence[SourceOverTime], path: Path) -> bytes:
+    """A file of figures over time: as JSON all of them, as CSV a row a source and frame.
+
+    Raises:
+        UsageError: another suffix.
+    """
+    if path.suffix.lower() == ".json":
+        sheets = (shots_sheet(found), breaks_sheet(found), frames_sheet(found))
+        return json_bytes({sheet.name: sheet_entry(sheet) for sheet in sheets})
+    check_suffix(path)
+    return csv_bytes(frames_sheet(found))
+
+
+def check_suffix(path: Path) -> None:
+    """Fail before the work.
+
+    Raises:
+        UsageError: a file of another kind.
+    """
+    if path.suffix.lower() not in SUFFIXES:
+        raise UsageError(f"{path}: figures over time are written as {' or '.join(SUFFIXES)}")
+
+
+# --- rows -----------------------------------------------------------------------------------------
+
+
+def _shot_row(one: SourceOverTime, shot: ShotOverTime) -> tuple[Value, ...]:
+    pose, moved, traded, broken = shot.pose_jitter, shot.wander, shot.vertigo, shot.broken
+    ends = [jump.back_after for jump in broken.jumps] + [o.back_after for o in broken.outages]
+    backs = [frames for frames in ends if frames is not None]
+    return (
+        one.set_name,
+        one.source,
+        shot.shot.name,
+        len(shot.shot.frames),
+        shot.mean_jac,
+        *(shot.jac_third(third) for third in range(3)),
+        shot.jitter_px,
+        shot.jitter_m,
+        pose.pan_deg, pose.tilt_deg, pose.roll_deg, pose.zoom, pose.position_m,
+        None if moved is None else moved.rms_m,
+        None if moved is None else moved.largest_m,
+        None if traded is None else traded.correlation,
+        None if traded is None else traded.metres_a_percent,
+        len(broken.jumps),
+        sum(jump.back_after is None for jump in broken.jumps),
+        len(broken.outages),
+        max((outage.length for outage in broken.outages), default=0),
+        shot.outage_share,
+        median(backs) if backs else None,
+        *_offset_values(shot.offset, costs=True),
+        *_offset_values(shot.picture_offset, costs=False),
+    )  # fmt: skip
+
+
+def _offset_values(offset: FrameOffset | None, *, costs: bool) -> tuple[Value, ...]:
+    if offset is None:
+        return (None,) * (6 if costs else 4)
+    shift = offset.shift if offset.is_sure else None
+    more = (offset.cost_px, offset.cost_as_is_px) if costs else ()
+    return offset.in_words, shift, offset.is_sure, *more, offset.margin_px
+
+
+def _all_shots_row(one: SourceOverTime) -> tuple[Value, ...]:
+    """Over the frames of all shots together; what belongs to a shot alone is left open."""
+    shots = one.shots
+    row: dict[str, Any] = dict.fromkeys((column.key for column in _OF_SHOT), None)
+    frames = sum(len(shot.shot.frames) for shot in shots)
+    jac = _joined([shot.jac for shot in shots])
+    left_out = np.concatenate([shot.broken.unsteady for shot in shots])
+    row |= {
+        "set": one.set_name,
+        "source": one.source,
+        "shot": f"all {count_of(len(shots), 'shot')}",
+        "frames": frames,
+        "mean_jac": float(np.nanmean(jac)) if np.isfinite(jac).any() else None,
+        "jitter_px": of_shot(_joined([shot.steady.px for shot in shots]), left_out),
+        "jitter_m": of_shot(_joined([shot.steady.ground_m for shot in shots]), left_out),
+        "outage_share": sum(shot.outage_share * len(shot.shot.frames) for shot in shots) / frames,
+    }
+    for key in ("jumps", "outages"):
+        row[key] = sum(len(getattr(shot.broken, key)) for shot in shots)
+    return tuple(row[column.key] for column in _OF_SHOT)
+
+
+def _joined(parts: Sequence[FloatArray]) -> FloatArray:
+    return np.concatenate(parts)
+
+
+def _frame_rows(one: SourceOverTime, shot: ShotOverTime) -> list[tuple[Value, ...]]:
+    poses, back = shot.poses, way_back(shot.poses)
+    gone = np.zeros(len(shot.shot.frames), dtype=bool)
+    for outage in shot.broken.outages:
+        gone[outage.frame : outage.frame + outage.length] = True
+    numbers = np.column_stack(
+        (
+            shot.jac, shot.steady.step_px, shot.steady.px, shot.steady.ground_m, poses.pan_deg,
+            poses.tilt_deg, poses.roll_deg, np.exp(poses.log_focal), poses.position_world, back,
+        )
+    )  # fmt: skip
+    rows: list[tuple[Value, ...]] = []
+    for at, (name, number) in enumerate(zip(shot.shot.frames, shot.shot.numbers, strict=True)):
+        values = [float(v) if np.isfinite(v) else None for v in numbers[at]]
+        named = (one.set_name, one.source, shot.shot.name, name, number, not gone[at])
+        rows.append((*named, *values[:4], bool(shot.broken.unsteady[at]), *values[4:]))
+    return rows

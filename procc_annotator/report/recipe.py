@@ -1,0 +1,244 @@
+"""A recipe: all that figures were made from, so that somebody else can make them again.
+
+One JSON file: program, command, what was asked, every input by its SHA-256, and the figures. Paths
+are relative to the folder that holds all inputs; nothing else of the machine is in it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+import procc_annotator
+from procc_annotator.errors import InputError
+from procc_annotator.field.model import Field
+from procc_annotator.field.sample import sample_official
+from procc_annotator.io.source import read_file
+from procc_annotator.metric.sets import SetSummary
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.sheet.as_json import figure_entry, json_bytes
+from procc_annotator.report.sheet.figure import shortest
+from procc_annotator.report.sheet.figures import OF_SET
+
+FORMAT = "procc-annotator recipe 1"
+_SAME = 1e-12  # of a figure: the last digit that is written
+_COUNTS = ("images", "evaluated")
+
+CITATION = {
+    "protocol": (
+        "@inproceedings{magera2024procc,\n"
+        "  title = {A Universal Protocol to Benchmark Camera Calibration for Sports},\n"
+        "  author = {Magera, Floriane and Hoyoux, Thomas and Barnich, Olivier and"
+        " Van Droogenbroeck, Marc},\n"
+        "  booktitle = {CVSports at CVPR},\n  year = {2024}\n}"
+    ),
+    "program": (
+        "@software{procc_annotator,\n  title = {ProCC Annotator},\n"
+        "  author = {{The ProCC Annotator authors}},\n"
+        f"  version = {{{procc_annotator.__version__}}}\n}}"
+    ),
+}
+
+
+@dataclass(frozen=True)
+class RecipeFile:
+    """A file that was read: its name within the input, and what was in it."""
+
+    name: str
+    sha256: str
+    bytes: int
+
+
+@dataclass(frozen=True)
+class RecipeInput:
+    """A folder, archive or file that was read.
+
+    Attributes:
+        role: ``annotations``, ``cameras``, ``field`` or ``tags``.
+        path: relative to the folder of all inputs.
+        files: what was read of a folder, by name; of an archive or file itself, called ``.``.
+    """
+
+    role: str
+    path: str
+    files: tuple[RecipeFile, ...]
+
+
+@dataclass(frozen=True)
+class RecipeField:
+    """The elements that were evaluated.
+
+    Attributes:
+        given: what was asked for by name or file (relative as other paths); None for the set's own.
+        lines: where lines lie, if that was asked for.
+        described: name and dimensions, for people.
+        sha256: of names and places of all elements.
+    """
+
+    given: str | None
+    lines: str | None
+    described: str
+    sha256: str
+
+
+@dataclass(frozen=True)
+class RecipeEvaluation:
+    """One set under one source at one size, and its figures by threshold.
+
+    Attributes:
+        annotations, cameras: paths of inputs.
+        picture_sizes: ``1920x1080`` -> how many pictures beside the annotations have it.
+    """
+
+    set: str
+    source: str
+    annotations: str
+    cameras: str
+    format: str
+    field: RecipeField
+    size: tuple[int, int]
+    protocol: str
+    off_plane: str
+    mirrored: bool
+    planar_only: bool
+    thresholds: tuple[float, ...]
+    camera_size: tuple[int, int] | None
+    picture_sizes: dict[str, int]
+    figures: dict[str, dict[str, float | int | None]]
+
+    @property
+    def named(self) -> str:
+        """For people: ``wc14, pnlcalib, 960x540``."""
+        return f"{self.set}, {self.source}, {self.size[0]}x{self.size[1]}"
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """Everything.
+
+    Attributes:
+        options: what was typed, without paths of the machine: seeds, tags, choices of pictures.
+        citation: BibTeX of the protocol's paper and of the program.
+    """
+
+    format: str
+    version: str
+    command: str
+    options: dict[str, Any]
+    inputs: tuple[RecipeInput, ...]
+    evaluations: tuple[RecipeEvaluation, ...]
+    citation: dict[str, str] = field(default_factory=lambda: dict(CITATION))
+
+    def encoded(self) -> bytes:
+        """As a file."""
+        return json_bytes(msgspec.to_builtins(self))
+
+
+def read_recipe(path: Path) -> Recipe:
+    """Read a recipe.
+
+    Raises:
+        InputError: it cannot be read, or is none.
+    """
+    data = read_file(path)
+    try:
+        found = msgspec.json.decode(data, type=Recipe)
+    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        raise InputError(path, f"is no recipe: {error}") from error
+    if found.format != FORMAT:
+        raise InputError(path, f"is of format {found.format[:60]!r}, expected {FORMAT!r}")
+    return found
+
+
+def figures_of(
+    summaries: Mapping[float, SetSummary],
+) -> dict[str, dict[str, float | int | None]]:
+    """The figures of a set by threshold, with how many frames there are and were evaluated."""
+    return {
+        shortest(tau): {
+            **{count: getattr(summary, count) for count in _COUNTS},
+            **figure_entry(OF_SET, summary),
+        }
+        for tau, summary in summaries.items()
+    }
+
+
+def field_of_recipe(shown: Field, given: str | None, lines: str | None) -> RecipeField:
+    """What identifies a field: names and places of all that is evaluated."""
+    samples = sample_official(shown)
+    digest = hashlib.sha256()
+    for row, element in enumerate(shown.elements):
+        digest.update(repr((element.name, element.on_ground, element.optional)).encode())
+        digest.update(samples.of(row).round(9).tobytes())
+    for turn in shown.symmetries:
+        digest.update(repr(turn.turn_rad).encode())
+    return RecipeField(given, lines, shown.described, digest.hexdigest())
+
+
+def setup_of(evaluation: RecipeEvaluation, shown: Field) -> EvaluationSetup:
+    """What an evaluation was made with, on a field.
+
+    Raises:
+        UsageError: a choice that there is not.
+    """
+    return EvaluationSetup(
+        shown, evaluation.size, evaluation.protocol, evaluation.mirrored, evaluation.off_plane,
+        evaluation.planar_only,
+    )  # fmt: skip
+
+
+# --- what differs ---------------------------------------------------------------------------------
+
+
+def differing_files(recipe: RecipeInput, here: RecipeInput) -> Iterator[str]:
+    """What is missing, more or another one among the files of an input, one line each."""
+    was = {file.name: file.sha256 for file in recipe.files}
+    now = {file.name: file.sha256 for file in here.files}
+    for name in {**was, **now}:
+        shown = recipe.path if name == "." else f"{recipe.path}/{name}"
+        if name not in now:
+            yield f"missing: {shown}"
+        elif name not in was:
+            yield f"not in the recipe: {shown}"
+        elif was[name] != now[name]:
+            yield f"other content: {shown}"
+
+
+def differing_figures(was: RecipeEvaluation, now: RecipeEvaluation) -> Iterator[str]:
+    """Which figures are others, one line each."""
+    if was.field.sha256 != now.field.sha256:
+        yield f"other field: {was.named}: {now.field.described}, was {was.field.described}"
+    if was.picture_sizes and now.picture_sizes and was.picture_sizes != now.picture_sizes:
+        sizes = [", ".join(found.picture_sizes) for found in (now, was)]
+        yield f"other picture sizes: {was.named}: {sizes[0]}, were {sizes[1]}"
+    for tau, figures in was.figures.items():
+        for key, before in figures.items():
+            after = now.figures.get(tau, {}).get(key)
+            if not _same(before, after):
+                of = f"{was.named}: {key}@{tau}"
+                yield f"other figure: {of}: {_shown(after)}, was {_shown(before)}"
+
+
+def _same(before: float | None, after: float | None) -> bool:
+    if before is None or after is None:
+        return before is after
+    return abs(before - after) <= _SAME * max(1.0, abs(before))
+
+
+def _shown(value: float | None) -> str:
+    return "none" if value is None else f"{value:.10g}"
+
+
+def sha256_of(data: bytes) -> str:
+    """In hexadecimal."""
+    return hashlib.sha256(data).hexdigest()
+
+
+def hashed(name: str, data: bytes) -> RecipeFile:
+    """A file by its content."""
+    return RecipeFile(name, sha256_of(data), len(data))

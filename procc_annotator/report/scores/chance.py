@@ -1,0 +1,134 @@
+"""What chance leaves of evaluations: asked once, told for the sources of each set together."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+from procc_annotator.field.model import Field
+from procc_annotator.metric.chance.intervals import Method
+from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.sets import SetSummary
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.scores.chance_sheets import chance_sheets
+from procc_annotator.report.scores.click_sheets import clicks_sheets
+from procc_annotator.report.scores.strata_sheet import strata_sheet
+from procc_annotator.report.sheet.as_json import sheet_entry
+from procc_annotator.report.sheet.sheet import Sheet
+from procc_annotator.session.runs.certainty import Certainty, same_frames
+from procc_annotator.session.runs.clusters import clusters_of
+from procc_annotator.session.runs.frame_order import FrameOrder
+from procc_annotator.session.runs.frame_sums import SourceSums
+from procc_annotator.session.runs.moved_clicks import ClickNoise
+from procc_annotator.session.runs.strata import strata, values_of
+
+
+@dataclass(frozen=True)
+class ChanceTerms:
+    """What is asked of chance.
+
+    Attributes:
+        cluster: a tag, ``shot`` or ``none``; None for shots where there are any.
+        tags: set -> tag -> frame -> its value.
+        orders: set -> its table of frames, where it has one.
+        draws, method: how intervals are found.
+        power: whether to say how many frames are needed.
+        noise: how points are moved; None for not at all.
+        by: what to break the differences down by.
+    """
+
+    cluster: str | None = None
+    tags: Mapping[str, Mapping[str, Mapping[str, str | None]]] = field(default_factory=dict)
+    orders: Mapping[str, FrameOrder] = field(default_factory=dict)
+    draws: Draws = field(default_factory=Draws)
+    method: Method = "t"
+    power: bool = False
+    noise: ClickNoise | None = None
+    by: tuple[str, ...] = ()
+
+    def tag(self, of_set: str, name: str | None) -> Mapping[str, str | None]:
+        """The values of a tag, by frame."""
+        return self.tags.get(of_set, {}).get(name or "", {})
+
+    def certainty(self, of_set: str, sources: Sequence[SourceSums]) -> Certainty:
+        """Of sources over the same set.
+
+        Raises:
+            UsageError: frames cannot be clustered as asked.
+        """
+        same = same_frames(sources)
+        clusters = clusters_of(
+            same[0].names, self.cluster, self.tag(of_set, self.cluster), self.orders.get(of_set)
+        )
+        return Certainty(same, clusters, self.draws, self.method)
+
+
+class Judged(Protocol):
+    """A source over a set, as it was scored."""
+
+    @property
+    def set_name(self) -> str: ...
+    @property
+    def described(self) -> str: ...
+    @property
+    def summaries(self) -> Mapping[float, SetSummary]: ...
+    @property
+    def sums(self) -> SourceSums | None: ...
+    @property
+    def setup(self) -> EvaluationSetup: ...
+
+
+@dataclass(frozen=True)
+class ToldOfSet:
+    """What chance leaves of the sources of one set at one size."""
+
+    set_name: str
+    described: str
+    sheets: tuple[Sheet, ...]
+
+
+def chance_told(scored: Sequence[Judged], terms: ChanceTerms) -> list[ToldOfSet]:
+    """The sources of each set and size side by side."""
+    groups: dict[tuple[str, tuple[int, int]], list[Judged]] = {}
+    for one in scored:
+        groups.setdefault((one.set_name, one.setup.size), []).append(one)
+    found = []
+    for (set_name, _), own in groups.items():
+        certainty = terms.certainty(set_name, [one.sums for one in own if one.sums is not None])
+        described = min((one.described for one in own), key=len)
+        summaries = [one.summaries for one in own]
+        sheets = chance_sheets(certainty, summaries, described, power=terms.power)
+        if terms.noise is not None:
+            sheets += clicks_sheets(certainty, terms.noise, described)
+        sheets += strata_sheets(certainty, terms, set_name, own[0].setup.field, described)
+        found.append(ToldOfSet(set_name, described, tuple(sheets)))
+    return found
+
+
+def strata_sheets(
+    certainty: Certainty, terms: ChanceTerms, of_set: str, of_field: Field, described: str
+) -> list[Sheet]:
+    """The sources over the parts of a set, one sheet a way of parting it."""
+    tau = certainty.thresholds[0]
+    found = []
+    for by in terms.by:
+        values = values_of(by, certainty.sources, of_field, terms.tag(of_set, by))
+        found.append(strata_sheet(strata(certainty, by, values, tau), certainty, tau, described))
+    return found
+
+
+def chance_entries(told: Sequence[ToldOfSet]) -> dict[str, Any]:
+    """As files of figures hold it; nothing where nothing was asked."""
+    if not told:
+        return {}
+    return {
+        "chance": [
+            {
+                "set": one.set_name,
+                "described": one.described,
+                **{sheet.name: sheet_entry(sheet) for sheet in one.sheets},
+            }
+            for one in told
+        ]
+    }

@@ -1,0 +1,215 @@
+"""How surely figures are known, as sheets: intervals, differences, ranks, curves, frames needed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from procc_annotator.metric.chance.intervals import Interval
+from procc_annotator.metric.chance.paired import PairedDifference
+from procc_annotator.metric.chance.power import frames_needed, least_difference
+from procc_annotator.metric.sets import SetSummary
+from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.figures import (
+    BEST_IN,
+    COMPLETENESS,
+    ERROR_DIFFERENCE,
+    FINAL_SCORE,
+    JAC_DIFFERENCE,
+    LEAST_DIFFERENCE,
+    MEAN_ERROR,
+    MEAN_JAC,
+    P_CORRECTED,
+    P_VALUE,
+    SCORE_DIFFERENCE,
+)
+from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, of, whole
+from procc_annotator.session.runs.audit import TAU_GRID
+from procc_annotator.session.runs.certainty import Certainty
+
+WITH_INTERVAL = (MEAN_JAC, COMPLETENESS, FINAL_SCORE, MEAN_ERROR)
+_DIFFERENCES = (
+    (JAC_DIFFERENCE, "mean_jac"),
+    (SCORE_DIFFERENCE, "final_score"),
+    (ERROR_DIFFERENCE, "mean_reprojection_error"),
+)
+POINTS = (0.01, 0.02, 0.05)  # differences that a set should tell, as shares
+_POWER = 0.8
+_CURVE_STEP = 5  # of `TAU_GRID`, in a file
+
+
+def chance_sheets(
+    certainty: Certainty,
+    summaries: Sequence[Mapping[float, SetSummary]],
+    described: str,
+    *,
+    power: bool = False,
+) -> list[Sheet]:
+    """Everything that can be told of some sources; of a single one there is nothing to compare.
+
+    Args:
+        summaries: the figures of each source, by threshold.
+        described: protocol, size and options.
+        power: whether to say how many frames are needed.
+    """
+    sheets = [intervals_sheet(certainty, summaries, described)]
+    if certainty.pairs:
+        sheets += [differences_sheet(certainty, described), ranks_sheet(certainty, described)]
+    if power:
+        sheets.append(power_sheet(certainty, described))
+    return sheets
+
+
+def intervals_sheet(
+    certainty: Certainty, summaries: Sequence[Mapping[float, SetSummary]], described: str
+) -> Sheet:
+    """Every mean of every source with its interval."""
+    columns = [Column("source", "source"), TAU]
+    for figure in WITH_INTERVAL:
+        columns += [of(figure), *interval_columns(figure)]
+    rows = []
+    for source, found, summary in zip(
+        certainty.sources, certainty.intervals, summaries, strict=True
+    ):
+        for tau in certainty.thresholds:
+            row: list[Value] = [source.name, tau]
+            for figure in WITH_INTERVAL:
+                row += [figure.of(summary[tau]), *ends_of(found[figure.key, tau])]
+            rows.append(tuple(row))
+    notes = (f"In brackets {certainty.described}.",)
+    return Sheet("intervals", "Intervals", tuple(columns), tuple(rows), described, notes)
+
+
+def interval_columns(figure: Figure) -> tuple[Column, Column]:
+    """The ends of a figure's interval, in brackets behind it."""
+    return (
+        of(figure, key=f"{figure.key}_low", heading="low", joined=" [{}, "),
+        of(figure, key=f"{figure.key}_high", heading="high", joined="{}]"),
+    )
+
+
+def differences_sheet(certainty: Certainty, described: str) -> Sheet:
+    """Every two sources on the frames both have, at every threshold."""
+    columns = [TAU, Column("a", "A"), Column("b", "B"), whole("shared", "frames of both")]
+    columns += [whole("only_a", "only A"), whole("only_b", "only B")]
+    for figure, _ in _DIFFERENCES:
+        points = figure.unit.replace("%", "points")
+        heading = f"{figure.title}, {points}"
+        columns += [of(figure, heading=heading), *interval_columns(figure)]
+    columns += [of(P_VALUE), of(P_CORRECTED), Column("verdict", "JaC")]
+    rows: list[tuple[Value, ...]] = []
+    bold: set[tuple[int, int]] = set()
+    for tau in certainty.thresholds:
+        for pair in certainty.pairs:
+            row: list[Value] = [
+                tau, certainty.sources[pair.a].name, certainty.sources[pair.b].name,
+                pair.shared, len(pair.only_a), len(pair.only_b),
+            ]  # fmt: skip
+            for _, key in _DIFFERENCES:
+                found = pair.differences[key, tau]
+                if found.beyond_chance:
+                    bold.add((len(rows), len(row)))
+                row += [found.value, *ends_of(found.interval)]
+            jac = pair.differences["mean_jac", tau]
+            rows.append((*row, jac.p, jac.corrected, verdict(jac)))
+    notes = (
+        f"In brackets {certainty.described}.",
+        "JaC and mean error are compared on the frames both sources have; frames that only one has"
+        " count for completeness and the final score. Bold: beyond chance.",
+    )
+    return Sheet(
+        "differences", "Is the difference real", tuple(columns), tuple(rows), described, notes,
+        frozenset(bold),
+    )  # fmt: skip
+
+
+def verdict(found: PairedDifference) -> str:
+    """What can be said of a difference, in two words."""
+    if found.interval is None:
+        return "cannot tell"
+    return "beyond chance" if found.beyond_chance else "undecided"
+
+
+def ranks_sheet(certainty: Certainty, described: str) -> Sheet:
+    """The place of each source at each threshold, shared where the data cannot tell."""
+    columns = [Column("source", "source")]
+    for tau in certainty.thresholds:
+        group = f"at {tau:g} px"
+        columns.append(whole(f"rank_{tau:g}", "rank", group=group))
+        columns.append(of(BEST_IN, key=f"best_in_{tau:g}", group=group))
+    places = {tau: certainty.ranks("mean_jac", tau) for tau in certainty.thresholds}
+    chances = certainty.chances_of_being_best
+    rows = tuple(
+        (source.name, *(v for t in certainty.thresholds for v in (places[t][n], chances[t][n])))
+        for n, source in enumerate(certainty.sources)
+    )
+    note = (
+        "By JaC. A rank is one more than the sources that are better beyond chance: those that the"
+        f" data cannot tell apart share it. {BEST_IN.definition}"
+    )
+    return Sheet("ranks", "Ranks", tuple(columns), rows, described, (note,))
+
+
+def power_sheet(certainty: Certainty, described: str) -> Sheet:
+    """How many frames a set like this one needs to find differences of 1, 2 and 5 points of JaC; of
+    a single source, to know it to 1, 2 and 5 points."""
+    columns = [TAU, Column("a", "A"), Column("b", "B"), whole("frames", "frames")]
+    columns.append(of(LEAST_DIFFERENCE, heading=f"{LEAST_DIFFERENCE.title}, points"))
+    columns += [
+        whole(f"frames_for_{100 * p:g}", f"{100 * p:g}", group="frames for points") for p in POINTS
+    ]
+    names = [source.name for source in certainty.sources]
+    rows: list[tuple[Value, ...]] = []
+    for at, tau in enumerate(certainty.thresholds):
+        for pair in certainty.pairs:
+            found = pair.differences["mean_jac", tau]
+            needed = _needed(certainty, found.deviation, found.frames, found.effective, _POWER)
+            rows.append((tau, names[pair.a], names[pair.b], pair.shared, *needed))
+        if not certainty.pairs:
+            sampled, frames = certainty.jac_alone(0)
+            known = float(sampled.deviation[at]), frames, float(sampled.effective[at])
+            # An interval as far as that: a true difference lies beyond it in half of the sets.
+            rows.append((tau, names[0], None, frames, *_needed(certainty, *known, 0.5)))
+    alike = f"if more come in clusters like these ({certainty.clusters.described})"
+    note = (
+        f"The frames in which a true difference is beyond chance in {100 * _POWER:g} of 100 sets,"
+        f" {alike}."
+        if certainty.pairs
+        else f"The frames of which JaC is known to plus or minus so many points, {alike}."
+    )
+    return Sheet("power", "Frames needed", tuple(columns), tuple(rows), described, (note,))
+
+
+def _needed(
+    certainty: Certainty, deviation: float | None, frames: int, effective: float, power: float
+) -> tuple[Value, ...]:
+    if not deviation or not np.isfinite(deviation):
+        return (None,) * (1 + len(POINTS))
+    level = certainty.draws.level
+    needed = (
+        frames_needed(p, deviation, frames, effective, level=level, power=power) for p in POINTS
+    )
+    return (least_difference(deviation, effective, level=level, power=power), *needed)
+
+
+def curves_sheet(certainty: Certainty, described: str) -> Sheet:
+    """The difference of every two sources over tau, with a band for all of tau at once."""
+    columns = [Column("a", "A"), Column("b", "B"), TAU, of(JAC_DIFFERENCE)]
+    columns += interval_columns(JAC_DIFFERENCE)
+    rows: list[tuple[Value, ...]] = []
+    for pair in certainty.pairs:
+        band = certainty.curve_of_difference(pair.a, pair.b)
+        names = certainty.sources[pair.a].name, certainty.sources[pair.b].name
+        for at in range(0, len(TAU_GRID), _CURVE_STEP):
+            ends = (float(side[at]) for side in (band.values, band.low, band.high))
+            known = (v if np.isfinite(v) else None for v in ends)
+            rows.append((*names, float(TAU_GRID[at]), *known))
+    note = f"The band holds the whole curve at once; {certainty.described}."
+    return Sheet(
+        "difference_curves", "Difference over tau", tuple(columns), tuple(rows), described, (note,)
+    )
+
+
+def ends_of(interval: Interval | None) -> tuple[float | None, float | None]:
+    return (None, None) if interval is None else (interval.low, interval.high)

@@ -1,0 +1,68 @@
+"""A sheet as a table of a page; every text is escaped."""
+
+from __future__ import annotations
+
+from html import escape
+
+from procc_annotator.report.sheet.sheet import Sheet
+from procc_annotator.report.sheet.shown import Cell, ShownColumn, shown
+
+_ARROWS = {"higher": ("more is better", "↑"), "lower": ("less is better", "↓")}
+
+
+def html_table(sheet: Sheet, *, short: bool = True, sortable: bool = False) -> str:
+    """The table within a box that scrolls where it is too wide; the keyboard can scroll it, too.
+
+    Args:
+        short: is not torn apart by the end of a printed page.
+        sortable: says what it can be sorted by, for the page's own script.
+    """
+    content = shown(sheet)
+    caption = escape(content.caption)
+    classes = f"wide{' short' if short else ''}"
+    lines = [
+        f'<div class="{classes}" tabindex="0" role="region" aria-label="{caption}">',
+        '<table class="sortable">' if sortable else "<table>",
+        f"<caption>{caption}</caption>",
+        "<thead>",
+        *_groups(content.groups),
+        "<tr>",
+        *(_heading(column) for column in content.columns),
+        "</tr>",
+        "</thead>",
+        "<tbody>",
+    ]
+    for row in content.rows:
+        cells = (_cell(c, cell) for c, cell in zip(content.columns[1:], row[1:], strict=True))
+        lines += ["<tr>", f'<th scope="row">{escape(row[0].text)}</th>', *cells, "</tr>"]
+    lines += ["</tbody>", "</table>", *(f"<p>{escape(note)}</p>" for note in content.notes)]
+    return "\n".join([*lines, "</div>\n"])
+
+
+def _groups(groups: tuple[tuple[str, int], ...]) -> list[str]:
+    if not groups:
+        return []
+    cells = [
+        f'<th scope="colgroup" colspan="{width}">{escape(name)}</th>'
+        if name
+        else f'<td colspan="{width}"></td>'
+        for name, width in groups
+    ]
+    return ["<tr>", *cells, "</tr>"]
+
+
+def _heading(column: ShownColumn) -> str:
+    arrow = ""
+    if column.better is not None:
+        meaning, sign = _ARROWS[column.better]
+        arrow = f'&nbsp;<span aria-label="{meaning}">{sign}</span>'
+    return f'<th scope="col"{_side(column)}>{escape(column.heading)}{arrow}</th>'
+
+
+def _cell(column: ShownColumn, cell: Cell) -> str:
+    text = escape(cell.text)
+    return f"<td{_side(column)}>{f'<strong>{text}</strong>' if cell.bold else text}</td>"
+
+
+def _side(column: ShownColumn) -> str:
+    return ' class="number"' if column.numeric else ""

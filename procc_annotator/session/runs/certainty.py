@@ -1,0 +1,228 @@
+"""How surely the figures of a set are known, and which sources differ beyond chance."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import combinations
+
+import numpy as np
+
+from procc_annotator.errors import UsageError
+from procc_annotator.metric.chance.bands import CurveBand, curve_band
+from procc_annotator.metric.chance.intervals import Interval, Method, intervals
+from procc_annotator.metric.chance.paired import (
+    PairedDifference,
+    corrected_for,
+    paired_differences,
+)
+from procc_annotator.metric.chance.ranking import chances_of_being_best, ranks, sole_best
+from procc_annotator.metric.chance.sampling import Draws, Ratios, Sampled, sample
+from procc_annotator.metric.polylines import BoolArray
+from procc_annotator.session.runs.clusters import Clusters
+from procc_annotator.session.runs.frame_sums import SourceSums
+
+# Figures with an interval, attributes of `SetSummary`, and whether more is better.
+BETTER = {
+    "mean_jac": +1,
+    "completeness": +1,
+    "final_score": +1,
+    "mean_precision": +1,
+    "mean_recall": +1,
+    "mean_reprojection_error": -1,
+}
+# Those that sources are compared by; the others follow from them.
+COMPARED = ("mean_jac", "final_score", "mean_reprojection_error", "completeness")
+# Taken over all frames that count, with a camera or not.
+_OVER_ALL = ("completeness", "final_score")
+_BAND_DRAWS = 2000  # the largest deviation of a whole curve takes no more
+
+
+@dataclass(frozen=True, eq=False)
+class SourcePair:
+    """Two sources against each other.
+
+    Attributes:
+        a, b: their places.
+        shared: how many frames both have a camera for; their means are compared on these.
+        only_a, only_b: frames that only one has: they count for completeness and final score.
+        differences: (key, threshold) -> the figure of a less that of b.
+    """
+
+    a: int
+    b: int
+    shared: int
+    only_a: tuple[str, ...]
+    only_b: tuple[str, ...]
+    differences: Mapping[tuple[str, float], PairedDifference]
+
+
+@dataclass(frozen=True, eq=False)
+class Certainty:
+    """Sources over the same frames, chance considered.
+
+    Attributes:
+        sources: at least one, of the same frames and thresholds.
+        clusters: of the frames.
+        draws, method: how chance is asked, and how intervals are found.
+    """
+
+    sources: tuple[SourceSums, ...]
+    clusters: Clusters
+    draws: Draws = field(default_factory=Draws)
+    method: Method = "t"
+
+    def __post_init__(self) -> None:
+        first = self.sources[0]
+        for other in self.sources[1:]:
+            if (other.names, other.thresholds) != (first.names, first.thresholds):
+                raise UsageError(f"{first.name} and {other.name} were judged on other frames")
+
+    @property
+    def thresholds(self) -> tuple[float, ...]:
+        """Of all figures, px."""
+        return self.sources[0].thresholds
+
+    @cached_property
+    def described(self) -> str:
+        """What intervals rest on, in words."""
+        kind = {
+            "t": "t, jackknife of clusters",
+            "percentile": "percentile, expanded",
+            "bca": "BCa, expanded",
+        }[self.method]
+        drawn = f"{self.draws.count:,} draws, seed {self.draws.seed}"
+        level = f"{100 * self.draws.level:g} % intervals"
+        return f"{level} ({kind}); {self.clusters.described}; {drawn}"
+
+    @cached_property
+    def intervals(self) -> tuple[Mapping[tuple[str, float], Interval | None], ...]:
+        """Of each source: (key, threshold) -> the interval of the set's figure."""
+        keys = [(key, tau) for key in BETTER for tau in self.thresholds]
+        found = []
+        for source in self.sources:
+            ratios = Ratios.beside([source.ratios(key) for key in BETTER])
+            ends = intervals(self._sampled(ratios), self.draws, self.method)
+            possible = (_possible(key, own) for (key, _), own in zip(keys, ends, strict=True))
+            found.append(dict(zip(keys, possible, strict=True)))
+        return tuple(found)
+
+    @cached_property
+    def pairs(self) -> tuple[SourcePair, ...]:
+        """Every two sources; what is tested is corrected for as many comparisons at a threshold."""
+        found = [self._pair(a, b) for a, b in combinations(range(len(self.sources)), 2)]
+        if not found:
+            return ()
+        keys = list(found[0].differences)
+        corrected = {key: corrected_for([pair.differences[key] for pair in found]) for key in keys}
+        return tuple(
+            SourcePair(
+                pair.a, pair.b, pair.shared, pair.only_a, pair.only_b,
+                {key: corrected[key][n] for key in keys},
+            )
+            for n, pair in enumerate(found)
+        )  # fmt: skip
+
+    def differences(self, key: str, tau: float) -> dict[tuple[int, int], PairedDifference]:
+        """Of every two sources, by their places."""
+        return {(pair.a, pair.b): pair.differences[key, tau] for pair in self.pairs}
+
+    def ranks(self, key: str, tau: float) -> list[int]:
+        """The place of each source; those that the data cannot tell apart share it."""
+        return ranks(len(self.sources), self.differences(key, tau), BETTER[key])
+
+    def best(self, key: str, tau: float) -> int | None:
+        """The place of the source that is better than all others beyond chance."""
+        return sole_best(len(self.sources), self.differences(key, tau), BETTER[key])
+
+    @cached_property
+    def chances_of_being_best(self) -> dict[float, list[float]]:
+        """Threshold -> in which share of the sets drawn each source has the highest mean JaC, on
+        the frames that all have."""
+        everywhere = np.logical_and.reduce([source.with_camera for source in self.sources])
+        ratios = [source.ratios("mean_jac").of(everywhere) for source in self.sources]
+        drawn = sample(Ratios.beside(ratios), self.clusters.numbers, self.draws).drawn
+        count = len(self.thresholds)
+        return {
+            tau: chances_of_being_best(list(drawn[:, at::count].T), +1)
+            for at, tau in enumerate(self.thresholds)
+        }
+
+    def jac_alone(self, source: int) -> tuple[Sampled, int]:
+        """The mean JaC of a source at each threshold, and its frames with a camera."""
+        ratios = self.sources[source].ratios("mean_jac")
+        frames = int(self.sources[source].with_camera.sum())
+        return sample(ratios, self.clusters.numbers, None), frames
+
+    def curve(self, source: int) -> CurveBand:
+        """The mean JaC of a source over `TAU_GRID`, with its band."""
+        return self._band(self.sources[source].curves())
+
+    def curve_of_difference(self, a: int, b: int) -> CurveBand:
+        """What the curve of one source has more than that of another, on the frames both have."""
+        mine, other = self.sources[a].curves(), self.sources[b].curves()
+        shared = self._shared(a, b)[:, None]
+        more = np.where(shared, mine.parts - other.parts, 0.0)
+        return self._band(Ratios(more, mine.wholes * shared))
+
+    def _band(self, ratios: Ratios) -> CurveBand:
+        draws = Draws(min(_BAND_DRAWS, self.draws.count), self.draws.seed, self.draws.level)
+        return curve_band(sample(ratios, self.clusters.numbers, draws), draws)
+
+    def _sampled(self, ratios: Ratios) -> Sampled:
+        draws = None if self.method == "t" else self.draws
+        return sample(ratios, self.clusters.numbers, draws)
+
+    def _shared(self, a: int, b: int) -> BoolArray:
+        return self.sources[a].with_camera & self.sources[b].with_camera
+
+    def _pair(self, a: int, b: int) -> SourcePair:
+        shared = self._shared(a, b)
+        sides = [self._compared(self.sources[at], shared) for at in (a, b)]
+        columns = sides[0].parts.shape[1]
+        both = self._sampled(Ratios.beside(sides))
+        pair = both.at(slice(0, columns)), both.at(slice(columns, None))
+        found = paired_differences(
+            sides[0], sides[1], pair, self.clusters.numbers, self.draws, self.method
+        )
+        keys = [(key, tau) for key in COMPARED for tau in self.thresholds]
+        return SourcePair(
+            a,
+            b,
+            int(shared.sum()),
+            self._only(a, b),
+            self._only(b, a),
+            dict(zip(keys, found, strict=True)),
+        )
+
+    def _compared(self, source: SourceSums, shared: BoolArray) -> Ratios:
+        several = []
+        for key in COMPARED:
+            ratios = source.ratios(key)
+            several.append(ratios if key in _OVER_ALL else ratios.of(shared))
+        return Ratios.beside(several)
+
+    def _only(self, a: int, b: int) -> tuple[str, ...]:
+        own = self.sources[a].with_camera & ~self.sources[b].with_camera
+        return tuple(np.array(self.sources[a].names, dtype=object)[own])
+
+
+def _possible(key: str, interval: Interval | None) -> Interval | None:
+    """No share lies below 0 or above 1, and no error below 0."""
+    if interval is None:
+        return None
+    highest = 1.0 if BETTER[key] > 0 else interval.high
+    return replace(interval, low=max(0.0, interval.low), high=min(highest, interval.high))
+
+
+def same_frames(sources: Sequence[SourceSums]) -> tuple[SourceSums, ...]:
+    """Sources over the frames that all of them were judged on; an annotation that one run could
+    not read any more is left out for all."""
+    if not sources:
+        return ()
+    common = set.intersection(*(set(source.names) for source in sources))
+    return tuple(
+        SourceSums(s.name, s.thresholds, tuple(f for f in s.frames if f.frame in common))
+        for s in sources
+    )

@@ -1,0 +1,89 @@
+"""Which frames of a set are alike: those of one match or shot tell less than as many of several."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.errors import UsageError
+from procc_annotator.metric.polylines import IntArray
+from procc_annotator.session.runs.frame_order import FrameOrder, shots_by_name
+from procc_annotator.words import count_of
+
+SHOT = "shot"  # by the names of the frames, or the dataset's frames.csv
+NONE = "none"  # every frame for itself
+
+
+@dataclass(frozen=True, eq=False)
+class Clusters:
+    """The clusters of F frames.
+
+    Attributes:
+        numbers: (F,) the cluster of each frame, from 0 on.
+        described: what they were found by, in words.
+        by: a tag, `SHOT`, or `NONE`.
+    """
+
+    numbers: IntArray
+    described: str
+    by: str
+
+    @property
+    def count(self) -> int:
+        """How many there are."""
+        return int(self.numbers.max()) + 1 if len(self.numbers) else 0
+
+
+def clusters_of(
+    frames: Sequence[str],
+    by: str | None,
+    values: Mapping[str, str | None],
+    order: FrameOrder | None = None,
+) -> Clusters:
+    """The clusters of frames.
+
+    Args:
+        frames: names.
+        by: a tag, `SHOT`, `NONE`; None for shots if there are any to be found.
+        values: of the tag, by frame. A frame without one is a cluster of its own.
+        order: the dataset's table of frames; without it names tell the shots.
+
+    Raises:
+        UsageError: a tag that no frame has, or shots where none can be found.
+    """
+    if by == NONE:
+        return _alone(frames, "every frame for itself")
+    if by not in (None, SHOT):
+        if not any(values.get(frame) for frame in frames):
+            raise UsageError(f"no frame has a value of {by!r} to cluster by")
+        return _by_value(frames, [values.get(frame) for frame in frames], f"by {by}", by or "")
+    found = order.shots_of(frames) if order is not None else shots_by_name(frames)
+    shot_of = {frame: str(n) for n, shot in enumerate(found) for frame in shot.frames}
+    if len(found) > 1 and any(len(shot.frames) > 1 for shot in found):
+        told_by = "by names" if order is None else f"by {order.told_by}"
+        return _by_value(frames, [shot_of.get(f) for f in frames], f"shots {told_by}", SHOT)
+    if by == SHOT:
+        raise UsageError("names of frames tell no shots to cluster by: give a tag with --tags")
+    return _alone(
+        frames,
+        "not clustered: neither tag nor names say which frames are alike, and where some are, true"
+        " intervals are wider",
+    )
+
+
+def _by_value(frames: Sequence[str], values: Sequence[str | None], words: str, by: str) -> Clusters:
+    places: dict[tuple[bool, str], int] = {}
+    keys = [
+        (False, frame) if not value else (True, value)
+        for frame, value in zip(frames, values, strict=True)
+    ]
+    numbers = np.array([places.setdefault(key, len(places)) for key in keys], dtype=np.intp)
+    alone = sum(not tagged for tagged, _ in keys)
+    rest = f", {count_of(alone, 'frame')} without" if alone else ""
+    return Clusters(numbers, f"{count_of(len(places), 'cluster')} {words}{rest}", by)
+
+
+def _alone(frames: Sequence[str], words: str) -> Clusters:
+    return Clusters(np.arange(len(frames), dtype=np.intp), words, NONE)

@@ -1,0 +1,145 @@
+"""Frames in strata: by a tag, or by what their annotations and cameras are like."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from statistics import median
+
+import numpy as np
+from natsort import natsorted
+
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.metric.chance.paired import PairedDifference, corrected_for
+from procc_annotator.metric.ground import field_rectangle
+from procc_annotator.session.runs.audit import Pose
+from procc_annotator.session.runs.certainty import Certainty
+from procc_annotator.session.runs.clusters import SHOT, Clusters
+from procc_annotator.session.runs.frame_order import shots_by_name
+from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums
+
+ZOOM, ELEMENTS, SIDE = "zoom", "elements", "side"
+DERIVED = (ZOOM, ELEMENTS, SIDE, SHOT)
+_PARTS = (1 / 3, 2 / 3)
+
+
+@dataclass(frozen=True, eq=False)
+class Stratum:
+    """One of the parts of a set.
+
+    Attributes:
+        by, value: what its frames have in common; None for those of which it is not known.
+        certainty: the sources over these frames.
+        differences: (a, b) -> the difference of mean JaC, corrected for all strata and pairs.
+    """
+
+    by: str
+    value: str | None
+    certainty: Certainty
+    differences: Mapping[tuple[int, int], PairedDifference]
+
+
+def strata(
+    certainty: Certainty, by: str, values: Sequence[str | None], tau: float
+) -> list[Stratum]:
+    """The parts of a set, in natural order, those of no value last.
+
+    Args:
+        values: (F,) of each frame.
+        tau: threshold of the differences, px.
+    """
+    found = []
+    named: list[str | None] = [*natsorted({v for v in values if v is not None})]
+    for value in [*named, *([None] if None in values else [])]:
+        part = _within(certainty, [v == value for v in values])
+        found.append((value, part, part.differences("mean_jac", tau) if part.pairs else {}))
+    every = corrected_for([d for _, _, own in found for d in own.values()])
+    at = iter(every)
+    return [Stratum(by, value, part, {key: next(at) for key in own}) for value, part, own in found]
+
+
+def values_of(
+    by: str, sources: Sequence[SourceSums], field: Field, tags: Mapping[str, str | None]
+) -> list[str | None]:
+    """The value of each frame.
+
+    Args:
+        by: one of `DERIVED`, or a tag.
+        sources: over the same frames; poses are the median of theirs.
+        field: its size tells the sides.
+        tags: of the tag, by frame.
+
+    Raises:
+        UsageError: nothing is known of any frame.
+    """
+    names = sources[0].names
+    found: list[str | None]
+    if by == ZOOM:
+        focal = [_median(p.focal_px for p in poses) for poses in _poses(sources)]
+        found = _thirds(focal, "focal {} to {} px")
+    elif by == ELEMENTS:
+        counts = [max(f.elements for f in frames) for frames in _frames(sources)]
+        found = _thirds([c or None for c in counts], "{} to {} elements")
+    elif by == SIDE:
+        found = [_side(poses, field) for poses in _poses(sources)]
+    elif by == SHOT:
+        shot_of = {frame: s.name for s in shots_by_name(names) for frame in s.frames}
+        found = [shot_of.get(name) for name in names]
+    else:
+        found = [tags.get(name) for name in names]
+    if not any(found):
+        raise UsageError(f"cannot break down by {by!r}: it is known of no frame")
+    return found
+
+
+def _within(certainty: Certainty, chosen: Sequence[bool]) -> Certainty:
+    kept = np.flatnonzero(chosen)
+    _, numbers = np.unique(certainty.clusters.numbers[kept], return_inverse=True)
+    clusters = Clusters(numbers, certainty.clusters.described, certainty.clusters.by)
+    sources = tuple(
+        SourceSums(s.name, s.thresholds, tuple(s.frames[i] for i in kept))
+        for s in certainty.sources
+    )
+    return Certainty(sources, clusters, certainty.draws, certainty.method)
+
+
+def _frames(sources: Sequence[SourceSums]) -> Iterator[tuple[FrameSums, ...]]:
+    return zip(*(source.frames for source in sources), strict=True)
+
+
+def _poses(sources: Sequence[SourceSums]) -> list[list[Pose]]:
+    return [[f.pose for f in frames if f.pose is not None] for frames in _frames(sources)]
+
+
+def _median(values: Iterable[float]) -> float | None:
+    known = list(values)
+    return median(known) if known else None
+
+
+def _thirds(values: Sequence[float | None], words: str) -> list[str | None]:
+    """Names of the three parts that values fall into; fewer where many are the same."""
+    known = np.array([v for v in values if v is not None])
+    if not len(known):
+        return [None] * len(values)
+    edges = np.unique(np.quantile(known, _PARTS, method="inverted_cdf"))
+    parts = [None if v is None else int(np.searchsorted(edges, v)) for v in values]
+    ends: dict[int, tuple[float, float]] = {}
+    for part, value in zip(parts, values, strict=True):
+        if part is not None and value is not None:
+            low, high = ends.get(part, (value, value))
+            ends[part] = min(low, value), max(high, value)
+    names = {part: words.format(f"{a:.0f}", f"{b:.0f}") for part, (a, b) in ends.items()}
+    return [None if part is None else names[part] for part in parts]
+
+
+def _side(poses: Sequence[Pose], field: Field) -> str | None:
+    """Where beside the field a camera stands; the median of several."""
+    x, y = (_median(p.position_world[axis] for p in poses) for axis in (0, 1))
+    if x is None or y is None:
+        return None
+    shown = field_rectangle(field)
+    beyond_x = max(shown.left - x, x - shown.right)
+    if beyond_x > max(shown.top - y, y - shown.bottom):
+        return "behind the end at x < 0" if x < 0 else "behind the end at x > 0"
+    return "main camera's side" if y > 0 else "opposite side"

@@ -1,0 +1,86 @@
+"""``procc-annotator evaluate --over-time`` as a user runs it."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.cli.conftest import annotation_text, camera_file
+
+FRAMES = 30
+
+
+@pytest.fixture
+def shot(tmp_path: Path) -> Path:
+    """A pan that goes faster and faster; every third frame is annotated. ``true`` cameras, ``late``
+    ones by a frame."""
+    pans = [-10 + 0.02 * n * n for n in range(FRAMES)]
+    for name in ("annotations", "true", "late"):
+        (tmp_path / name).mkdir()
+    for n, pan in enumerate(pans):
+        late = pans[max(n - 1, 0)]
+        (tmp_path / "true" / f"camera_a_{n:03d}.json").write_text(json.dumps(camera_file(pan)))
+        (tmp_path / "late" / f"camera_a_{n:03d}.json").write_text(json.dumps(camera_file(late)))
+        if n % 3 == 1:
+            (tmp_path / "annotations" / f"a_{n:03d}.json").write_text(annotation_text(pan))
+    (tmp_path / "late" / "camera_a_010.json").unlink()
+    return tmp_path
+
+
+def arguments(shot: Path) -> list[str]:
+    sources = [f"--cameras={name}={shot / name}" for name in ("true", "late")]
+    return ["evaluate", str(shot / "annotations"), *sources, "--over-time"]
+
+
+def test_tables_and_files_tell_late_cameras(cli, shot: Path) -> None:
+    out = [shot / "figures.json", shot / "frames.csv"]
+    written = [f"--over-time-output={path}" for path in out]
+    done = cli(*arguments(shot), *written)
+    assert done.exit_code == 0, done.output
+    assert "shots by the names of frames" in done.output
+    assert "cameras are 1 frame late" in done.output
+    found = json.loads(out[0].read_text())
+    true, late = found["over_time"]["rows"]
+    assert (true["source"], true["shot"], true["frames"]) == ("true", "a", FRAMES)
+    assert (true["offset"], true["offset_frames"], true["outages"]) == ("none", 0, 0)
+    assert (late["offset_frames"], late["outages"], late["longest_outage"]) == (1, 1, 1)
+    assert true["mean_jac"] == 1
+    # 0.04 degrees a frame and frame: a second difference, as the error of one frame.
+    assert true["jitter_pan_degrees"] == pytest.approx(0.04 / 6**0.5)
+    assert true["jitter_position_m"] == pytest.approx(0, abs=1e-9)
+    (outage,) = found["over_time_breaks"]["rows"]
+    assert (outage["frame"], outage["what"], outage["length"]) == ("a_010", "outage", 1)
+    rows = list(csv.DictReader(out[1].read_text().splitlines()))
+    assert len(rows) == 2 * FRAMES
+    assert rows[1]["jac"] == "1.0"
+    assert rows[FRAMES + 10]["camera"] == "false"
+
+
+def test_a_table_beside_the_annotations_tells_the_shots(cli, shot: Path) -> None:
+    lines = [f"a_{n:03d},{'one' if n < 15 else 'two'}" for n in range(FRAMES)]
+    (shot / "annotations" / "frames.csv").write_text("\n".join(["frame,shot", *lines]))
+    done = cli(*arguments(shot), f"--over-time-output={shot / 'o.json'}")
+    assert done.exit_code == 0, done.output
+    assert "shots by frames.csv" in done.output
+    rows = json.loads((shot / "o.json").read_text())["over_time"]["rows"]
+    shots = [(row["source"], row["shot"], row["frames"]) for row in rows]
+    assert shots[:3] == [("true", "all 2 shots", 30), ("true", "one", 15), ("true", "two", 15)]
+
+
+def test_options_that_cannot_be(cli, shot: Path, tmp_path: Path) -> None:
+    done = cli(*arguments(shot)[:-1], f"--shots={shot / 'x.csv'}")
+    assert done.exit_code == 2
+    assert "--over-time" in done.output
+    done = cli(*arguments(shot), f"--over-time-output={tmp_path / 'x.png'}")
+    assert done.exit_code == 2
+    assert ".json or .csv" in done.output
+
+
+def test_frames_that_do_not_follow_each_other_are_refused(cli, shared_data: Path) -> None:
+    wc14 = shared_data / "wc14"
+    done = cli("evaluate", wc14 / "annotations", wc14 / "cameras_pnlcalib", "--over-time")
+    assert done.exit_code == 2
+    assert "do not follow each other" in done.output

@@ -1,0 +1,143 @@
+"""``--recipe`` and ``procc-annotator repeat`` as a user runs them."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+import procc_annotator
+
+SOURCES = ("true", "bad", "homography")
+
+
+@pytest.fixture
+def data(sample_data: Path, tmp_path: Path) -> Path:
+    """The sample's annotations and cameras."""
+    folder = tmp_path / "sample"
+    folder.mkdir()
+    for file in sample_data.glob("*.json"):
+        shutil.copy(file, folder)
+    for file in sample_data.glob("*.jpg"):
+        shutil.copy(file, folder)
+    shutil.copytree(sample_data / "cameras", folder / "cameras")
+    return folder
+
+
+@pytest.fixture
+def recipe(cli, data: Path, tmp_path: Path) -> Path:
+    """Of three sources at two thresholds."""
+    path = tmp_path / "recipe.json"
+    sources = [f"--cameras={name}={data / 'cameras' / name}" for name in SOURCES]
+    done = cli("evaluate", data, *sources, "-t", "5", "-t", "2", "--recipe", path)
+    assert done.exit_code == 0, done.output
+    assert f"written: {path}" in done.output
+    return path
+
+
+def test_a_recipe_holds_everything_and_no_path_of_the_machine(recipe: Path, data: Path) -> None:
+    text = recipe.read_text()
+    found = json.loads(text)
+    assert str(data.parent) not in text
+    assert found["version"] == procc_annotator.__version__
+    assert found["command"] == "evaluate"
+    assert found["options"]["threshold"] == [5, 2]
+    assert found["options"]["sources"] == [f"{name}={name}" for name in SOURCES]
+    inputs = {(one["role"], one["path"]): one["files"] for one in found["inputs"]}
+    assert list(inputs) == [
+        ("annotations", "."), *(("cameras", f"cameras/{name}") for name in SOURCES)
+    ]  # fmt: skip
+    (first, *_) = inputs["annotations", "."]
+    assert (first["name"], len(first["sha256"])) == ("00001.json", 64)
+    evaluation = found["evaluations"][0]
+    assert (evaluation["set"], evaluation["source"]) == ("sample", "true")
+    assert evaluation["size"] == [960, 540]
+    assert evaluation["protocol"] == "soccernet"
+    assert sum(evaluation["picture_sizes"].values()) == len(inputs["annotations", "."])
+    assert evaluation["figures"]["5"]["images"] == len(inputs["annotations", "."])
+    assert "Universal Protocol" in found["citation"]["protocol"]
+
+
+def test_it_is_repeated_elsewhere(cli, recipe: Path, data: Path, tmp_path: Path) -> None:
+    done = cli("repeat", recipe, "--data", data)
+    assert done.exit_code == 0, done.output
+    assert "the same" in done.output
+    elsewhere = tmp_path / "far" / "away"
+    shutil.copytree(data, elsewhere)
+    shutil.rmtree(data)
+    done = cli("repeat", recipe, "--data", elsewhere)
+    assert done.exit_code == 0, done.output
+    (elsewhere / "recipes").mkdir()
+    beside = shutil.copy(recipe, elsewhere / "recipes")
+    assert cli("repeat", beside).exit_code == 0
+
+
+def test_what_differs_is_said(cli, recipe: Path, data: Path, tmp_path: Path) -> None:
+    (data / "00001.json").unlink()
+    camera = data / "cameras" / "true" / "camera_00002.json"
+    content = json.loads(camera.read_text())
+    camera.write_text(json.dumps(content | {"pan_degrees": content["pan_degrees"] + 1}))
+    shutil.copy(data / "00002.json", data / "00099.json")
+    out = tmp_path / "differences.json"
+    done = cli("repeat", recipe, "--data", data, "--output", out)
+    assert done.exit_code == 1
+    lines = json.loads(out.read_text())["differences"]
+    assert "missing: ./00001.json" in lines
+    assert "not in the recipe: ./00099.json" in lines
+    assert "other content: cameras/true/camera_00002.json" in lines
+    figures = [line for line in lines if line.startswith("other figure: sample, true, 960x540: ")]
+    assert any("mean_jac@5" in line for line in figures)
+
+
+def test_another_field_is_said(cli, recipe: Path, data: Path) -> None:
+    text = (Path("resources") / "field" / "soccer.toml").read_text()
+    (data / "field.toml").write_text(text.replace("105", "104", 1))
+    done = cli("repeat", recipe, "--data", data)
+    assert done.exit_code == 1
+    assert "other field: sample, true" in done.output
+
+
+def test_a_report_writes_the_same_recipe_and_its_tables_name_it(
+    cli, recipe: Path, data: Path, tmp_path: Path
+) -> None:
+    sources = [f"--cameras={name}={data / 'cameras' / name}" for name in SOURCES]
+    tex, own = tmp_path / "t.tex", tmp_path / "own.json"
+    done = cli("report", data, *sources, "-t", "5", "-t", "2", "--output", tex, "--recipe", own)
+    assert done.exit_code == 0, done.output
+    assert "% recipe: own.json" in tex.read_text()
+    ours, others = (json.loads(path.read_text())["evaluations"] for path in (own, recipe))
+    assert ours == others
+    assert cli("repeat", own, "--data", data).exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ("{", "is no recipe"),
+        ('{"format": "else"}', "is no recipe"),
+        ("[]", "is no recipe"),
+    ],
+)
+def test_what_is_no_recipe(cli, tmp_path: Path, content: str, said: str) -> None:
+    path = tmp_path / "r.json"
+    path.write_text(content)
+    done = cli("repeat", path)
+    assert done.exit_code == 2
+    assert said in done.output
+
+
+def test_a_recipe_cannot_lead_out_of_its_folder(cli, recipe: Path, data: Path) -> None:
+    content = json.loads(recipe.read_text())
+    for one in content["evaluations"]:
+        one["annotations"] = "../.."
+    recipe.write_text(json.dumps(content))
+    done = cli("repeat", recipe, "--data", data)
+    assert done.exit_code == 2
+    assert "leads out" in done.output
+
+
+def test_inputs_that_are_not_there(cli, recipe: Path, tmp_path: Path) -> None:
+    done = cli("repeat", recipe, "--data", tmp_path / "nowhere")
+    assert done.exit_code == 2

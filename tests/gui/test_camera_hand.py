@@ -1,0 +1,533 @@
+"""Dragging the camera: with Ctrl and Alt held, a place of its wireframe goes where it belongs."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.model import Field
+from procc_annotator.fit.from_picture.proposal import Proposal
+from procc_annotator.fit.pegs import misses, turned
+from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state import proposals
+from procc_annotator.gui.tasks.shot import following
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.interact import palette as tones
+from procc_annotator.interact.wireframe import wireframe_of
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.video_frames import open_video
+from procc_annotator.session.facts.origins import OriginKind
+from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
+from tests.gui.conftest import all_done, until_kept
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import MakeWindow
+
+Key, Button = Qt.Key, Qt.MouseButton
+SHIFT, CTRL, ALT = (
+    Qt.KeyboardModifier.ShiftModifier,
+    Qt.KeyboardModifier.ControlModifier,
+    Qt.KeyboardModifier.AltModifier,
+)
+HELD = CTRL | ALT
+Place = tuple[float, float]
+SAMPLE = (1280, 720)  # its pictures, px
+
+
+class CameraDrag:
+    """A person's mouse over the canvas with both keys held: positions are in picture px."""
+
+    def __init__(self, window: MainWindow) -> None:
+        self.canvas, self.document = window.canvas, window.document
+
+    def at(self, place: Place) -> QPoint:
+        return self.canvas.to_view(*place).toPoint()
+
+    def exactly(self, place: Place) -> Place:
+        """Where the whole pixel of the screen lies."""
+        return self.canvas.to_picture(QPointF(self.at(place)))
+
+    def move(self, place: Place, held: Button = Button.NoButton, keys: Any = HELD) -> None:
+        self._send(QEvent.Type.MouseMove, place, Button.NoButton, held, keys)
+
+    def press(self, place: Place) -> None:
+        self._send(QEvent.Type.MouseButtonPress, place, Button.LeftButton, Button.LeftButton, HELD)
+
+    def release(self, place: Place) -> None:
+        self._send(QEvent.Type.MouseButtonRelease, place, Button.LeftButton, Button.NoButton, HELD)
+
+    def carry(self, start: Place, *ends: Place) -> None:
+        """Press, and go there without letting go."""
+        self.move(start)
+        self.press(start)
+        for end in ends:
+            self.move(end, Button.LeftButton)
+
+    def drag(self, start: Place, end: Place) -> None:
+        half = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
+        self.carry(start, half, end)
+        self.release(end)
+
+    def _send(
+        self, kind: QEvent.Type, place: Place, button: Button, held: Button, keys: Any
+    ) -> None:
+        at, viewport = QPointF(self.at(place)), self.canvas.viewport()
+        event = QMouseEvent(kind, at, QPointF(viewport.mapToGlobal(at)), button, held, keys)
+        QApplication.sendEvent(viewport, event)
+
+
+@pytest.fixture
+def truth(annotated: Path) -> PinholeCamera:
+    cameras = CameraSet.open(annotated / "cameras" / "true", camera_size=(960, 540))
+    found = cameras.camera("00002", SAMPLE)
+    assert found is not None
+    assert isinstance(found.camera, PinholeCamera)
+    return found.camera
+
+
+@pytest.fixture
+def wrong(truth: PinholeCamera) -> PinholeCamera:
+    """What the search in the picture finds: turned and zoomed away."""
+    return turned(truth, np.array([0.02, 0.006, 0.03, 0.0]))
+
+
+@pytest.fixture
+def search(wrong: PinholeCamera, monkeypatch: pytest.MonkeyPatch) -> None:
+    def propose(picture: PixelArray, field: Field, **_: Any) -> Proposal:
+        size = picture.shape[1], picture.shape[0]
+        fit = given_camera(wrong.scaled(SAMPLE, size), size)
+        return Proposal("unsure", "a neighbour fits as well", fit, 0.5, 0.5, 2.0, 0.0, None)
+
+    monkeypatch.setattr(proposals, "propose_camera", propose)
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, annotated: Path, search: None, qtbot: QtBot) -> MainWindow:
+    (annotated / "00002.json").unlink()
+    made = make_window(annotated)
+    made.document.go_to(1)
+    all_done(qtbot)
+    return made
+
+
+@pytest.fixture
+def drag(window: MainWindow) -> CameraDrag:
+    return CameraDrag(window)
+
+
+def camera_of(window: MainWindow) -> PinholeCamera:
+    found = window.document.corrections.here
+    assert found is not None
+    assert isinstance(found.fit.camera, PinholeCamera)
+    return found.fit.camera
+
+
+def corners(
+    window: MainWindow, shown: PinholeCamera, true: PinholeCamera
+) -> list[tuple[Place, Place]]:
+    """Where distinct places well inside the picture are shown, and where they belong; those that
+    lie far apart first."""
+    size = window.document.picture_size
+    assert size is not None
+    frame = wireframe_of(shown, window.document.field, size)
+    belong = true.project(frame.places)[0]
+    middle, room = np.array(size) / 2, np.array(size) / 2 - 40
+    inside = (np.abs(frame.px - middle) < room) & (np.abs(belong - middle) < room)
+    rows = np.flatnonzero(inside.all(axis=1))
+    rows = rows[np.argsort(frame.px[rows, 0])]
+    assert len(rows) >= 3
+    chosen = [rows[0], rows[-1], *rows[1:-1]]
+    return [((*frame.px[r].tolist(),), (*belong[r].tolist(),)) for r in chosen]  # type: ignore[misc]
+
+
+@pytest.fixture
+def places(
+    window: MainWindow, wrong: PinholeCamera, truth: PinholeCamera
+) -> list[tuple[Place, Place]]:
+    return corners(window, wrong, truth)
+
+
+class TestTakingHold:
+    def test_the_wireframe_and_the_place_under_the_cursor_are_shown(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
+    ) -> None:
+        hand = window.canvas.camera_hand
+        assert window.canvas.overlay_item.ghosts.strokes
+        drag.move(places[0][0])
+
+        overlay = hand.item.overlay
+        assert len(overlay.strokes[1].segments) > 20
+        assert overlay.strokes[1].colour == tones.HAND
+        assert overlay.labels[0].positions[0] == pytest.approx(places[0][0])
+        assert not window.canvas.overlay_item.ghosts.strokes
+        assert window.status.hint.text().startswith("CAMERA  •  drag ")
+        assert window.status.hint.text().endswith("to where it belongs: the camera follows")
+
+        drag.move(places[0][0], keys=Qt.KeyboardModifier.NoModifier)
+        assert not hand.held
+        assert not hand.item.overlay.strokes
+        assert window.canvas.overlay_item.ghosts.strokes
+        assert window.status.hint.text().startswith("DRAW")
+
+    def test_the_keys_alone_show_it(self, window: MainWindow, drag: CameraDrag) -> None:
+        QTest.keyPress(window.canvas, Key.Key_Control)
+        assert not window.canvas.camera_hand.held
+        QTest.keyPress(window.canvas, Key.Key_Alt, CTRL)
+        assert window.canvas.camera_hand.held
+        QTest.keyRelease(window.canvas, Key.Key_Alt, CTRL)
+        assert not window.canvas.camera_hand.held
+        QTest.keyRelease(window.canvas, Key.Key_Control)
+
+    def test_a_click_of_it_draws_nothing(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
+    ) -> None:
+        window.document.select_class("Middle line")
+        drag.drag((700.0, 690.0), (730.0, 680.0))  # no line is there
+        drag.drag(places[0][0], places[0][0])
+        assert not window.canvas.editor.drawing
+        assert window.document.corrections.here is None
+
+    def test_not_in_blind_mode(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
+    ) -> None:
+        drag.drag(*places[0])
+        window.document.set_blind(True)
+        assert not window.canvas.camera_hand.item.overlay.marks
+        drag.drag(*places[1])
+        assert "blind mode" in window.status.hint.text()
+        assert window.document.corrections.here is None
+        assert not window.canvas.camera_hand.item.overlay.strokes[1].segments.size
+        window.document.set_blind(False)
+        assert len(camera_pegs(window)) == 1
+
+
+def camera_pegs(window: MainWindow) -> tuple[Any, ...]:
+    found = window.document.corrections.here
+    return found.pegs if found is not None else ()
+
+
+class TestDragging:
+    def test_the_place_lies_under_the_cursor_all_the_way(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
+    ) -> None:
+        start, end = places[0]
+        hand = window.canvas.camera_hand
+        for share in (0.4, 0.8, 1.0):
+            aim = start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
+            if share == 0.4:
+                drag.carry(start, aim)
+            else:
+                drag.move(aim, Button.LeftButton)
+            shown = hand.item.overlay.marks[-1].centres[0]
+            assert shown == pytest.approx(drag.exactly(aim), abs=0.1)
+        assert window.document.corrections.here is None  # nothing before the button goes up
+
+    def test_the_camera_is_made_exact_on_paint_and_ghosts_follow(
+        self,
+        window: MainWindow,
+        drag: CameraDrag,
+        places: list[tuple[Place, Place]],
+        truth: PinholeCamera,
+        qtbot: QtBot,
+    ) -> None:
+        before = {ghost.name: ghost for ghost in window.document.ghosts.painted}
+        drag.drag(*places[0])
+        drag.move(places[0][1], keys=Qt.KeyboardModifier.NoModifier)
+        all_done(qtbot)
+
+        found = window.document.corrections.here
+        assert found is not None
+        assert found.why_not == ""
+        spots = wireframe_of(truth, window.document.field, SAMPLE).places
+        apart = camera_of(window).project(spots)[0] - truth.project(spots)[0]
+        assert np.hypot(*apart.T).max() < 2.0
+        assert misses(camera_of(window), found.pegs).max() < 3 * found.pegs[0].sd_px
+        after = window.document.ghosts.painted
+        assert after
+        assert all(ghost is not before.get(ghost.name) for ghost in after)
+        assert window.canvas.found_plate.text.startswith(
+            "Camera dragged, 1 peg, made exact on paint: "
+        )
+        assert len(window.canvas.camera_hand.item.overlay.marks[0].centres) == 1
+
+    def test_a_second_place_leaves_the_first_where_it_was_put(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
+    ) -> None:
+        drag.drag(*places[0])
+        all_done(qtbot)
+        first = camera_pegs(window)[0]
+        world = wireframe_of(camera_of(window), window.document.field, SAMPLE)
+        start = world.at(places[1][1], 30.0)
+        assert start is not None
+        end = start.px[0] + 12.0, start.px[1] - 7.0
+        drag.carry(start.px, (start.px[0] + 9.0, start.px[1]), end)
+        hand = window.canvas.camera_hand
+        held = hand._dragged
+        assert held is not None
+        assert misses(held, [first])[0] < 0.1
+        assert hand.item.overlay.marks[-1].centres[0] == pytest.approx(drag.exactly(end), abs=0.1)
+        drag.release(end)
+        assert camera_pegs(window)[0] is first
+        assert len(camera_pegs(window)) == 2
+        all_done(qtbot)
+
+    def test_a_click_takes_a_peg_away_and_a_drag_moves_it(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
+    ) -> None:
+        drag.drag(*places[0])
+        all_done(qtbot)
+        peg = camera_pegs(window)[0]
+        drag.move(peg.px)
+        assert "click takes it away" in window.status.hint.text()
+        drag.drag(peg.px, (peg.px[0] + 9.0, peg.px[1] + 2.0))
+        (moved,) = camera_pegs(window)
+        assert moved.world == peg.world
+        assert moved.px == pytest.approx(drag.exactly((peg.px[0] + 9.0, peg.px[1] + 2.0)))
+
+        drag.move(moved.px)
+        drag.press(moved.px)
+        drag.release(moved.px)
+        all_done(qtbot)
+        assert window.document.corrections.here is None
+        window.canvas.undo()
+        assert camera_pegs(window) == (moved,)
+
+
+class TestTakingBack:
+    def test_escape_while_dragging_and_right_after(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
+    ) -> None:
+        drag.carry(*places[0])
+        window.canvas.key("Escape")
+        drag.release(places[0][1])
+        assert window.document.corrections.here is None
+
+        drag.drag(*places[0])
+        all_done(qtbot)
+        assert window.document.corrections.here is not None
+        window.canvas.key("Escape")
+        assert window.document.corrections.here is None
+
+    def test_undo_goes_back_drag_by_drag_and_then_to_the_edits(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
+    ) -> None:
+        drag.drag(*places[0])
+        all_done(qtbot)
+        first = camera_of(window)
+        drag.drag(places[1][1], (places[1][1][0] + 20.0, places[1][1][1]))
+        all_done(qtbot)
+        window.canvas.undo()
+        assert camera_of(window) == first
+        window.canvas.undo()
+        assert window.document.corrections.here is None
+        said: list[str] = []
+        window.document.message.connect(lambda text, _: said.append(text))
+        window.canvas.undo()
+        assert said == ["nothing to undo on this frame"]
+
+    def test_an_edit_after_it_is_undone_first(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
+    ) -> None:
+        drag.drag(*places[0])
+        all_done(qtbot)
+        QTest.keyClick(window.canvas, Key.Key_Return, SHIFT)
+        all_done(qtbot)
+        assert window.document.annotation.annotated
+        window.canvas.undo()
+        assert not window.document.annotation.annotated
+        assert window.document.corrections.here is not None
+
+
+class TestWhatComesOfIt:
+    def test_nothing_is_saved_before_ghosts_are_accepted(
+        self,
+        window: MainWindow,
+        annotated: Path,
+        drag: CameraDrag,
+        places: list[tuple[Place, Place]],
+        qtbot: QtBot,
+    ) -> None:
+        document = window.document
+        drag.drag(*places[0])
+        all_done(qtbot)
+        until_kept()
+        assert not (annotated / "00002.json").exists()
+
+        QTest.keyClick(window.canvas, Key.Key_Return, SHIFT)
+        all_done(qtbot)
+        until_kept()
+        assert (annotated / "00002.json").exists()
+        assert document.frame is not None
+        counts = document.review.origin_counts(document.frame.name, document.annotation)
+        assert set(counts) == {OriginKind.ACCEPTED}
+        assert not document.corrections.rules  # the clicks say more
+        assert document.foresight.insight is not None
+        assert document.foresight.insight.from_clicks
+
+    def test_it_stays_with_its_frame_and_goes_with_the_dataset(
+        self,
+        window: MainWindow,
+        dataset: Path,
+        drag: CameraDrag,
+        places: list[tuple[Place, Place]],
+        qtbot: QtBot,
+    ) -> None:
+        drag.drag(*places[0])
+        all_done(qtbot)
+        window.document.go_to(2)
+        all_done(qtbot)
+        assert window.document.corrections.here is None
+        assert not window.canvas.camera_hand.item.overlay.marks
+        window.document.go_to(1)
+        all_done(qtbot)
+        assert len(camera_pegs(window)) == 1
+        window.document.open_path(dataset)
+        all_done(qtbot)
+        assert not window.document.state.corrected
+
+    def test_the_fit_to_clicks_and_a_loaded_camera_can_be_dragged(
+        self, make_window: MakeWindow, annotated: Path, qtbot: QtBot, truth: PinholeCamera
+    ) -> None:
+        window = make_window(annotated)
+        document = window.document
+        document.go_to(1)
+        document.live_fit.set_model("R")
+        all_done(qtbot)
+        drag = CameraDrag(window)
+        frame = wireframe_of(truth, document.field, SAMPLE)
+        start = frame.at((480.0, 270.0), 500.0)
+        assert start is not None
+        drag.drag(start.px, (start.px[0] + 25.0, start.px[1] + 10.0))
+        assert document.corrections.rules
+        window.canvas.undo()
+        assert document.corrections.here is None
+
+        document.live_fit.set_wanted(False)
+        document.load_cameras(annotated / "cameras" / "true")
+        all_done(qtbot)
+        drag.drag(start.px, (start.px[0] + 25.0, start.px[1] + 10.0))
+        assert document.corrections.rules
+
+    def test_without_a_camera_it_is_said(
+        self, make_window: MakeWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        window = make_window(annotated)
+        window.document.live_fit.set_wanted(False)
+        all_done(qtbot)
+        CameraDrag(window).move((480.0, 270.0))
+        assert "no camera is known here" in window.status.hint.text()
+
+
+COUNT = 16
+
+
+@pytest.fixture(scope="module")
+def drawn() -> DrawnShot:
+    return soccer_shot(COUNT, size=(960, 540), look=Look(people=False, noise=0.0))
+
+
+@pytest.fixture(scope="module")
+def written(drawn: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("drawn") / "match.mp4"
+    return write_video(path, [drawn.frame(n) for n in range(COUNT)])
+
+
+class TestInAShot:
+    @pytest.fixture
+    def shot(
+        self,
+        make_window: MakeWindow,
+        dataset: Path,
+        written: Path,
+        tmp_path: Path,
+        drawn: DrawnShot,
+        qtbot: QtBot,
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> MainWindow:
+        def propose(*_: Any, **__: Any) -> Proposal:
+            fit = given_camera(drawn.cameras[0], (960, 540))
+            return Proposal("sure", "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)
+
+        monkeypatch.setattr(proposals, "propose_camera", propose)
+        video = Path(shutil.copyfile(written, tmp_path / "match.mp4"))
+        window = make_window(dataset)
+        document = window.document
+        document.opening.open_workspace(open_video(video, range(0, COUNT, 4), document.field))
+        all_done(qtbot)
+        QTest.keyClick(window.canvas, Key.Key_T)
+        qtbot.waitUntil(lambda: not window.shot_following.running, timeout=60_000)
+        all_done(qtbot)
+        return window
+
+    def test_the_frame_is_an_anchor_and_what_lies_around_it_is_followed_again(
+        self,
+        shot: MainWindow,
+        drawn: DrawnShot,
+        qtbot: QtBot,
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> None:
+        document, track = shot.document, following.track
+        asked: list[dict[int, Any]] = []
+
+        def noted(*args: Any, anchors: Any, **more: Any) -> Any:
+            asked.append(dict(anchors))
+            return track(*args, anchors=anchors, **more)
+
+        monkeypatch.setattr(following, "track", noted)
+        document.go_to(2)
+        all_done(qtbot)
+        drag = CameraDrag(shot)
+        (start, end), *_ = corners(shot, drawn.cameras[8], drawn.cameras[8])
+        drag.drag(start, (end[0] + 14.0, end[1] + 9.0))
+        drag.drag((end[0] + 14.0, end[1] + 9.0), end)
+        all_done(qtbot)
+        assert document.shot_track.tracked[8].state == "anchor"
+        assert shot.strip.content.dragged == (8,)
+        assert "its camera was dragged" in words(shot)
+        assert asked == []  # while somebody is here
+
+        document.go_to(3)
+        qtbot.waitUntil(lambda: bool(asked), timeout=60_000)
+        qtbot.waitUntil(lambda: not shot.shot_following.running, timeout=60_000)
+        all_done(qtbot)
+        assert [sorted(a) for a in asked] == [[8]]
+        assert document.shot_track.tracked[8].state == "anchor"
+        assert document.shot_track.tracked[7].anchor_distance == 1
+        assert len(document.shot_track.tracked) == COUNT
+
+    def test_taken_back_it_is_no_anchor_any_more(
+        self,
+        shot: MainWindow,
+        drawn: DrawnShot,
+        qtbot: QtBot,
+    ) -> None:
+        document = shot.document
+        document.go_to(2)
+        all_done(qtbot)
+        drag = CameraDrag(shot)
+        (start, end), *_ = corners(shot, drawn.cameras[8], drawn.cameras[8])
+        drag.drag(start, (end[0] + 14.0, end[1] + 9.0))
+        drag.move(end, keys=Qt.KeyboardModifier.NoModifier)
+        all_done(qtbot)
+        shot.canvas.undo()
+        assert shot.strip.content.dragged == ()
+        document.go_to(3)
+        qtbot.waitUntil(lambda: document.shot_track.tracked[8].state == "followed", timeout=60_000)
+        all_done(qtbot)
+
+
+def words(window: MainWindow) -> str:
+    from procc_annotator.gui.strip.words import words_of
+
+    return words_of(window.document, window.strip.content, window.strip.number)

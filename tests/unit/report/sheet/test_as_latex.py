@@ -1,0 +1,85 @@
+"""LaTeX tables show names as they are and can be pasted without any package."""
+
+from __future__ import annotations
+
+import re
+
+from procc_annotator.metric.spread import Spread
+from procc_annotator.report.page.report_pairs import ReportedPair, disagreement_section
+from procc_annotator.report.sheet.as_latex import escape_latex, latex_table, latex_tables
+from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.sheet import Column, Sheet, of
+from procc_annotator.session.runs.comparison_run import ComparisonSummary
+
+
+def test_every_special_character_is_escaped() -> None:
+    assert escape_latex(r"\a{b}") == r"\textbackslash{}a\{b\}"
+    assert escape_latex("50 % of $x_1$ & #2 ~ ^") == (
+        r"50 \% of \$x\_1\$ \& \#2 \textasciitilde{} \textasciicircum{}"
+    )
+    assert escape_latex("a\nb\x00c") == "a b c"
+    assert escape_latex("–") == "--"
+
+
+def test_a_table_has_as_many_cells_in_every_line() -> None:
+    columns = (
+        Column("source", "Source"),
+        of(Figure("a", "a", better="higher"), group="one & only"),
+        of(Figure("b", "b", better="lower"), group="one & only"),
+        of(Figure("c", "c", digits=0)),
+    )
+    rows = (("x_y", 1.0, None, 2.0),)
+    text = latex_table(Sheet("s", "Caption 5 %", columns, rows, bold=frozenset({(0, 1)})))
+    lines = [line for line in text.splitlines() if line.endswith(r"\\")]
+    assert r"\begin{tabular}{lrrr}" in text
+    assert [line.replace(r"\&", "").count("&") for line in lines] == [2, 3, 3]  # two are spanned
+    assert r"\multicolumn{2}{c}{one \& only}" in lines[0]
+    assert lines[1] == r"Source & a ($\uparrow$) & b ($\downarrow$) & c \\"
+    assert lines[2] == r"x\_y & \textbf{1.00} & -- & 2 \\"
+    assert r"\caption{Caption 5 \%.}" in text
+
+
+def test_remarks_cannot_leave_their_comment() -> None:
+    text = latex_tables([], ["one\n\\input{secret}"])
+    assert text.splitlines() == [r"% one \input{secret}"]
+
+
+def test_distances_next_to_a_horizon_are_told_as_on_the_terminal() -> None:
+    spread = Spread(0.25, 0.5, 2444644.06)
+    summary = ComparisonSummary(1, (), spread, spread, 0.5, {})
+    text = latex_table(disagreement_section([ReportedPair("a", "b", summary)]))
+    assert "2444644" not in text
+    assert text.count(r"0.25 & 0.50 & \textgreater{} 1000") == 2
+
+
+def _wide(columns: int) -> Sheet:
+    error = Figure("error", "reprojection error of everything", "px", "lower")
+    named = Column("source", "Source"), Column("words", "Words")
+    row = ("a_source_with_a_name_that_is_rather_long", "many words " * 9, *[1234.5] * columns)
+    return Sheet("wide", "Wide", (*named, *[of(error, f"@{i}") for i in range(columns)]), (row,))
+
+
+def test_a_table_that_is_too_wide_is_set_smaller_and_goes_on_below() -> None:
+    for columns in (2, 5, 9):
+        text = latex_table(_wide(columns))
+        parts = re.findall(r"\\begin\{tabular\}\{(.*)\}", text)
+        assert sum(part.count("r") for part in parts) == columns
+        assert text.count(r"\begin{tabular}") == text.count(r"\end{tabular}")
+        assert r"\parbox[t]" in text  # long words wrap
+    assert len(parts) > 1
+    assert text.count("rather") == len(parts)  # the source stands before each part
+
+
+def test_what_has_room_enough_is_set_as_it_is() -> None:
+    sheet = Sheet("small", "Small", (Column("a", "Two words"), of(Figure("b", "b"))), (("x", 1.0),))
+    assert latex_table(sheet).splitlines()[2:5] == [
+        r"\begin{tabular}{lr}",
+        r"\hline",
+        r"Two words & b \\",
+    ]
+
+
+def test_a_wide_table_is_for_both_columns_of_a_page() -> None:
+    text = latex_table(_wide(5), 500.0)
+    assert text.startswith(r"\begin{table*}")
+    assert text.endswith(r"\end{table*}")

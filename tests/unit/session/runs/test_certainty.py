@@ -1,0 +1,179 @@
+"""Sources side by side on drawn figures: what is compared on which frames, clusters, strata."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from procc_annotator.errors import UsageError
+from procc_annotator.field.load import load_field
+from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.session.runs.audit import TAU_GRID, Pose
+from procc_annotator.session.runs.certainty import Certainty, same_frames
+from procc_annotator.session.runs.click_spreads import pairs_under_clicks, spread_of
+from procc_annotator.session.runs.clusters import NONE, SHOT, clusters_of
+from procc_annotator.session.runs.frame_order import FrameOrder
+from procc_annotator.session.runs.frame_sums import SPARSE_TAUS, FrameSums, SourceSums
+from procc_annotator.session.runs.strata import strata, values_of
+
+FIELD = load_field("soccer")
+TAUS = (2.0, 5.0)
+DRAWS = Draws(2000)
+
+
+def frame(name: str, jac: float | None, *, pose: Pose | None = None, elements: int = 8):
+    if jac is None:
+        return FrameSums(name, np.full((2, 5), np.nan), None)
+    figures = np.array([[jac * tau / 5, 0.9, 0.8, 10 * (2 - jac), 10.0] for tau in TAUS])
+    curve = (jac * TAU_GRID / TAU_GRID[-1]).astype(np.float32)
+    rng = np.random.default_rng(list(name.encode()))
+    moved = (jac - 0.1 + 0.05 * rng.standard_normal((6, 2 + len(SPARSE_TAUS)))).astype(np.float32)
+    return FrameSums(name, figures, curve, elements, pose, "pinhole", moved)
+
+
+def source(name: str, jacs, names=None, **more) -> SourceSums:
+    names = names or [f"{n:03}" for n in range(len(jacs))]
+    return SourceSums.of(
+        name, TAUS, [frame(n, j, **more) for n, j in zip(names, jacs, strict=True)]
+    )
+
+
+@pytest.fixture
+def three() -> tuple[SourceSums, ...]:
+    rng = np.random.default_rng(1)
+    jacs = rng.uniform(0.3, 0.9, 60)
+    better = [None if n in (3, 9) else j + 0.05 + 0.02 * rng.random() for n, j in enumerate(jacs)]
+    alike = jacs + rng.normal(0, 0.03, 60)
+    return source("plain", jacs), source("better", better), source("alike", alike)
+
+
+def certain(sources, by=NONE, tags=None, order=None) -> Certainty:
+    return Certainty(sources, clusters_of(sources[0].names, by, tags or {}, order), DRAWS)
+
+
+def test_means_are_compared_on_the_frames_both_have_and_scores_on_all(three) -> None:
+    found = certain(three)
+    pair = next(p for p in found.pairs if (p.a, p.b) == (0, 1))
+    assert (pair.shared, pair.only_a, pair.only_b) == (58, ("003", "009"), ())
+    jac = pair.differences["mean_jac", 5.0]
+    assert jac.frames == 58
+    assert -0.08 < jac.value < -0.04
+    assert jac.beyond_chance
+    assert pair.differences["completeness", 5.0].value == pytest.approx(2 / 60)
+    score = pair.differences["final_score", 5.0]
+    both = [f.figures[1, 0] for f in three[0].frames], [f.figures[1, 0] for f in three[1].frames]
+    assert score.value == pytest.approx((np.nansum(both[0]) - np.nansum(both[1])) / 60)
+
+
+def test_best_and_ranks_only_where_the_data_can_tell(three) -> None:
+    found = certain(three)
+    assert found.best("mean_jac", 5.0) == 1
+    assert found.ranks("mean_jac", 5.0) == [2, 1, 2]
+    assert found.best("mean_reprojection_error", 5.0) == 1
+    assert found.best("completeness", 5.0) is None
+    assert sum(found.chances_of_being_best[5.0]) == pytest.approx(1.0)
+    assert found.chances_of_being_best[5.0][1] > 0.99
+
+
+def test_intervals_hold_the_figures_and_no_share_leaves_its_range(three) -> None:
+    found = certain(three).intervals[1]
+    jac = found["mean_jac", 5.0]
+    assert jac.low < np.nanmean([f.figures[1, 0] for f in three[1].frames]) < jac.high
+    assert found["completeness", 5.0].high == 1.0
+    assert found["mean_reprojection_error", 2.0].low > 0
+
+
+def test_frames_of_one_cluster_widen_intervals_and_clusters_of_one_frame_do_not(three) -> None:
+    rng = np.random.default_rng(2)
+    matches = {name: str(n // 6) for n, name in enumerate(three[0].names)}
+    alike = rng.uniform(0.2, 0.9, 10).repeat(6)
+    one = (source("one", alike),)
+    width = {}
+    for by, tags in ((NONE, {}), ("match", matches)):
+        interval = certain(one, by, tags).intervals[0]["mean_jac", 5.0]
+        width[by] = interval.high - interval.low
+    assert width["match"] > 2 * width[NONE]
+
+
+def test_clusters() -> None:
+    names = ["a_01", "a_02", "b_01", "b_02", "b_03"]
+    by_name = clusters_of(names, None, {})
+    assert (by_name.count, by_name.by) == (2, SHOT)
+    assert by_name.numbers.tolist() == [0, 0, 1, 1, 1]
+    assert by_name.described == "2 clusters shots by names"
+    plain = clusters_of(["1", "2", "3"], None, {})
+    assert (plain.count, plain.by) == (3, NONE)
+    assert "not clustered" in plain.described
+    tagged = clusters_of(names, "match", {"a_01": "x", "b_02": "x", "b_03": "y"})
+    assert tagged.numbers.tolist() == [0, 1, 2, 0, 3]
+    assert tagged.described == "4 clusters by match, 2 frames without"
+    order = FrameOrder("frames.csv", {"1": "p", "2": "p", "3": "q"}, {"1": 1, "2": 2, "3": 3})
+    assert clusters_of(["1", "2", "3"], SHOT, {}, order).numbers.tolist() == [0, 0, 1]
+    with pytest.raises(UsageError, match="tell no shots"):
+        clusters_of(["1", "2"], SHOT, {})
+    with pytest.raises(UsageError, match="no frame has a value of 'match'"):
+        clusters_of(["1", "2"], "match", {})
+
+
+def test_the_difference_is_a_curve_over_tau_with_a_band(three) -> None:
+    band = certain(three).curve_of_difference(1, 0)
+    assert band.values.shape == TAU_GRID.shape
+    assert (band.low <= band.values).all()
+    assert band.beyond_chance[-1] == 1.0
+    assert certain(three).curve(0).values[-1] == pytest.approx(
+        np.mean([f.figures[1, 0] for f in three[0].frames]), abs=1e-6
+    )
+
+
+def test_the_same_seed_gives_the_same_and_sources_of_other_frames_are_refused(three) -> None:
+    first, again = certain(three), certain(three)
+    assert first.pairs[0].differences == again.pairs[0].differences
+    assert first.chances_of_being_best == again.chances_of_being_best
+    short = SourceSums("short", TAUS, three[0].frames[:-1])
+    with pytest.raises(UsageError, match="other frames"):
+        certain((three[0], short))
+    assert [len(s.frames) for s in same_frames((three[0], short))] == [59, 59]
+
+
+def test_strata_are_corrected_together_and_say_where_sources_differ() -> None:
+    rng = np.random.default_rng(3)
+    jacs = rng.uniform(0.3, 0.7, 80)
+    worse = jacs + rng.normal(0, 0.02, 80) - np.where(np.arange(80) < 40, 0.0, 0.2)
+    sources = source("a", jacs), source("b", worse)
+    tags = {name: "day" if n < 40 else "night" for n, name in enumerate(sources[0].names)}
+    found = certain(sources)
+    parts = strata(found, "light", values_of("light", sources, FIELD, tags), 5.0)
+    day, night = (part.differences[0, 1] for part in parts)
+    assert [part.value for part in parts] == ["day", "night"]
+    assert not day.beyond_chance
+    assert night.beyond_chance
+    assert night.corrected == pytest.approx(2 * night.p)
+    with pytest.raises(UsageError, match="known of no frame"):
+        values_of("weather", sources, FIELD, {})
+
+
+def test_strata_by_what_cameras_and_annotations_are_like() -> None:
+    def pose(focal: float, y: float, x: float = 0.0) -> Pose:
+        return Pose(0, 80, 0, focal, (x, y, -15))
+
+    poses = [pose(1000, 60), pose(2000, 60), pose(3000, -60), pose(3000, 2.0, 80.0)]
+    frames = [frame(str(n), 0.5, pose=p, elements=n + 3) for n, p in enumerate((*poses, None))]
+    sources = (SourceSums("a", TAUS, tuple(frames)),)
+    assert values_of("zoom", sources, FIELD, {})[0] == "focal 1000 to 2000 px"
+    assert values_of("zoom", sources, FIELD, {})[-1] is None
+    main, opposite, behind = "main camera's side", "opposite side", "behind the end at x > 0"
+    assert values_of("side", sources, FIELD, {}) == [main, main, opposite, behind, None]
+    assert values_of("elements", sources, FIELD, {})[0] == "3 to 4 elements"
+
+
+def test_what_clicks_make_of_figures_and_differences(three) -> None:
+    found = certain(three)
+    spread = spread_of(found, 0)
+    assert spread.deviations[1] == pytest.approx(0.05 / math.sqrt(60), rel=0.2)
+    assert 0 < spread.shares[1] < 0.5
+    pair = next(p for p in pairs_under_clicks(found) if (p.a, p.b) == (0, 1))
+    # The frames' names move the points: alike for both sources.
+    assert pair.spread.deviations[1] == pytest.approx(0.0, abs=1e-6)
+    assert pair.told_apart_from is not None
