@@ -36,7 +36,8 @@ HELP = """\
 SOURCE is a folder of pictures, one picture, or a video, whose frames are named as the window names
 them (match_000123). Every element that a frame's camera shows is looked for in the picture; those
 whose paint is seen become an annotation in OUT, FRAME.json, SoccerNet JSON. OUT may be where the
-window looks for annotations: match/annotations, or match_frames beside match.mp4.
+window looks for annotations: match/annotations (or match itself, where they lie beside the
+pictures), or match_frames beside match.mp4.
 
 Cameras whose files name no picture size are taken for 960x540, the official evaluation's, unless
 --camera-size says otherwise.
@@ -161,12 +162,14 @@ def _most_different(
     return [found[place] for place in sorted(chosen)]
 
 
-def _workspaces(pictures: PictureSource, out: Path) -> list[Path]:
-    """The datasets that the annotations belong to: that of the pictures, and what OUT is one of."""
+def _workspaces(pictures: PictureSource, out: Path) -> dict[Path, bool]:
+    """The datasets that the annotations belong to, that of the pictures and what OUT is one of, and
+    whether OUT is where it has its annotations."""
     out.mkdir(parents=True, exist_ok=True)
     found = [folder for folder in (pictures.folder, folder_of_dataset(out)) if folder is not None]
-    there = [folder for folder in found if folder.is_dir()]
-    return list({os.path.realpath(folder): folder for folder in there}.values())
+    there = {os.path.realpath(folder): folder for folder in found if folder.is_dir()}
+    usual = _is_usual(pictures, out)
+    return {folder: usual or folder != pictures.folder for folder in there.values()}
 
 
 def _what_is_there(done: Done, total: int, out: Path) -> str:
@@ -199,6 +202,14 @@ def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) ->
 
 def _looked_for_elsewhere(pictures: PictureSource, out: Path) -> Path | None:
     """Where the window looks for annotations of these pictures, if that is not OUT."""
-    usual = pictures.folder if pictures.is_video else annotation_folder(pictures.folder)
-    there = usual.is_dir() and out.is_dir() and usual.samefile(out)
-    return None if there or not json_stems(out) else usual
+    return None if _is_usual(pictures, out) or not json_stems(out) else _usual(pictures)
+
+
+def _usual(pictures: PictureSource) -> Path:
+    """Where the window looks for annotations of these pictures."""
+    return pictures.folder if pictures.is_video else annotation_folder(pictures.folder)
+
+
+def _is_usual(pictures: PictureSource, out: Path) -> bool:
+    usual = _usual(pictures)
+    return usual.is_dir() and out.is_dir() and usual.samefile(out)

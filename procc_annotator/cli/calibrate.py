@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -53,9 +52,7 @@ the annotated points are met a little less closely. Where a group has one positi
 enough for a camera. positions.csv tells the positions and how the frames' own ones scattered.
 
 The JaC compares the cameras with the points they were fitted to. It tells how well the model can
-explain the annotation, not how well it would show what nobody annotated. Errors are those of the
-labels as they are where mirrored ones agree no better; evaluate takes the mirrored ones there, as
-the official evaluation does, and its mean error of the same cameras is larger.
+explain the annotation, not how well it would show what nobody annotated.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is listed with the reason and is no error.
@@ -142,7 +139,7 @@ def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str |
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
         report = calibrate_set(run, out, with_progress)
-    _print_report(report, run.task.setup, out)
+    _print_report(report, out)
     if (out / POSITIONS_FILE).exists():
         typer.echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"
@@ -160,7 +157,7 @@ def _share(
         run = SharedRun(fits.fits, fits.frames, setup, thresholds, progress)
     positions = {together.POSITIONS_FILE: together.positions_csv(run.places)}
     report = calibrate_set(run, out, with_progress, positions)
-    _print_report(report, setup, out)
+    _print_report(report, out)
     console = stdout_console()
     if run.places:
         console.print(together.positions_table(run))
@@ -209,7 +206,7 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
         )
 
 
-def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) -> None:
+def _print_report(report: CalibrationReport, out: Path) -> None:
     console = stdout_console()
     frames = count_of(report.frames, "frame")
     title = f"Calibrated {frames}, {count_of(report.cameras, 'has', 'have')} a camera"
@@ -218,8 +215,7 @@ def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) 
         first = next(iter(report.summaries))
         told.append(tables.worst_frames_table(report.worst, first, report.described))
     for table in told:
-        ties = (calibration.TIES,) if setup.considers_mirrored else ()
-        console.print(replace(table, notes=ties))
+        console.print(table)
     if report.deviations:
         console.print(calibration.deviations_table(report))
     if report.failures:

@@ -26,6 +26,15 @@ def _known_method(text: str) -> str:
     return text
 
 
+TagsFile = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE.csv",
+        show_default=False,
+        help="Tags of frames: a column 'frame' and one or more others (and 'set', if there are"
+        " several).",
+    ),
+]
 Intervals = Annotated[
     bool,
     typer.Option(

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NoReturn
 
 import typer
 
+from procc_annotator.cli import options
+from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.io.camera_files import submission as submissions
+from procc_annotator.io.camera_files.polyline_submission import check_polylines, holds_manifest
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import open_source
+from procc_annotator.session.dataset.dataset_folder import annotations_of
 
 HELP = """\
-ZIP is a submission: SPLIT/camera_FRAME.json for each frame. Nothing is written.
+ZIP is a submission: SPLIT/camera_FRAME.json for each frame, or polylines with a manifest.json, as
+convert --to polylines writes them. Nothing is written.
 
 One line a finding: "refused" (the evaluation stops there), "lowers the score" (it goes on, and the
 figures suffer) or "ignored" (it is never looked at).
@@ -36,17 +43,26 @@ def check_submission(
             metavar="DIR", help="The annotations it will be judged by: names missing frames."
         ),
     ] = None,
+    field: options.FieldName = None,
     split: Annotated[
         str, typer.Option(metavar="NAME", help="The folder the evaluation looks into.")
     ] = "test",
 ) -> None:
     frames = None
     if annotations is not None:
-        with open_source(annotations) as source:
+        with open_source(annotations_of(annotations)) as source:
             frames = list_annotations(source)
+    if holds_manifest(submission):
+        shown = chosen_field(field, annotations)
+        found = check_polylines(submission, shown, field_fingerprint(shown), frames)
+        _tell(found, "nothing to say: every polyline will be read")
     findings = submissions.check_submission(submission, frames, split)
+    _tell(findings, "nothing to say: the official evaluation will read every camera")
+
+
+def _tell(findings: Sequence[submissions.SubmissionRemark], nothing: str) -> NoReturn:
     for finding in findings:
         typer.echo(str(finding))
     if not findings:
-        typer.echo("nothing to say: the official evaluation will read every camera")
+        typer.echo(nothing)
     raise typer.Exit(1 if findings else 0)

@@ -18,6 +18,7 @@ from procc_annotator.cli.datasets import (
     report_unreadable,
 )
 from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.painters import pair_painter
 from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
@@ -252,11 +253,10 @@ def _draw(
     images: dict[str, Path],
     count: int | None,
 ) -> None:
-    from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
-
-    painted = paint_frames(
-        compared, comparison, out, ComparisonPictures(), pictures=images, count=count
-    )
+    painter = pair_painter()
+    if painter is None:
+        return
+    painted = paint_frames(compared, comparison, out, painter, pictures=images, count=count)
     total = min(count or compared.summary.frames, compared.summary.frames)
     drawn = sum(1 for _ in with_progress(painted, total, "drawing"))
     typer.echo(f"{count_of(drawn, 'disagreement picture')} written to {out}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -15,10 +16,17 @@ from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.io.annotation_files.annotation_formats import NAMES
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
+from procc_annotator.io.camera_files.polyline_submission import POLYLINES
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import open_source
 from procc_annotator.metric.folds import folds_remark
+from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.camera_export import export_cameras
 from procc_annotator.report.conversion import convert_annotations
 from procc_annotator.report.conversion_output import Wanted
+from procc_annotator.report.polyline_export import export_polylines
+from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.words import count_of
 
 HELP = """\
@@ -27,7 +35,9 @@ IN is a dataset, a folder or zip of files, or one file. OUT is a folder, an arch
 changed, and files that are there stay unless --overwrite is given.
 
 Annotations: soccernet, soccernet-v3, soccernet-gsr, labelme, cvat, coco; masks are only written.
-Cameras, by --to: soccernet-camera, opencv, krt, wc14, carwc, world, submission.
+Cameras, by --to: soccernet-camera, opencv, krt, wc14, carwc, world, submission; polylines is a
+submission of where any camera model shows the elements, for --protocol at --size, of the frames
+that --frames names.
 
 Whatever a format cannot hold is told, line by line.
 
@@ -88,6 +98,27 @@ Into = Annotated[
 ]
 
 
+Frames = Annotated[
+    Path | None,
+    typer.Option(
+        "--frames",
+        metavar="DIR",
+        show_default=False,
+        help="Of polylines: a dataset, folder or zip of JSON files whose names are the frames that"
+        " are judged.  [default: the frames that have a camera]",
+    ),
+]
+Method = Annotated[
+    str | None,
+    typer.Option(
+        "--method",
+        metavar="NAME",
+        show_default=False,
+        help="Of polylines: what the method is called.  [default: the name of IN]",
+    ),
+]
+
+
 def convert(
     source: Source,
     out: Out,
@@ -99,10 +130,20 @@ def convert(
     line_width: LineWidth = 4.0,
     split: Split = "",
     into: Into = None,
+    protocol: options.Protocol = "soccernet",
+    frames: Frames = None,
+    method: Method = None,
     overwrite: options.Overwrite = False,
     keep_optional: options.KeepOptional = False,
 ) -> None:
     shown = options.shown_size(size)
+    if to == POLYLINES:
+        known = chosen_field(field, frames)
+        setup = EvaluationSetup(known, shown or OFFICIAL_SIZE, protocol)
+        wanted_cameras = _Polylines(setup, method or source.stem, frames)
+        own = options.shown_size(camera_size)
+        code = _convert_to_polylines(source, out, from_, wanted_cameras, own, overwrite=overwrite)
+        raise typer.Exit(code)
     if to in CAMERA_TARGETS:
         own = options.shown_size(camera_size)
         raise typer.Exit(
@@ -111,7 +152,8 @@ def convert(
             )
         )
     if to not in NAMES:
-        raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
+        known_names = ", ".join((*NAMES, *CAMERA_TARGETS, POLYLINES))
+        raise UsageError(f"no format {to!r}; there are {known_names}")
     wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
     known = chosen_field(field, source)
     with _progress() as progress:
@@ -137,6 +179,55 @@ def convert(
     raise typer.Exit(unreadable)
 
 
+@dataclass(frozen=True)
+class _Polylines:
+    """What polylines are made for; frames: whose names are to be judged."""
+
+    setup: EvaluationSetup
+    method: str
+    frames: Path | None
+
+
+def _convert_to_polylines(
+    source: Path,
+    out: Path,
+    camera_format: str,
+    wanted: _Polylines,
+    camera_size: tuple[int, int] | None,
+    *,
+    overwrite: bool,
+) -> int:
+    """Write where cameras show the elements; returns the exit code."""
+    _check_cameras(source, out, overwrite=overwrite)
+    names = None
+    if wanted.frames is not None:
+        with open_source(annotations_of(wanted.frames)) as annotated:
+            names = list(list_annotations(annotated))
+    with CameraCollection.open(source, camera_format) as cameras, _progress() as progress:
+        if not cameras.frames:
+            raise UsageError(f"nothing to do: no camera (format {camera_format}) in {source}")
+        done = export_polylines(
+            cameras, out, wanted.setup, wanted.method, names,
+            camera_size=camera_size, progress=progress,
+        )  # fmt: skip
+        datasets.report_remarks(cameras.notices)
+    unreadable = datasets.report_unreadable(done.problems, "left out")
+    typer.echo(
+        f"polylines of {count_of(done.written, 'frame')} written to {out}"
+        f" ({wanted.setup.describe()}, method {wanted.method})"
+    )
+    return unreadable
+
+
+def _check_cameras(source: Path, out: Path, *, overwrite: bool) -> None:
+    if not source.exists():
+        raise UsageError(f"{source}: does not exist")
+    if source.resolve() == out.resolve() or out.resolve().is_relative_to(source.resolve()):
+        raise UsageError(f"{out}: lies in what is read, write to another place than {source}")
+    if out.exists() and not overwrite and (out.is_file() or any(out.iterdir())):
+        raise UsageError(f"{out}: exists already, choose another name or ask to overwrite it")
+
+
 def _convert_cameras(
     source: Path,
     out: Path,
@@ -149,12 +240,7 @@ def _convert_cameras(
 ) -> int:
     """Write cameras in another format, from one picture size to another; returns the exit code."""
     own, wanted = sizes
-    if not source.exists():
-        raise UsageError(f"{source}: does not exist")
-    if source.resolve() == out.resolve() or out.resolve().is_relative_to(source.resolve()):
-        raise UsageError(f"{out}: lies in what is read, write to another place than {source}")
-    if out.exists() and not overwrite and (out.is_file() or any(out.iterdir())):
-        raise UsageError(f"{out}: exists already, choose another name or ask to overwrite it")
+    _check_cameras(source, out, overwrite=overwrite)
     with CameraCollection.open(source, camera_format) as cameras, _progress() as progress:
         if not cameras.frames:
             raise UsageError(f"nothing to do: no camera (format {camera_format}) in {source}")

@@ -21,6 +21,7 @@ from procc_annotator.cli.datasets import (
 )
 from procc_annotator.cli.evaluations import Plan
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
+from procc_annotator.cli.submissions import Submission, require_submitted_for, submitted_source
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.setup import EvaluationSetup
@@ -82,15 +83,6 @@ Sets = Annotated[
         help="A set of annotations; repeat for several.",
     ),
 ]
-TagsFile = Annotated[
-    Path | None,
-    typer.Option(
-        metavar="FILE.csv",
-        show_default=False,
-        help="Tags of frames: a column 'frame' and one or more others (and 'set', if there are"
-        " several).",
-    ),
-]
 By = Annotated[
     list[str] | None,
     typer.Option(
@@ -102,12 +94,12 @@ By = Annotated[
     ),
 ]
 TableFile = Annotated[
-    Path | None,
+    list[Path] | None,
     typer.Option(
         metavar="FILE",
         show_default=False,
-        help="Add a row a frame and threshold to a .csv or .parquet table; rows of the same"
-        " set, method, frame, threshold and way of evaluating are replaced.",
+        help="Add a row a frame and threshold to a .csv or .parquet table, or to several; rows of"
+        " the same set, method, frame, threshold and way of evaluating are replaced.",
     ),
 ]
 
@@ -121,7 +113,7 @@ class _Call:
         setups: one a picture size.
         by: what to group frames by.
         written_to: files of figures.
-        table: the table that grows, if any.
+        tables: those that grow.
         recipe: where what the figures were made from is written, if anywhere.
         over_time: what is asked over the shots of the sets, if anything.
     """
@@ -134,7 +126,7 @@ class _Call:
     by: tuple[str, ...]
     camera_size: tuple[int, int] | None
     written_to: Sequence[Path]
-    table: Path | None
+    tables: Sequence[Path]
     recipe: RecipeFor | None
     over_time: over_time.OverTimeCall | None
     chance: ChanceTerms | None
@@ -156,7 +148,7 @@ def evaluate(
     off_plane: options.OffPlane = "missed",
     planar_only: options.PlanarOnly = False,
     mirrored: options.Mirrored = False,
-    tags: TagsFile = None,
+    tags: chance_options.TagsFile = None,
     by: By = None,
     intervals: chance_options.Intervals = False,
     cluster: chance_options.Cluster = None,
@@ -165,6 +157,7 @@ def evaluate(
     click_noise: chance_options.Noise = None,
     draws: chance_options.Count = 10_000,
     seed: chance_options.Seed = 1,
+    submission: Submission = None,
     output: options.FigureFiles = None,
     table: TableFile = None,
     recipe: RecipeOption = None,
@@ -176,11 +169,14 @@ def evaluate(
     dask: options.Dask = None,
 ) -> None:
     written_to = outputs.figure_files(output)
-    if table is not None:
-        check_table(table)
-        outputs.check_output_folder(table)
+    growing = outputs.each_once(table or ())
+    for path in growing:
+        check_table(path)
+        outputs.check_output_folder(path)
     if recipe is not None:
         outputs.check_output_folder(recipe)
+    if submission is not None:
+        cameras, sources = None, [*(sources or []), submitted_source(submission)]
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
     fields = plan.fields(field, lines)
     first = next(iter(fields.values()))
@@ -188,6 +184,8 @@ def evaluate(
         options.setup_for(first, text, protocol, off_plane, mirrored, planar_only)
         for text in dict.fromkeys(size or [options.DEFAULT_SIZE])
     ]
+    if submission is not None:
+        require_submitted_for(submission, setups[0], plan.frames())
     thresholds = options.thresholds_or_default(threshold)
     read_tags = None if tags is None else Tags.read(tags)
     grouped, derived = chance_options.parted_by(by, read_tags, cluster)
@@ -201,7 +199,7 @@ def evaluate(
         )  # fmt: skip
     call = _Call(
         plan, fields, setups, thresholds, read_tags, groups,
-        options.shown_size(camera_size), written_to, table,
+        options.shown_size(camera_size), written_to, growing,
         None if recipe is None else RecipeFor(recipe, context, FieldAsked(field, lines)),
         over_time.OverTimeCall.of(steady, shots, pictures, over_time_output), terms,
     )  # fmt: skip
@@ -223,7 +221,7 @@ def _score(
 ) -> tuple[list[Scored], Sequence[ToldOfSet], list[SourceOverTime]]:
     """Do the work; what could not be written goes to ``unwritten``."""
     named = call.plan.named or len(call.setups) > 1
-    outcome = Outcome(call.written_to, named=named, rows=call.table is not None, chance=call.chance)
+    outcome = Outcome(call.written_to, named=named, rows=bool(call.tables), chance=call.chance)
     with ExitStack() as files:
         asked = call.plan.open(
             files, call.fields, call.setups, call.by, call.tags, camera_size=call.camera_size
@@ -236,7 +234,7 @@ def _score(
         inputs: list[outputs.Input] = [s for one in asked for s in (one.annotations, one.cameras)]
         if call.tags is not None:
             inputs.append(call.tags.path)
-        own = [] if call.table is None else [call.table]
+        own = [*call.tables]
         own += [] if call.recipe is None else [call.recipe.path]
         for path in (*call.written_to, *own, *more):
             outputs.check_not_an_input(path, inputs)
@@ -260,11 +258,11 @@ def _tell(
     """Add to the table, print everything; returns the exit code for what was read."""
     said = [f"written: {path}" for path in call.written_to if path not in unwritten]
     said += [] if call.recipe is None else [f"written: {call.recipe.path}"]
-    if call.table is not None:
+    for table in call.tables:
         try:
-            said.append(_add_to_table(call.table, scored))
+            said.append(_add_to_table(table, scored))
         except ProccError as error:
-            unwritten[call.table] = error
+            unwritten[table] = error
     print_all(scored)
     print_chance(told)
     for line in said:

@@ -10,6 +10,7 @@ import typer
 from procc_annotator.cli import datasets
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.options import make_setup
+from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.errors import SaveError, UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
@@ -84,7 +85,7 @@ def _score(dataset: Path, cameras: Path, out: Path, setup: EvaluationSetup) -> S
 def _merit(scored: Scored) -> tuple[float, float]:
     """Final score, and among equals the smaller error."""
     figures = scored.summaries[THRESHOLDS[0]]
-    return figures.final_score or 0.0, -(figures.mean_reprojection_error or 0.0)
+    return figures.final_score or 0.0, -(figures.mean_error or 0.0)
 
 
 def _print_table(scored: dict[Path, Scored]) -> None:
@@ -96,8 +97,6 @@ def _export_and_draw(
     dataset: Path, cameras: Path | None, out: Path, setup: EvaluationSetup
 ) -> list[str]:
     """Export with, and draw, the camera set that agrees best; returns what could not be read."""
-    from procc_annotator.gui.picture.overlay_picture import OverlayPictures
-
     workspace = datasets.open_dataset(dataset, setup.field)
     camera_set = datasets.open_cameras(cameras, "auto")
     exported = export_dataset(workspace, out / "export", Scoring(setup, THRESHOLDS, camera_set))
@@ -106,7 +105,7 @@ def _export_and_draw(
     for rendered in render_pictures(
         workspace,
         out / "overlays",
-        OverlayPictures(".png"),
+        overlay_painter(".png"),
         setup=setup,
         threshold=THRESHOLDS[0],
         cameras=camera_set,

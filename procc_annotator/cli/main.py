@@ -54,6 +54,7 @@ COMMANDS = (
         "Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.",
     ),
     LazyCommand("convert", "Write annotations or cameras in another format."),
+    LazyCommand("release", "Write what the keeper of a dataset publishes, for people and hubs."),
     LazyCommand(
         "render",
         "Draw the pictures of a dataset with annotation and, given cameras, the projected field.",
@@ -118,6 +119,13 @@ class CommandOrPath(TyperGroup):
             # Who reads our output has seen enough (``| head``): end as other programs do.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             raise typer.Exit(READER_GONE) from error
+        except ImportError as error:
+            if not _is_of_qt(error):
+                raise
+            typer.echo(
+                f"procc-annotator: this needs Qt, which cannot be loaded here: {error}", err=True
+            )
+            raise typer.Exit(2) from error
         except OSError as error:
             # Files are written by functions that name them; what is left is the standard output.
             if error.errno not in _FULL or error.filename is not None:
@@ -126,6 +134,11 @@ class CommandOrPath(TyperGroup):
             said = f"the standard output cannot be written: {error.strerror}"
             typer.echo(f"procc-annotator: {said} (make room, or send it elsewhere)", err=True)
             raise typer.Exit(2) from error
+
+
+def _is_of_qt(error: ImportError) -> bool:
+    """Whether it is Qt, or a library of the system that Qt needs, that could not be imported."""
+    return "PySide6" in f"{error.name} {error.path}" or "shiboken6" in f"{error.name} {error.path}"
 
 
 def _what_is_done(stopped: KeyboardInterrupt) -> str:

@@ -13,7 +13,7 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.targets import is_archive
+from procc_annotator.report.targets import is_archive, make_folder
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 Input = FileSource | CameraCollection | CameraSet | Path
@@ -42,15 +42,15 @@ def figure_files(paths: Iterable[Path] | None) -> list[Path]:
 
 
 def check_output_folder(path: Path) -> None:
-    """Fail before the work, not after it.
+    """Make the folder of an output file where there is none; fail before the work, not after it.
 
     Raises:
-        UsageError: the folder of an output file does not exist, or the output is a folder.
+        UsageError: the output is a folder.
+        SaveError: its folder cannot be made.
     """
     if path.is_dir():
         raise UsageError(f"{path}: is a folder, a file name is needed")
-    if not path.parent.is_dir():
-        raise UsageError(f"{path}: the folder {path.parent} does not exist")
+    make_folder(path.parent)
 
 
 def check_not_an_input(path: Path, inputs: Iterable[Input]) -> None:

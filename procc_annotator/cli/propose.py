@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -55,8 +57,8 @@ when those that are not sure are looked at again.
 (docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found there is
 made right and judged alike.
 
-Exit code: 0; 1 if some pictures were unreadable (listed); 2 if there was nothing to do. A frame
-without a camera is no error.
+Exit code: 0; 1 if some pictures or annotations were unreadable (listed); 2 if there was nothing to
+do. A frame without a camera is no error.
 """
 
 EXAMPLE = """
@@ -133,9 +135,10 @@ def propose(
     shown = chosen_field(field, dataset, lines=lines)
     pictures = open_pictures(dataset, annotations)
     datasets.report_remarks(pictures.notices)
-    _check_out(out, known, overwrite=overwrite)
+    _check_out(out, [pictures.path, *([known] if known is not None else [])], overwrite=overwrite)
     positions = () if known is None else read_positions(known, shown, camera_format)
-    chosen, annotated = _wanted(pictures.frames[::every], shown, every_frame)
+    wanted = _wanted(pictures.frames[::every], shown, every_frame)
+    chosen = wanted.frames
     run = ProposalRun(chosen, shown, proposer, positions)
     try:
         with make_executor(workers, dask, frames=run.total, worth_from=_WORTH_WORKERS) as executor:
@@ -145,21 +148,22 @@ def propose(
         raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
     if positions and found.states and not found.states[SURE]:
         datasets.report_remarks([_stands_elsewhere(known)])
-    raise typer.Exit(_report(found, annotated, out))
+    raise typer.Exit(_report(found, wanted, out))
 
 
-def _check_out(out: Path, known: Path | None, *, overwrite: bool) -> None:
+def _check_out(out: Path, inputs: Sequence[Path], *, overwrite: bool) -> None:
     """Fail before the work.
 
     Raises:
-        UsageError: OUT is no folder, holds annotations or what is read, or cameras nobody asked to
-            replace.
+        UsageError: OUT is no folder, holds pictures, annotations or what else is read, or cameras
+            nobody asked to replace.
     """
     if is_archive(out) or (out.exists() and not out.is_dir()):
         raise UsageError(f"{out}: a folder is needed")
-    if known is not None and known.is_dir():
-        with open_source(known) as source:
-            outputs.check_folder_apart(out, [source])
+    for given in inputs:
+        if given.is_dir():
+            with open_source(given) as source:
+                outputs.check_folder_apart(out, [source])
     if not out.is_dir():
         return
     outputs.check_no_annotations(out)
@@ -171,29 +175,48 @@ def _check_out(out: Path, known: Path | None, *, overwrite: bool) -> None:
         )
 
 
-def _wanted(frames: tuple[Frame, ...], field: Field, all_of_them: bool) -> tuple[list[Frame], int]:
-    """The frames to look at, and how many are annotated and passed over.
+@dataclass(frozen=True)
+class _Wanted:
+    """What is to be looked at.
+
+    Attributes:
+        frames: these.
+        annotated: how many others are annotated.
+        damaged: why the annotations of the rest cannot be read: they may hold points.
+    """
+
+    frames: list[Frame]
+    annotated: int = 0
+    damaged: tuple[str, ...] = ()
+
+
+def _wanted(frames: tuple[Frame, ...], field: Field, all_of_them: bool) -> _Wanted:
+    """The frames to look at.
 
     Raises:
         UsageError: none is left.
     """
     if all_of_them:
-        return list(frames), 0
-    chosen = [frame for frame in frames if not _is_annotated(frame, field)]
+        return _Wanted(list(frames))
+    chosen, damaged = [], []
+    for frame in frames:
+        try:
+            if not _is_annotated(frame, field):
+                chosen.append(frame)
+        except InputError as error:
+            damaged.append(str(error))
     if not chosen:
+        datasets.report_unreadable(damaged)
         raise UsageError("nothing to do: all frames are annotated (--all looks at them too)")
-    return chosen, len(frames) - len(chosen)
+    return _Wanted(chosen, len(frames) - len(chosen) - len(damaged), tuple(damaged))
 
 
 def _is_annotated(frame: Frame, field: Field) -> bool:
-    """Whether anybody put a point there; a file that cannot be read may hold some."""
-    try:
-        data = bytes_of(frame.annotation_path)
-        if data is None:
-            return False
-        return bool(read_annotation(data, path=str(frame.annotation_path), field=field).annotated)
-    except InputError:
-        return True
+    """Whether anybody put a point there."""
+    data = bytes_of(frame.annotation_path)
+    if data is None:
+        return False
+    return bool(read_annotation(data, path=str(frame.annotation_path), field=field).annotated)
 
 
 def _what_is_there(stopped: Interrupted, out: Path) -> str:
@@ -213,7 +236,7 @@ def _stands_elsewhere(known: Path | None) -> str:
     )
 
 
-def _report(found: Proposals, annotated: int, out: Path) -> int:
+def _report(found: Proposals, wanted: _Wanted, out: Path) -> int:
     """Print what was found; returns the exit code."""
     console = stdout_console()
     console.print(states_table(found))
@@ -221,7 +244,10 @@ def _report(found: Proposals, annotated: int, out: Path) -> int:
         console.print(doubtful_table(found))
     if words := positions_words(found):
         typer.echo(words)
-    if annotated:
-        typer.echo(f"passed over: {count_of(annotated, 'annotated frame')} (--all)")
+    if wanted.annotated:
+        typer.echo(f"passed over: {count_of(wanted.annotated, 'annotated frame')} (--all)")
+    if wanted.damaged:
+        frames = count_of(len(wanted.damaged), "frame")
+        typer.echo(f"passed over: {frames} whose annotation cannot be read (--all)")
     typer.echo(f"{summary_words(found)}; written to {out}, with {TABLE_FILE}")
-    return datasets.report_unreadable(found.errors)
+    return datasets.report_unreadable([*found.errors, *wanted.damaged])

@@ -10,7 +10,9 @@ import typer
 
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.report.pictures import Rendered, render_pictures
+from procc_annotator.report.scenes import OverlayLook
 from procc_annotator.words import count_of
 
 HELP = """\
@@ -81,7 +83,6 @@ def render(
     legend: Legend = False,
     overwrite: options.Overwrite = False,
 ) -> None:
-    from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
 
     look = OverlayLook(scale, legend)
     setup = options.make_setup(
@@ -96,7 +97,7 @@ def render(
     names = (f"{frame.name}{suffix}" for frame in workspace.frames)
     outputs.check_replaces_nothing(out, names, overwrite=overwrite)
     steps = render_pictures(
-        workspace, out, OverlayPictures(suffix, look),
+        workspace, out, overlay_painter(suffix, look),
         setup=setup, threshold=tau, cameras=camera_set, suffix=suffix,
         painted_width=painted_width,
     )  # fmt: skip

@@ -11,8 +11,9 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli import chance_options, datasets, options, outputs, over_time
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.painters import overlay_painter, pair_painter
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
 from procc_annotator.cli.sources import SourceSpec, parse_sources
 from procc_annotator.errors import UsageError
@@ -34,12 +35,16 @@ from procc_annotator.report.page.reporting import (
     report_kind,
     write_report,
 )
+from procc_annotator.report.scenes import OverlayLook
+from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.report.sheet.as_latex import ARTICLE_PT
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.tags import Tags, check_by
 
 HELP = """\
 DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone: overlay
@@ -96,7 +101,16 @@ Worst = Annotated[
     int, typer.Option(min=0, max=1000, metavar="N", help="Worst frames to draw, a source.")
 ]
 Random = Annotated[int, typer.Option(min=0, max=1000, metavar="N", help="Frames to draw by lot.")]
-Seed = Annotated[int, typer.Option(metavar="N", help="Of the lot.")]
+Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the lot, and of sets drawn.")]
+By = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="TAG|zoom|elements|side|shot",
+        show_default=False,
+        help="Break everything down by this tag, by zoom, number of elements, the camera's side or"
+        " shot; repeat for several.  [default: every tag of --tags]",
+    ),
+]
 Disagreement = Annotated[
     list[str] | None,
     typer.Option(
@@ -121,6 +135,17 @@ PictureWidth = Annotated[
 ]
 
 
+LatexWidth = Annotated[
+    float,
+    typer.Option(
+        min=100,
+        metavar="PT",
+        help="Width that tables in a .tex file may have: 345 is the text of an article, 237 a"
+        " column of a paper with two; wider ones span both columns.",
+    ),
+]
+
+
 def report(
     context: typer.Context,
     dataset: Dataset,
@@ -137,6 +162,13 @@ def report(
     off_plane: options.OffPlane = "missed",
     planar_only: options.PlanarOnly = False,
     mirrored: options.Mirrored = False,
+    tags: chance_options.TagsFile = None,
+    by: By = None,
+    cluster: chance_options.Cluster = None,
+    interval_method: chance_options.IntervalMethod = "t",
+    power: chance_options.Power = False,
+    click_noise: chance_options.Noise = None,
+    draws: chance_options.Count = 10_000,
     title: Title = None,
     date: Date = None,
     worst: Worst = 4,
@@ -145,7 +177,10 @@ def report(
     disagreement: Disagreement = None,
     reference: Reference = None,
     picture_width: PictureWidth = 960,
+    latex_width: LatexWidth = ARTICLE_PT,
     recipe: RecipeOption = None,
+    steady: over_time.OverTime = False,
+    shots: over_time.Shots = None,
     workers: options.Workers = None,
     dask: options.Dask = None,
 ) -> None:
@@ -160,14 +195,24 @@ def report(
         title or f"Cameras of {name}", date or datetime.date.today().isoformat(),
         worst, random, seed,
         tuple(_pair(text) for text in disagreement or ()), reference=reference or "",
-        recipe="" if recipe is None else recipe.name,
+        recipe="" if recipe is None else recipe.name, latex_width_pt=latex_width,
     )  # fmt: skip
     check_request(request, [spec.name for spec in specs])
     place = annotation_place(dataset, setup.field, annotations)
+    read_tags = None if tags is None else Tags.read(tags)
+    grouped, derived = chance_options.parted_by(by, read_tags, cluster)
+    parts = (*(check_by(grouped, read_tags) if grouped else ()), *derived)
+    chance = chance_options.chance_terms(
+        read_tags, {name: place[0]}, cluster, parts, interval_method, draws, seed,
+        power=power, click_noise=click_noise,
+    )  # fmt: skip
     if recipe is not None:
         outputs.check_output_folder(recipe)
     asked = None if recipe is None else RecipeFor(recipe, context, FieldAsked(field, lines))
-    call = _Call(name, specs, setup, thresholds, request, written, picture_width, asked)
+    call = _Call(
+        name, specs, setup, thresholds, request, written, picture_width, chance, asked,
+        over_time.OverTimeCall.of(steady, shots, None, None),
+    )  # fmt: skip
     gathered, problems = _make(call, *place, options.shown_size(camera_size), workers, dask)
     raise typer.Exit(_tell(call, gathered, problems))
 
@@ -183,7 +228,9 @@ class _Call:
     request: ReportRequest
     written: Sequence[Path]
     picture_width: int
+    chance: ChanceTerms
     recipe: RecipeFor | None
+    over_time: over_time.OverTimeCall | None
 
 
 def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]:
@@ -223,17 +270,21 @@ def _make(
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
         work = Work(executor, camera_size, with_progress)
         judged = [NamedCameras(spec.name, collection) for spec, collection in named]
-        gathered = gather_report(call.name, source, judged, call.setup, call.thresholds, work)
+        gathered = gather_report(
+            call.name, source, judged, call.setup, call.thresholds, work, call.chance
+        )
+        asked = [
+            Asked(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
+            for spec, cameras in named
+        ]
         if call.recipe is not None:
-            asked = [
-                Asked(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
-                for spec, cameras in named
-            ]
             figures = [one.summaries for one in gathered.sources]
             used = [(one, found) for one, found in zip(asked, figures, strict=True) if found]
             call.recipe.write([one for one, _ in used], [found for _, found in used])
         sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
-        material = Material(source, sets, pictures)
+        steady = call.over_time
+        found = () if steady is None else steady.run(asked, call.thresholds[0], executor)
+        material = Material(source, sets, pictures, tuple(found))
         drawing = _drawing(call)
         return gathered, write_report(gathered, material, call.request, drawing, call.written, work)
 
@@ -302,16 +353,16 @@ def _pair(text: str) -> tuple[str, str]:
     return names[0], names[1]
 
 
-def _drawing(call: _Call) -> Drawing:
-    if "html" in map(report_kind, call.written):
-        # What charts need comes first: Qt reads the source of every module imported after it.
-        import matplotlib.backends.backend_svg  # noqa: F401
-
-    from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
-    from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
+def _drawing(call: _Call) -> Drawing | None:
+    if "html" not in map(report_kind, call.written):
+        return None
+    # What charts need comes first: Qt reads the source of every module imported after it.
+    import matplotlib.backends.backend_svg  # noqa: F401
 
     # Two pictures share the width of the page.
     look = OverlayLook(widest=call.picture_width, caption=False, emphasis=1.7)
-    painters = Painters(OverlayPictures(".jpg", look), OverlayPictures(".png", look))
-    pairs = PairPainters(ComparisonPictures(".jpg"), ComparisonPictures(".png"))
-    return Drawing(painters, pairs, SOURCE_COLOURS)
+    overlays = Painters(overlay_painter(".jpg", look), overlay_painter(".png", look))
+    pairs = None
+    if call.request.disagreement and (photograph := pair_painter(".jpg")):
+        pairs = PairPainters(photograph, pair_painter(".png") or photograph)
+    return Drawing(overlays, pairs, SOURCE_COLOURS)

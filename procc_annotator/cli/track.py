@@ -31,7 +31,7 @@ from procc_annotator.session.dataset.picture_source import PictureSource, open_p
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.shots import find_shots
 from procc_annotator.session.runs.track_anchors import Anchors
-from procc_annotator.session.runs.track_run import ShotToFollow, TrackRun
+from procc_annotator.session.runs.track_run import ShotToFollow, TrackRun, damaged_pictures
 from procc_annotator.words import count_of
 
 HELP = """\
@@ -118,7 +118,7 @@ def track(
     pictures = open_pictures(source, annotations)
     datasets.report_remarks(pictures.notices)
     start = None if begin is None else _number_of(begin, pictures)
-    _check_out(out, [annotations, cameras], overwrite=overwrite)
+    _check_out(out, [source, annotations, cameras], overwrite=overwrite)
     table = _table(out, tuple(frame.name for frame in pictures.frames), overwrite=overwrite)
     size = options.shown_size(camera_size)
     anchors = _anchors(pictures, shown, annotations, cameras, camera_format, size)
@@ -126,15 +126,17 @@ def track(
     if overwrite:
         for shot in shots:
             table.forget(shot.frames)
-    run = TrackRun([s for s in shots if not table.has_all(s.frames)], shown, follow_shot)
-    kept = len(shots) - run.total
+    kept = [shot for shot in shots if table.has_all(shot.frames)]
+    run = TrackRun([shot for shot in shots if shot not in kept], shown, follow_shot)
+    for shot in kept:
+        table.errors += damaged_pictures(shot, table.lost(shot.frames))
     try:
         with make_executor(workers) as executor, progress_bar("following") as progress:
             run.executor = executor
             write_tracks(run, out, table, progress)
     except Interrupted as stopped:
         raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
-    raise typer.Exit(_report(table, anchors, kept, out))
+    raise typer.Exit(_report(table, anchors, len(kept), out))
 
 
 def _number_of(text: str, pictures: PictureSource) -> int:
@@ -159,13 +161,13 @@ def _check_out(out: Path, inputs: Sequence[Path | None], *, overwrite: bool) -> 
     """Fail before the work.
 
     Raises:
-        UsageError: OUT is no folder, holds annotations or what is read, or cameras that are not of
-            a track.
+        UsageError: OUT is no folder, holds pictures, annotations or what else is read, or cameras
+            that are not of a track.
     """
     if is_archive(out) or (out.exists() and not out.is_dir()):
         raise UsageError(f"{out}: a folder is needed")
     for given in inputs:
-        if given is not None:
+        if given is not None and given.is_dir():
             with open_source(given) as source:
                 outputs.check_folder_apart(out, [source])
     if not out.is_dir():

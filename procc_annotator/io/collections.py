@@ -16,7 +16,8 @@ _JSON = frozenset({".json", ".jsonl"})
 _STORAGE = frozenset({".yml", ".yaml", ".xml"})
 _HOMOGRAPHY_ENDING = "_homography"
 # What this program writes beside annotations; a frame cannot have these names.
-OWN_FILES = frozenset({"jac.json", "procc.json", LANDMARKS_FILE})
+MANIFEST_FILE = "manifest.json"
+OWN_FILES = frozenset({"jac.json", "procc.json", MANIFEST_FILE, LANDMARKS_FILE})
 
 
 class CameraFiles(ByFrame[str]):

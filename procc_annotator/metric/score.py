@@ -45,7 +45,14 @@ class ElementScore:
 
 @dataclass(frozen=True, eq=False)
 class FrameScore:
-    """The score of one frame at one threshold, from the labelling that counts."""
+    """The score of one frame at one threshold, from the labelling that counts.
+
+    Attributes:
+        labelling: the one that counts; mirrored: whether it is a mirrored one.
+        read: the one whose errors are told: the labels as annotated unless mirrored ones score
+            higher. On a tie the official evaluation counts the mirrored labels, whose distances
+            belong to the other half of the field and say nothing.
+    """
 
     threshold: float
     tp: int
@@ -53,6 +60,7 @@ class FrameScore:
     fn: int
     mirrored: bool
     labelling: Labelling
+    read: Labelling
 
     @property
     def jac(self) -> float:
@@ -72,17 +80,22 @@ class FrameScore:
     @property
     def mean_error(self) -> float | None:
         """Mean reprojection error, px; None when no class is both annotated and projected."""
-        return self.labelling.mean_error
+        return self.read.mean_error
 
     @property
     def median_error(self) -> float | None:
         """Median reprojection error, px; None as for the mean."""
-        return self.labelling.median_error
+        return self.read.median_error
 
     @property
     def max_error(self) -> float | None:
         """Largest reprojection error, px; None as for the mean."""
-        return self.labelling.max_error
+        return self.read.max_error
+
+    @property
+    def mean_reprojection_error(self) -> float | None:
+        """The mean error under the labelling that counts, as the official evaluation tells it."""
+        return self.labelling.mean_error
 
     @cached_property
     def elements(self) -> tuple[ElementScore, ...]:
@@ -107,14 +120,16 @@ def score(measurement: Measurement, threshold: float) -> FrameScore:
         measurement: what `measure` returned.
         threshold: px, compared strictly (distance < threshold).
     """
-    best = measurement.plain
+    best = read = measurement.plain
     tp = int(best.worst.searchsorted(threshold))
     for mirrored in measurement.mirrored:
         other = int(mirrored.worst.searchsorted(threshold))
         gain = _gain(other, mirrored, tp, best)
-        if gain > 0 or (gain == 0 and best is measurement.plain and measurement.setup.is_official):
+        if gain > 0:
+            best, tp, read = mirrored, other, mirrored
+        elif gain == 0 and best is measurement.plain and measurement.setup.is_official:
             best, tp = mirrored, other
-    return _frame_score(threshold, tp, best, best is not measurement.plain)
+    return _frame_score(threshold, tp, best, best is not measurement.plain, read)
 
 
 def score_to_read(measurement: Measurement, threshold: float) -> FrameScore:
@@ -127,13 +142,11 @@ def score_to_read(measurement: Measurement, threshold: float) -> FrameScore:
         measurement: what `measure` returned.
         threshold: px, compared strictly.
     """
-    official = score(measurement, threshold)
-    if not official.mirrored:
-        return official
+    counted = score(measurement, threshold)
     plain = measurement.plain
-    tp = int(plain.worst.searchsorted(threshold))
-    tie = _gain(tp, plain, official.tp, official.labelling) == 0
-    return _frame_score(threshold, tp, plain, False) if tie else official
+    if counted.read is counted.labelling:
+        return counted
+    return _frame_score(threshold, int(plain.worst.searchsorted(threshold)), plain, False, plain)
 
 
 def _gain(tp: int, labelling: Labelling, other_tp: int, other: Labelling) -> int:
@@ -166,7 +179,9 @@ def _labelling_curve(labelling: Labelling, taus: FloatArray) -> FloatArray:
     return np.asarray(passed / max(labelling.element_count, 1), dtype=np.float64)
 
 
-def _frame_score(threshold: float, tp: int, labelling: Labelling, mirrored: bool) -> FrameScore:
+def _frame_score(
+    threshold: float, tp: int, labelling: Labelling, mirrored: bool, read: Labelling
+) -> FrameScore:
     both = len(labelling.worst)
     return FrameScore(
         threshold=float(threshold),
@@ -175,6 +190,7 @@ def _frame_score(threshold: float, tp: int, labelling: Labelling, mirrored: bool
         fn=len(labelling.names) - both,
         mirrored=mirrored,
         labelling=labelling,
+        read=read,
     )
 
 

@@ -54,7 +54,8 @@ class SetSummary:
         mean_jac, sd_jac (divided by n, not n - 1), median_jac: over the evaluated images.
         completeness: evaluated / images. final_score: completeness * mean_jac.
         mean_precision, mean_recall: over the evaluated images where they are defined.
-        mean_reprojection_error: px, over all points of all images together.
+        mean_reprojection_error: px, over all points of all images together, under the labelling
+            that counts. mean_error: the same under the one that is read, see `FrameScore`.
         per_class: class name -> sums over the evaluated images.
     """
 
@@ -69,12 +70,14 @@ class SetSummary:
     mean_precision: float | None
     mean_recall: float | None
     mean_reprojection_error: float | None
+    mean_error: float | None
     per_class: Mapping[str, ClassSummary]
 
 
 @dataclass(slots=True)
 class _Gathered:
-    """What one threshold needs: the JaC of every image, and sums."""
+    """What one threshold needs: the JaC of every image, and sums; of errors under the labelling
+    that counts, and under the one that is read."""
 
     jacs: array[float] = field(default_factory=lambda: array("d"))
     precision_sum: float = 0.0
@@ -83,6 +86,8 @@ class _Gathered:
     recall_count: int = 0
     error_sum: float = 0.0
     error_count: int = 0
+    read_error_sum: float = 0.0
+    read_error_count: int = 0
 
     def add(self, score: FrameScore) -> None:
         self.jacs.append(score.jac)
@@ -95,6 +100,8 @@ class _Gathered:
             self.recall_count += 1
         self.error_sum += score.labelling.error_sum
         self.error_count += len(score.labelling.all_distances)
+        self.read_error_sum += score.read.error_sum
+        self.read_error_count += len(score.read.all_distances)
 
     def merge(self, other: _Gathered) -> None:
         self.jacs.extend(other.jacs)
@@ -104,6 +111,8 @@ class _Gathered:
         self.recall_count += other.recall_count
         self.error_sum += other.error_sum
         self.error_count += other.error_count
+        self.read_error_sum += other.read_error_sum
+        self.read_error_count += other.read_error_count
 
 
 class SetAccumulator:
@@ -180,7 +189,6 @@ class SetAccumulator:
         images = evaluated + self._missing
         completeness = _ratio(evaluated, images)
         mean = float(jacs.mean()) if evaluated else None
-        error = _ratio(gathered.error_sum, gathered.error_count)
         return SetSummary(
             threshold=self.thresholds[i],
             images=images,
@@ -192,7 +200,8 @@ class SetAccumulator:
             final_score=None if mean is None or completeness is None else completeness * mean,
             mean_precision=_ratio(gathered.precision_sum, gathered.precision_count),
             mean_recall=_ratio(gathered.recall_sum, gathered.recall_count),
-            mean_reprojection_error=None if error is None or np.isnan(error) else error,
+            mean_reprojection_error=_mean(gathered.error_sum, gathered.error_count),
+            mean_error=_mean(gathered.read_error_sum, gathered.read_error_count),
             per_class={
                 name: ClassSummary(*self._classes[i, row].tolist())
                 for name, row in self._class_index.items()
@@ -246,6 +255,11 @@ def _same_conditions(a: EvaluationSetup, b: EvaluationSetup) -> bool:
         )  # fmt: skip
 
     return conditions(a) == conditions(b)
+
+
+def _mean(total: float, count: int) -> float | None:
+    """None where there is nothing, or something undefined (NaN) in it."""
+    return total / count if count and total == total else None
 
 
 def _ratio(part: float, whole: float) -> float | None:

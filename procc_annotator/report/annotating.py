@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -50,19 +51,20 @@ class Annotated:
 def annotate_pictures(
     run: AnnotationRun,
     frames: Sequence[Frame],
-    datasets: Iterable[Path],
+    datasets: Mapping[Path, bool],
     progress: Progress,
     done: Annotated,
 ) -> None:
     """Write what a run finds as it comes: each file at once and whole, never over another one.
 
     Before a file is there its points are in the workspaces as proposed: a file without that would
-    pass for somebody's own.
+    pass for somebody's own. What a person clicked or accepted stays theirs in a workspace that is
+    not that of the files, be a proposed point at the very same place.
 
     Args:
         run: over these frames.
         frames: with the files their annotations belong in.
-        datasets: folders whose workspaces are told.
+        datasets: folders whose workspaces are told, and whether the files are theirs.
         progress: shows the progress of what it passes on.
         done: filled on the way, so that it is right also when somebody stops the work.
 
@@ -75,9 +77,9 @@ def annotate_pictures(
         make_folder(folder)
     with ExitStack() as closing:
         databases = []
-        for dataset in datasets:
+        for dataset, own in datasets.items():
             database = WorkspaceDatabase.open(dataset, author)
-            databases.append(database)
+            databases.append((database, own))
             closing.callback(_close, database, done)
             done.remarks += [n for n in database.notices if n not in done.remarks]
         for found in progress(run, run.total, "annotating"):
@@ -87,7 +89,7 @@ def annotate_pictures(
 def _write(
     found: PaintedFrame,
     path: Path,
-    databases: Sequence[WorkspaceDatabase],
+    databases: Sequence[tuple[WorkspaceDatabase, bool]],
     author: str,
     done: Annotated,
 ) -> None:
@@ -97,11 +99,18 @@ def _write(
     if not found.annotation.annotated:
         done.bare.append(found.name)
         return
+    if os.path.lexists(path):  # since the work began
+        done.kept.append(found.name)
+        return
     origins = new_origins(
         FrameAnnotation(()), found.annotation, OriginKind.PROPOSED, author, time.time()
     )
-    for database in databases:
-        database.put_origins(found.name, origins)
+    before = []
+    for database, own in databases:
+        known = database.origins(found.name)
+        before.append((database, {key: known[key] for key in origins if key in known}))
+        put = origins if own else {key: o for key, o in origins.items() if key not in known}
+        database.put_origins(found.name, put)
         database.flush()
 
     def none_there() -> None:
@@ -111,6 +120,8 @@ def _write(
     try:
         write_atomic(path, write_annotation(found.annotation), look_again=none_there)
     except ChangedOnDiskError:
+        for database, known in before:
+            database.put_origins(found.name, known)
         done.kept.append(found.name)
         return
     done.frames.append(found.name)

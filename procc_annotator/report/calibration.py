@@ -14,7 +14,7 @@ from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.figures import FRAME_ERROR, JAC
+from procc_annotator.report.sheet.figures import FRAME_ERROR, FRAME_ERROR_COUNTED, JAC
 from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
 from procc_annotator.report.targets import Interrupted, is_archive, open_target
 from procc_annotator.session.dataset.fit_sizes import SizesUsed
@@ -22,11 +22,6 @@ from procc_annotator.session.runs.calibration_run import Calibrated
 from procc_annotator.words import count_of
 
 TABLE_FILE = "calibration.csv"
-# A fit is judged by what was clicked; evaluate scores as the official evaluation does.
-TIES = (
-    "errors with the labels as they are where mirrored ones fit no better (evaluate takes the"
-    " mirrored ones)"
-)
 _FAILURES_SHOWN = 20
 
 Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
@@ -152,9 +147,10 @@ def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
 def _columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:
     return (
         Column("name"), Column("model"), whole("elements"), Column("left_out"),
-        *(of(JAC, key=f"jac_{threshold:g}") for threshold in thresholds), of(FRAME_ERROR),
-        *DEVIATION_COLUMNS, Column("camera"), Column("failure"), Column("position"),
-        whole("width"), whole("height"), Column("hardly_determined"),
+        *(of(JAC, key=f"jac_{threshold:g}") for threshold in thresholds),
+        of(FRAME_ERROR_COUNTED), of(FRAME_ERROR), *DEVIATION_COLUMNS, Column("camera"),
+        Column("failure"), Column("position"), whole("width"), whole("height"),
+        Column("hardly_determined"),
     )  # fmt: skip
 
 
@@ -163,14 +159,14 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> Row:
     deviations = deviation_values(result.deviations if result.has_camera else None)
     if not result.has_camera:
         why = result.error or result.failure
-        empty = (None,) * (len(thresholds) + 3)
+        empty = (None,) * (len(thresholds) + 4)
         return (result.name, result.model, *empty, *deviations, None, why, None, *size, None)
     scores = [result.scores[threshold] for threshold in thresholds]
     jacs = (score.jac for score in scores)
     return (
         result.name, result.model, result.elements, "; ".join(result.left_out), *jacs,
-        scores[0].mean_error, *deviations, result.file_name, None, result.place, *size,
-        result.open,
+        scores[0].mean_reprojection_error, scores[0].mean_error, *deviations, result.file_name,
+        None, result.place, *size, result.open,
     )  # fmt: skip
 
 

@@ -39,11 +39,13 @@ class ToldFinding(NamedTuple):
         frame: where.
         finding: what.
         size: (width, height) px of the picture that its distances are px of.
+        key: of what was found in which points, as the window ignores it.
     """
 
     frame: str
     finding: Finding
     size: tuple[int, int]
+    key: str = ""
 
 
 class ByEye(NamedTuple):
@@ -144,8 +146,8 @@ def check_set(
             findings = [_without_remedy(finding) for finding in findings]
         report.severities.update(finding.severity for finding in findings)
         report.found += [
-            ToldFinding(name, finding, checked.size)
-            for finding in findings
+            ToldFinding(name, finding, checked.size, found.key)
+            for finding, found in zip(findings, checked.found, strict=True)
             if finding.severity.rank <= least.rank
         ]
     report.described, report.remarks = run.describe(), run.sizes.remarks()
@@ -171,7 +173,7 @@ def findings_csv(report: CheckReport) -> bytes:
     """
     rows: list[Row] = []
     nothing = (None,) * 4  # suggestion, point, error and model
-    for name, finding, size in report.found:
+    for name, finding, size, _ in report.found:
         elements = "; ".join(finding.elements)
         words = (name, finding.severity.value, finding.rule.value, elements, finding.reason)
         point = None if finding.point is None else finding.point + 1
@@ -282,7 +284,7 @@ def findings_table(report: CheckReport, *, in_file: bool) -> Sheet:
     )
     rows = tuple(
         (name, finding.severity.value, finding.reason, _suggestion(finding))
-        for name, finding, _ in worst[:_SHOWN]
+        for name, finding, _, _ in worst[:_SHOWN]
     )
     more = len(worst) - _SHOWN
     where = "in the file" if in_file else "with --output"

@@ -204,10 +204,15 @@ def over_time_bytes(found: Sequence[SourceOverTime], path: Path) -> bytes:
         UsageError: another suffix.
     """
     if path.suffix.lower() == ".json":
-        sheets = (shots_sheet(found), breaks_sheet(found), frames_sheet(found))
-        return json_bytes({sheet.name: sheet_entry(sheet) for sheet in sheets})
+        return json_bytes(over_time_entries(found))
     check_suffix(path)
     return csv_bytes(frames_sheet(found))
+
+
+def over_time_entries(found: Sequence[SourceOverTime]) -> dict[str, Any]:
+    """All figures over time, for a file: shots, jumps and outages, frames."""
+    sheets = (shots_sheet(found), breaks_sheet(found), frames_sheet(found))
+    return {sheet.name: sheet_entry(sheet) for sheet in sheets}
 
 
 def check_suffix(path: Path) -> None:

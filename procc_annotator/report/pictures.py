@@ -3,41 +3,21 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.metric.measure import Measurement, measure
-from procc_annotator.metric.project import ProjectedField, project_paint
-from procc_annotator.metric.score import FrameScore, score_to_read
+from procc_annotator.metric.measure import measure
+from procc_annotator.metric.project import project_paint
+from procc_annotator.metric.score import score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.scenes import Paint, Scene
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace
-
-
-@dataclass(frozen=True)
-class Scene:
-    """Everything a picture shows.
-
-    Without ``image_path`` it is drawn on plain ground of the evaluation's size.
-    """
-
-    image_path: Path | None
-    annotation: FrameAnnotation
-    setup: EvaluationSetup
-    measurement: Measurement | None
-    score: FrameScore | None
-    title: str = ""
-    source: str = ""  # what the cameras that were scored are called
-    paint: ProjectedField | None = None  # the borders of painted lines, where they are wanted
-
-
-Paint = Callable[[Scene], bytes]
-"""Turns a scene into an encoded picture; raises ImageError for one that cannot be decoded."""
 
 
 @dataclass

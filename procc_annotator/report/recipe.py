@@ -16,8 +16,8 @@ import msgspec
 
 import procc_annotator
 from procc_annotator.errors import InputError
+from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_official
 from procc_annotator.io.source import read_file
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
@@ -77,7 +77,7 @@ class RecipeField:
         given: what was asked for by name or file (relative as other paths); None for the set's own.
         lines: where lines lie, if that was asked for.
         described: name and dimensions, for people.
-        sha256: of names and places of all elements.
+        sha256: see `field.fingerprint`.
     """
 
     given: str | None
@@ -170,14 +170,7 @@ def figures_of(
 
 def field_of_recipe(shown: Field, given: str | None, lines: str | None) -> RecipeField:
     """What identifies a field: names and places of all that is evaluated."""
-    samples = sample_official(shown)
-    digest = hashlib.sha256()
-    for row, element in enumerate(shown.elements):
-        digest.update(repr((element.name, element.on_ground, element.optional)).encode())
-        digest.update(samples.of(row).round(9).tobytes())
-    for turn in shown.symmetries:
-        digest.update(repr(turn.turn_rad).encode())
-    return RecipeField(given, lines, shown.described, digest.hexdigest())
+    return RecipeField(given, lines, shown.described, field_fingerprint(shown))
 
 
 def setup_of(evaluation: RecipeEvaluation, shown: Field) -> EvaluationSetup:

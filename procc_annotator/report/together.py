@@ -70,7 +70,7 @@ def before_after_table(
     for word, summaries in zip(words, (before, after), strict=True):
         first = next(iter(summaries.values()))
         jacs = (s.mean_jac for s in summaries.values())
-        rows.append((word, *jacs, first.mean_reprojection_error, first.evaluated, first.images))
+        rows.append((word, *jacs, first.mean_error, first.evaluated, first.images))
     return Sheet("before_after", "On the fitted points", columns, tuple(rows))
 
 
@@ -127,5 +127,5 @@ def _scores(size: FieldSize) -> Row:
     """Before and after, of JaC at each threshold and of the mean error."""
     pairs = [(size.before[tau].mean_jac, size.after[tau].mean_jac) for tau in size.before]
     first = next(iter(size.before))
-    error = tuple(s[first].mean_reprojection_error for s in (size.before, size.after))
+    error = tuple(s[first].mean_error for s in (size.before, size.after))
     return tuple(value for pair in (*pairs, error) for value in pair)

@@ -63,6 +63,11 @@ class TrackTable:
         """Whether all of these are done."""
         return all(frame.name in self.rows for frame in frames)
 
+    def lost(self, frames: Iterable[Frame]) -> set[str]:
+        """The names of those that have no camera."""
+        done = {frame.name: self.rows.get(frame.name) for frame in frames}
+        return {name for name, row in done.items() if row is not None and row["state"] == "lost"}
+
     def forget(self, frames: Iterable[Frame]) -> None:
         """These are not done: they are to be followed again."""
         for frame in frames:

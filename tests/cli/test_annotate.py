@@ -13,7 +13,7 @@ import pytest
 from procc_annotator.api import evaluate, load_annotation
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.facts.origins import OriginKind, count_origins
+from procc_annotator.session.facts.origins import Origin, OriginKind, count_origins
 from procc_annotator.session.runs import annotation_run
 from tests.drawn_shots import DrawnShot, soccer_shot
 
@@ -107,6 +107,22 @@ def test_their_points_are_proposed_wherever_the_set_is_opened(cli, match, tmp_pa
     again = elsewhere / "00000.json"
     assert again.read_bytes() == first.read_bytes()
     assert kinds_of(elsewhere, again) == {OriginKind.PROPOSED: points}
+
+
+def test_points_that_a_person_accepted_at_the_same_places_stay_theirs(cli, match, tmp_path) -> None:
+    arguments = "--cameras", match.cameras
+    assert cli("annotate", match.pictures, match.annotations, *arguments).exit_code == 0
+    first = match.annotations / "00000.json"
+    database = WorkspaceDatabase.open(match.pictures, "somebody")
+    known = database.origins("00000")
+    database.put_origins("00000", {k: Origin(OriginKind.ACCEPTED, "somebody", 1.0) for k in known})
+    database.close()
+
+    elsewhere = tmp_path / "elsewhere"
+    assert cli("annotate", match.pictures, elsewhere, *arguments).exit_code == 0
+
+    assert set(kinds_of(match.pictures, first)) == {OriginKind.ACCEPTED}
+    assert set(kinds_of(elsewhere, elsewhere / "00000.json")) == {OriginKind.PROPOSED}
 
 
 def test_what_is_annotated_stays_and_a_run_goes_on(cli, match) -> None:

@@ -350,9 +350,21 @@ def test_fits_that_the_official_evaluation_folds_into_the_picture_are_told(cli, 
     assert told.endswith(": wide")
 
 
-def test_the_tables_say_which_labels_the_errors_are_of(cli, dataset, tmp_path) -> None:
-    said = "evaluate takes the mirrored ones"
-    done = cli("calibrate", dataset.annotations, tmp_path / "a")
-    assert " ".join(done.stdout.split()).count(said) == 2  # summary and worst frames
-    clear = cli("calibrate", dataset.annotations, tmp_path / "b", "--protocol", "procc")
-    assert said not in " ".join(clear.stdout.split())
+def test_a_camera_has_one_mean_error_in_calibrate_and_in_evaluate(cli, dataset, tmp_path) -> None:
+    """At a tau no click is below, where the official evaluation takes all labels mirrored."""
+    out = tmp_path / "fits"
+    assert cli("calibrate", dataset.annotations, out, "-t", 0.0001).exit_code == 0
+    scores = tmp_path / "scores.json"
+    done = cli("evaluate", dataset.annotations, out, "-t", 0.0001, "--output", scores)
+    assert done.exit_code == 0, done.output
+    with (out / "calibration.csv").open() as file:
+        own = {row["name"]: row for row in csv.DictReader(file)}
+    images = json.loads(scores.read_text())["images"]
+    assert len(images) == len(own) > 1
+    for image in images:
+        result = image["results"]["0.0001"]
+        for key in ("mean_error", "mean_reprojection_error"):
+            assert float(own[image["name"]][key]) == pytest.approx(result[key], abs=1e-6)
+        assert result["mean_error"] < 1
+    results = [image["results"]["0.0001"] for image in images]
+    assert any(r["mirrored"] and r["mean_reprojection_error"] > 100 for r in results)

@@ -42,7 +42,7 @@ def test_intervals_and_differences_are_printed_and_written(cli, methods) -> None
     assert before["evaluations"] == after["evaluations"]
     assert "chance" not in before
     found = chance(methods / "out.json")
-    assert list(found) == ["set", "described", *SHEETS]
+    assert list(found) == ["set", "described", *SHEETS, "difference_curves"]
     (row,) = found["differences"]["rows"]
     assert (row["a"], row["b"], row["shared"], row["only_a"]) == ("A", "B", 4, 1)
     assert row["verdict"] == "undecided"
@@ -87,6 +87,7 @@ def test_what_the_clicks_leave_open_and_strata_of_the_cameras(cli, methods) -> N
     assert done.exit_code == 0, done.output
     found = chance(methods / "out.json")
     rest = ["power", "clicks", "clicked_differences", "by_zoom", "by_elements", "by_side"]
+    rest.append("difference_curves")
     assert list(found)[2:] == [*SHEETS, *rest]
     jac = found["clicks"]["rows"][0]
     assert jac["moved_jac"] < jac["mean_jac"] == 1.0

@@ -139,12 +139,12 @@ def test_groups_by_tag_and_model(cli, sets) -> None:
     assert "note: tags.csv: 1 row of no annotated frame (00012)" in done.stderr
     found = load(sets / "out.json")
     assert list(found) == [*KEYS, "groups"]
-    assert found["images"][0]["groups"] == {"light": "day", "model": "pinhole"}
+    assert found["images"][0]["groups"] == {"light": "day", "model": "pinhole P"}
     assert found["images"][2]["groups"] == {"light": "dusk", "model": None}
     groups = [(g["by"], g["value"], g["images"], g["evaluated"]) for g in found["groups"]]
     assert groups == [
         ("light", "day", 2, 2), ("light", "dusk", 1, 0), ("light", None, 2, 2),
-        ("model", "pinhole", 4, 4), ("model", None, 1, 0),
+        ("model", "pinhole P", 4, 4), ("model", None, 1, 0),
     ]  # fmt: skip
     assert found["groups"][0]["summary"]["5"]["mean_jac"] == 1
     shown = done.stdout.split("By light")[1]
@@ -238,3 +238,13 @@ def test_a_reader_that_has_seen_enough_is_no_error(sets) -> None:
         )  # fmt: skip
     assert (done.returncode, done.stderr) == (141, "")
     assert len(table(sets / "b.csv")) == 18
+
+
+def test_several_tables_grow_at_once_in_folders_that_are_made(cli, dataset, tmp_path) -> None:
+    tables = [tmp_path / "new" / "deep" / "a.csv", tmp_path / "b.csv"]
+    scores = tmp_path / "other" / "scores.json"
+    options = [word for table in tables for word in ("--table", table)]
+    done = cli("evaluate", dataset.annotations, dataset.cameras, *options, "--output", scores)
+    assert done.exit_code == 0, done.stderr
+    assert scores.exists()
+    assert tables[0].read_bytes() == tables[1].read_bytes() != b""

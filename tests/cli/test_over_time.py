@@ -70,6 +70,23 @@ def test_a_table_beside_the_annotations_tells_the_shots(cli, shot: Path) -> None
     assert shots[:3] == [("true", "all 2 shots", 30), ("true", "one", 15), ("true", "two", 15)]
 
 
+def test_a_report_has_a_page_of_it(cli, shot: Path) -> None:
+    html, found, tex = (shot / f"report.{suffix}" for suffix in ("html", "json", "tex"))
+    sources = [f"--cameras={name}={shot / name}" for name in ("true", "late")]
+    files = [f"--output={path}" for path in (html, found, tex)]
+    still = ("--worst", "0", "--random", "0", "--over-time")
+    done = cli("report", shot / "annotations", *sources, *files, *still)
+    assert done.exit_code == 0, done.output
+    page = html.read_text()
+    assert '<section id="over-time">' in page
+    assert "cameras are 1 frame late" in page
+    assert "Jitter of every frame" in page
+    assert "Jumps and outages" in page
+    rows = json.loads(found.read_text())["over_time"]["rows"]
+    assert [row["offset_frames"] for row in rows] == [0, 1]
+    assert "jitter" in tex.read_text()
+
+
 def test_options_that_cannot_be(cli, shot: Path, tmp_path: Path) -> None:
     done = cli(*arguments(shot)[:-1], f"--shots={shot / 'x.csv'}")
     assert done.exit_code == 2

@@ -123,6 +123,25 @@ def test_annotated_frames_are_passed_over(cli, dataset, pretend, fits, tmp_path)
     assert list(table(tmp_path / "all")) == NAMES
 
 
+def test_a_damaged_annotation_is_named_and_its_frame_passed_over(
+    cli, bare, pretend, fits, tmp_path
+) -> None:
+    (bare.annotations / "2.json").write_text("{")
+    pretend([proposal(fits[name], "sure") for name in NAMES if name != "2"])
+    done = cli("propose", bare.root, tmp_path / "out")
+    assert done.exit_code == 1
+    assert "passed over: 1 frame whose annotation cannot be read (--all)" in done.stdout
+    assert "2.json" in done.stderr
+    assert "2" not in table(tmp_path / "out")
+
+
+def test_not_among_the_pictures(cli, bare, pretend, fits) -> None:
+    pretend([])
+    done = cli("propose", bare.root, bare.root)
+    assert done.exit_code == 2
+    assert "holds the files to be read, write to another folder" in done.stderr
+
+
 def test_sure_frames_tell_the_others_where_the_camera_stands(
     cli, bare, pretend, fits, tmp_path
 ) -> None:

@@ -220,6 +220,17 @@ def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_pa
     rows = table(tmp_path / "out")
     assert len(rows) == FRAMES
     assert "cannot be decoded" in rows[0]["reason"]
+    again = cli("track", match, tmp_path / "out")
+    assert "followed before: " in again.stdout
+    assert again.exit_code == 1
+    assert again.stderr == done.stderr
+
+
+def test_not_among_the_pictures(cli, pictures, cameras) -> None:
+    done = cli("track", pictures, pictures, "--cameras", cameras)
+    assert done.exit_code == 2
+    assert "holds the files to be read, write to another folder" in done.stderr
+    assert not list(pictures.glob("*.json"))
 
 
 @pytest.mark.parametrize("stopped_in", [0, CUT])

@@ -41,9 +41,9 @@ def sources(shared_data: Path) -> tuple[SourceSums, ...]:
                 for key, own in ratios.items():
                     mean = own.parts[:, at].sum() / own.wholes[:, at].sum()
                     assert mean == pytest.approx(getattr(summary, key), abs=1e-12)
-                errors = found[-1].ratios("mean_reprojection_error")
+                errors = found[-1].ratios("mean_error")
                 mean = errors.parts[:, at].sum() / errors.wholes[:, at].sum()
-                assert mean == pytest.approx(summary.mean_reprojection_error, abs=1e-9)
+                assert mean == pytest.approx(summary.mean_error, abs=1e-9)
     return tuple(found)
 
 

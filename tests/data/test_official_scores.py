@@ -80,7 +80,9 @@ def test_every_count_flag_and_figure_is_the_official_one(real_set: RealSet):
             assert found == {key: theirs[key] for key in found}, f"{name} at {tau} px"
             assert ours.jac == pytest.approx(theirs["jac"], abs=1e-6), name
             error = theirs["mean_reprojection_error"]
-            assert ours.mean_error == (None if error is None else pytest.approx(error, abs=5e-4))
+            assert ours.mean_reprojection_error == (
+                None if error is None else pytest.approx(error, abs=5e-4)
+            )
     check_summary(accumulator, real_set.expected["summary"])
 
 

@@ -18,9 +18,9 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.states import ElementState, element_states
-from procc_annotator.gui.picture.overlay_picture import OverlayLook
 from procc_annotator.gui.plots.curves import TauPage, TimelinePage
 from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.report.scenes import OverlayLook
 from procc_annotator.session.facts.origins import Status
 from tests.gui.conftest import Hand, MakeWindow, all_done, settle
 

@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QDialogButtonBox, QFileDialog
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
-from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
+from procc_annotator.gui.picture.overlay_picture import OverlayPictures
 from procc_annotator.gui.tasks.files.overlay_saving import OverlayDialog
-from procc_annotator.report.pictures import Scene
+from procc_annotator.report.scenes import OverlayLook, Scene
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -19,7 +19,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.plots.curves import TauPage, TimelinePage
+from procc_annotator.gui.plots.curves import DifferencePage, TauPage, TimelinePage
 from procc_annotator.gui.plots.errors import HistogramPage, RadiusPage
 from procc_annotator.gui.plots.looks import contrast, dash_of, readable, symbol_of
 from procc_annotator.gui.plots.poses import AnglesPage, PosesPage, PositionPage
@@ -33,6 +33,7 @@ from tests.gui.conftest import MakeWindow, all_done
 SETS = ("true", "bad", "homography")
 PAGES = (
     TauPage,
+    DifferencePage,
     TimelinePage,
     SteadyPage,
     HistogramPage,
@@ -212,6 +213,8 @@ class TestTau:
         mean = np.mean([a.jac_at(5.0) for a in audits.values()])
         at_5 = next(row for row in rows if row["tau_px"] == "5.0")
         assert float(at_5["jac bad"]) == pytest.approx(mean, abs=1e-5)
+        assert float(at_5["low bad"]) < mean < float(at_5["high bad"])
+        assert "95 % bands" in plotted.plots.notes.text() + plotted.plots.notes.toolTip()
         assert f"bad ({len(audits)} of 14)" in plotted.plots.legend.text
 
     def test_an_edit_is_seen_at_once(self, plotted: MainWindow, qtbot: QtBot) -> None:
@@ -220,6 +223,31 @@ class TestTau:
         before = plotted.plots._data.curves[1].copy()
         document.commit_edit("clear", document.annotation.without(document.annotation.annotated[0]))
         qtbot.waitUntil(lambda: not np.array_equal(plotted.plots._data.curves[1], before))
+
+
+class TestDifference:
+    def test_the_judged_source_less_the_others_on_the_frames_both_have(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(plotted, qtbot, DifferencePage, "set")
+        rows = numbers(plotted, qtbot, tmp_path / "t.csv")
+        assert list(rows[0])[1:4] == [f"{kind} bad less true" for kind in ("jac", "low", "high")]
+        bad, true = (plotted.document.sources[at].audits for at in (1, 0))
+        off = np.mean(
+            [bad[name].jac_at(5.0) - true[name].jac_at(5.0) for name in bad if name in true]
+        )
+        at_5 = next(row for row in rows if row["tau_px"] == "5.0")
+        assert float(at_5["jac bad less true"]) == pytest.approx(off, abs=1e-5)
+        assert float(at_5["low bad less true"]) <= off <= float(at_5["high bad less true"])
+
+    def test_one_source_alone_has_nothing_to_be_compared_with(
+        self, plotted: MainWindow, qtbot: QtBot
+    ) -> None:
+        show(plotted, qtbot, DifferencePage, "set")
+        for at in (0, 2):
+            plotted.document.set_source_visible(plotted.document.sources[at], False)
+        settle(plotted, qtbot)
+        assert "One source alone" in plotted.plots.page.empty.text()
 
 
 class TestErrors:

@@ -148,7 +148,7 @@ class TestRows:
             label = child(audited, QLabel, f"cameras_jac_{index}")
             qtbot.waitUntil(lambda label=label, text=expected: label.text() == text)
         assert child(audited, QLabel, "cameras_matched_1").text() == "5 of 6 (83 %)"
-        assert child(audited, QLabel, "cameras_model_1").text() == "pinhole"
+        assert child(audited, QLabel, "cameras_model_1").text() == "pinhole P"
         audited.document.set_tau(12.0)
         expected = f"JaC {mean_jac(audited, 'bad', 12.0):.3f}"
         assert expected != f"JaC {mean_jac(audited, 'bad', 5.0):.3f}"

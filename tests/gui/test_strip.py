@@ -119,7 +119,24 @@ class TestWhereItIs:
 
         assert sequence_of(frames) is not None
         assert sequence_of(frames[: FEWEST - 1]) is None
-        assert sequence_of(frames[::2]) is None  # every second one is missing
+        gaps = [frame for i, frame in enumerate(frames) if i % 3]
+        assert sequence_of(gaps) is None  # one is missing again and again
+
+    def test_names_may_count_by_more_than_one(self, tmp_path: Path) -> None:
+        for number in range(COUNT):
+            cv2.imwrite(str(tmp_path / f"match_{5 * number:06d}.png"), panned(2 * number))
+        frames = list_frames(tmp_path)[1]
+
+        every_fifth = sequence_of(frames)
+
+        assert every_fifth is not None
+        assert every_fifth.step == 5
+        assert every_fifth.numbers.tolist() == list(range(COUNT))
+        assert every_fifth.paths[3] == frames[3].image_path
+        assert every_fifth.fps == 5.0
+        found = sequence_of([*frames[:4], *frames[5:]])
+        assert found is not None
+        assert 4 not in found.index_of
 
     def test_it_does_not_come_while_a_hand_works(
         self, make_window: MakeWindow, dataset: Path, shot: Path, qtbot: QtBot

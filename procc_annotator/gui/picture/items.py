@@ -20,6 +20,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygon
 
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
+from procc_annotator.interact.label_places import place_apart
 from procc_annotator.interact.overlay_shapes import Box, FilledArea, Labels, Marks, Overlay, Strokes
 
 Array = NDArray[np.float64]
@@ -46,6 +47,7 @@ def paint_overlay(
     clip: QRectF | None = None,
     room: QRectF | None = None,
     labelled: bool = True,
+    apart: bool = False,
 ) -> None:
     """Paint an overlay.
 
@@ -58,6 +60,8 @@ def paint_overlay(
         clip: what needs painting, in device px; None for the whole device.
         room: what can be seen of the device; texts of points in it stay inside. None for all.
         labelled: whether with its texts.
+        apart: whether texts give way to each other; for whole pictures, since where one goes then
+            depends on all others.
     """
     area = clip if clip is not None else QRectF(painter.viewport())
     seen = room if room is not None else QRectF(painter.viewport())
@@ -78,7 +82,7 @@ def paint_overlay(
         if _touches(marks.box, near):
             _paint_marks(painter, marks, view, near)
     if labelled:
-        _paint_labels(painter, overlay.labels, view, seen)
+        _paint_labels(painter, overlay.labels, view, seen, apart=apart)
     painter.restore()
 
 
@@ -287,7 +291,9 @@ def _paint_marks(painter: QPainter, marks: Marks, view: _View, near: Box) -> Non
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _paint_labels(painter: QPainter, groups: Sequence[Labels], view: _View, room: QRectF) -> None:
+def _paint_labels(
+    painter: QPainter, groups: Sequence[Labels], view: _View, room: QRectF, *, apart: bool
+) -> None:
     reach = view.reach(_LABEL_REACH * view.unit)
     near = [(labels, *at) for labels in groups for at in view.places(labels.positions, reach)]
     if not near:
@@ -297,15 +303,22 @@ def _paint_labels(painter: QPainter, groups: Sequence[Labels], view: _View, room
     font.setPixelSize(max(1, round(_FONT_PIXELS * unit)))
     painter.setFont(font)
     metrics, known = QFontMetricsF(font), (font.family(), font.pixelSize())
-    letter = metrics.height()
+    letter, taken = metrics.height(), list[Box]()
     for labels, row, x, y in near:
         text, sign = labels.texts[row], _SIGN * unit if labels.sign else 0.0
         # A plate behind the text keeps it readable on grass, lines and crowd alike.
         wide = _width(text, known, metrics) + (8 * unit if text else 4 * unit) + sign
         size = QSizeF(wide, max(letter, sign) + 2 * unit)
         plate = place_label(QPointF(x, y), size, room, unit, below=labels.below)
+        if apart:
+            taken.append(place_apart(_box(plate), taken, _box(room)))
+            plate.moveTo(*taken[-1][:2])
         if plate.intersects(view.area):
             _paint_label(painter, labels, text, plate, unit)
+
+
+def _box(rectangle: QRectF) -> Box:
+    return rectangle.left(), rectangle.top(), rectangle.right(), rectangle.bottom()
 
 
 def _width(text: str, font: tuple[str, int], metrics: QFontMetricsF) -> float:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from base64 import b64encode
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -12,50 +11,23 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.errors import SaveError, UsageError
+from procc_annotator.errors import SaveError
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.legend import LegendBand
-from procc_annotator.image.decode import PixelArray, decode_bgra
+from procc_annotator.image.decode import PixelArray
 from procc_annotator.interact.legend import legend_of
 from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
-from procc_annotator.report.pictures import Scene
+from procc_annotator.report.scenes import (
+    GROUND_BGRA,
+    OverlayLook,
+    Scene,
+    caption,
+    check_overlay_suffix,
+    check_pixels,
+    pixels_of,
+)
 
-SUFFIXES = (".png", ".jpg", ".svg")
-MIN_SCALE, MAX_SCALE = 0.05, 16.0
-MOST_PIXELS = 100_000_000  # of a painted picture, 0.8 GB meanwhile; an SVG has none
-
-# At this width a point is a pixel; lines on larger pictures grow with them, as on a larger sheet.
-_WIDTH_OF_POINTS = 1280.0
-# Below this many px a point, texts on a reduced picture could not be read.
-_SMALLEST_UNIT = 0.8
-_GROUND_BGRA = (60, 92, 58, 255)
 _JPEG = (cv2.IMWRITE_JPEG_QUALITY, 88)
-
-
-@dataclass(frozen=True, slots=True)
-class OverlayLook:
-    """How an overlay picture is made.
-
-    Attributes:
-        scale: px of the result per px of the picture; lines and text grow with it.
-        legend: whether a band below the picture says what colours, dashes and marks mean.
-        widest: px; larger results are made smaller than ``scale`` asks.
-        emphasis: how much larger than in the window lines, marks and text are, for pictures that
-            are shown small.
-        caption: whether JaC and protocol stand in the picture (with a legend they stand there).
-    """
-
-    scale: float = 1.0
-    legend: bool = False
-    widest: int | None = None
-    emphasis: float = 1.0
-    caption: bool = True
-
-    def __post_init__(self) -> None:
-        if not MIN_SCALE <= self.scale <= MAX_SCALE:
-            raise UsageError(
-                f"the scale must be between {MIN_SCALE:g} and {MAX_SCALE:g}, not {self.scale:g}"
-            )
 
 
 class OverlayPictures:
@@ -66,8 +38,7 @@ class OverlayPictures:
     """
 
     def __init__(self, suffix: str, look: OverlayLook | None = None) -> None:
-        if suffix not in SUFFIXES:
-            raise UsageError(f"overlay pictures are {', '.join(SUFFIXES)}, not {suffix or 'that'}")
+        check_overlay_suffix(suffix)
         self._suffix = suffix
         self._look = look if look is not None else OverlayLook()
         # Text needs an application object, though no display; it must outlive the painting.
@@ -92,14 +63,10 @@ class _Drawing:
     def __init__(self, scene: Scene, look: OverlayLook) -> None:
         self._scene = scene
         self._caption = caption(scene) if look.caption else ""
-        self._pixels = _ground(scene) if scene.image_path is None else decode_bgra(scene.image_path)
+        self._pixels = pixels_of(scene)
         height, width = self._pixels.shape[:2]
-        scale = look.scale
-        if look.widest is not None:
-            scale = min(scale, look.widest / width)
-        self._scale = scale
-        self._size = max(1, round(width * scale)), max(1, round(height * scale))
-        self._unit = max(_SMALLEST_UNIT, max(1.0, width / _WIDTH_OF_POINTS) * scale * look.emphasis)
+        self._scale, self._unit = look.scale_and_unit(width)
+        self._size = max(1, round(width * self._scale)), max(1, round(height * self._scale))
         shown = ToDraw(
             annotation=scene.annotation,
             size=scene.setup.size,
@@ -133,10 +100,7 @@ class _Drawing:
     def raster(self, suffix: str) -> bytes:
         """The picture as PNG or JPEG."""
         width, height = self._whole
-        if width * height > MOST_PIXELS:
-            raise UsageError(
-                f"{width}x{height} pixels are too many; choose a smaller scale, or .svg"
-            )
+        check_pixels(width, height)
         canvas = np.zeros((height, width, 4), dtype=np.uint8)
         canvas[: self._size[1]] = self._resized()
         # Painting goes straight into the array, whose memory the image shares.
@@ -173,7 +137,7 @@ class _Drawing:
         """The picture below the strokes, as an SVG element."""
         width, height = self._size
         if self._scene.image_path is None:
-            blue, green, red, _ = _GROUND_BGRA
+            blue, green, red, _ = GROUND_BGRA
             return f'<rect width="{width}" height="{height}" fill="rgb({red},{green},{blue})"/>'
         lossless = self._scene.image_path.suffix.lower() in (".png", ".bmp")
         suffix, kind = (".png", "png") if lossless else (".jpg", "jpeg")
@@ -200,19 +164,14 @@ class _Drawing:
         painter.save()
         painter.setClipRect(area)
         paint_overlay(
-            painter, self._overlay, scale=self._scale, unit=self._unit, clip=area, room=area
-        )
+            painter, self._overlay, scale=self._scale, unit=self._unit, clip=area, room=area,
+            apart=True,
+        )  # fmt: skip
         painter.restore()
         if self._band is None:
             _paint_caption(painter, self._caption, area, self._unit)
         else:
             self._band.paint(painter, float(height))
-
-
-def _ground(scene: Scene) -> PixelArray:
-    """Plain ground of the evaluation's size, for frames without a picture."""
-    width, height = scene.setup.size
-    return np.full((height, width, 4), _GROUND_BGRA, dtype=np.uint8)
 
 
 def _with_picture(svg: bytes, picture: str, width: int, height: int) -> bytes:
@@ -227,17 +186,6 @@ def _with_picture(svg: bytes, picture: str, width: int, height: int) -> bytes:
     # A reader without the font must not fall back to one with serifs, which is of another width.
     drawn = rest.replace('" font-size="', ', sans-serif" font-size="')
     return f"{sized}{end}\n{picture}{drawn}".encode()
-
-
-def caption(scene: Scene) -> str:
-    """What the picture shows: whose score, with protocol and size; empty without a score."""
-    if scene.score is None or scene.measurement is None:
-        return ""
-    ground_only = scene.measurement.projected.ground_only
-    words = f"JaC@{scene.score.threshold:g} {scene.score.jac:.3f}"
-    labels = ", labels mirrored" if scene.score.mirrored else ""
-    whose = f"{scene.source}: " if scene.source else ""
-    return f"{whose}{words}  ({scene.setup.describe(ground_only)}{labels})"
 
 
 def _paint_caption(painter: QPainter, text: str, area: QRectF, unit: float) -> None:

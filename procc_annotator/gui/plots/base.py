@@ -176,6 +176,19 @@ class PlotPage(QWidget, Generic[D]):
         item.setBrush(self.colour(source, alpha), update=False)
         return item
 
+    def shade(
+        self, source: PlottedSource, x: FloatArray, low: FloatArray, high: FloatArray
+    ) -> None:
+        """A band of a source's colour between two curves, where both are known."""
+        known = np.isfinite(low) & np.isfinite(high)
+        if not known.any():
+            return
+        band = self.items[0].take("band", source.number, self.pg.PlotCurveItem)
+        around = np.concatenate((x[known], x[known][::-1]))
+        edges = np.concatenate((low[known], high[known][::-1]))
+        fill = self.pg.mkBrush(self.colour(source, 0.15))
+        band.setData(around, edges, pen=None, fillLevel="enclosed", brush=fill)
+
     def cloud(self, source: PlottedSource, x: FloatArray, y: FloatArray) -> None:
         """Dots of a source: with its symbol, or many small faint ones."""
         if len(x) <= _MANY_DOTS:

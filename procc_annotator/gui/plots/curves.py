@@ -13,6 +13,7 @@ from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.session.runs.audit import TAU_GRID
+from procc_annotator.session.runs.audit_bands import AuditBand, difference_band, mean_band
 from procc_annotator.session.runs.audit_figures import FloatArray, Table, mean_curve, timeline
 
 _SMALL = 120  # logical px: a plot less high or wide than this has no line to drag
@@ -20,10 +21,11 @@ _SMALL = 120  # logical px: a plot less high or wide than this has no line to dr
 
 @dataclass(frozen=True, eq=False)
 class JacCurves:
-    """Per source: its curve over `TAU_GRID`, and from how many frames."""
+    """Per source: its curve over `TAU_GRID`, and from how many frames; of a set with bands."""
 
     curves: tuple[FloatArray, ...]
     frames: tuple[int, ...]
+    bands: tuple[AuditBand, ...] = ()
 
 
 class TauPage(PlotPage[JacCurves]):
@@ -47,12 +49,17 @@ class TauPage(PlotPage[JacCurves]):
     @staticmethod
     def compute(request: PlotRequest) -> JacCurves:
         chosen = [request.audits(source) for source in request.sources]
-        return JacCurves(tuple(mean_curve(some) for some in chosen), tuple(map(len, chosen)))
+        bands: tuple[AuditBand, ...] = ()
+        if request.scope == "set":
+            bands = tuple(mean_band(source.audits, request.frames) for source in request.sources)
+        return JacCurves(tuple(mean_curve(some) for some in chosen), tuple(map(len, chosen)), bands)
 
     def draw(self, data: JacCurves, request: PlotRequest) -> str:
         self._shown = data, request
         items = self.items[0]
         items.start()
+        for source, own in zip(request.sources, data.bands, strict=False):
+            self.shade(source, TAU_GRID, own.band.low, own.band.high)
         for source, curve, count in zip(request.sources, data.curves, data.frames, strict=True):
             if count:
                 line = items.take("curve", source.number, self.pg.PlotCurveItem)
@@ -60,9 +67,12 @@ class TauPage(PlotPage[JacCurves]):
         items.finish()
         self.mark(request)
         self.say_empty("" if any(data.frames) else request.why_nothing(_nothing(request)))
+        said = []
         if request.scope == "set" and len(set(data.frames)) > 1:
-            return "Each curve is the mean of the frames that source has a camera for."
-        return ""
+            said.append("Each curve is the mean of the frames that source has a camera for.")
+        if any(np.isfinite(own.band.low).any() for own in data.bands):
+            said.append(f"Shaded: 95 % bands, {data.bands[0].clustered}.")
+        return " ".join(said)
 
     def mark(self, request: PlotRequest) -> None:
         if self.line.value() != request.tau:
@@ -79,8 +89,13 @@ class TauPage(PlotPage[JacCurves]):
 
     @staticmethod
     def table(data: JacCurves, request: PlotRequest) -> Table:
-        header = ("tau_px", *(f"jac {source.name}" for source in request.sources))
-        return Table(header, (TAU_GRID, *data.curves))
+        names = [source.name for source in request.sources]
+        header = ["tau_px", *(f"jac {name}" for name in names)]
+        columns = [TAU_GRID, *data.curves]
+        for name, own in zip(names, data.bands, strict=False):
+            header += [f"low {name}", f"high {name}"]
+            columns += [own.band.low, own.band.high]
+        return Table(tuple(header), tuple(columns))
 
     def _hover(self, at: QPointF) -> None:
         if self._shown is None or not self.item.sceneBoundingRect().contains(at):
@@ -95,6 +110,81 @@ class TauPage(PlotPage[JacCurves]):
             if n
         ]
         self.readout.emit(" · ".join([f"tau {TAU_GRID[column]:.1f} px", *values]))
+
+
+@dataclass(frozen=True, eq=False)
+class Differences:
+    """The judged source less each other one, over `TAU_GRID`.
+
+    Attributes:
+        first: the source that the others are taken from.
+        others, bands: one each.
+    """
+
+    first: PlottedSource | None
+    others: tuple[PlottedSource, ...]
+    bands: tuple[AuditBand, ...]
+
+
+class DifferencePage(PlotPage[Differences]):
+    """JaC of the judged source less that of others over tau, on the frames both have."""
+
+    title = "JaC over tau, differences"
+    scopes: tuple[Scope, ...] = ("set",)
+
+    def __init__(self) -> None:
+        super().__init__("plot_difference")
+        self.item = self.add_plot(0, "tau (px)", "JaC, difference", movable=False)
+        self.item.setXRange(0, MAX_TAU, padding=0.01)
+        self.zero = self.pg.InfiniteLine(angle=0, movable=False)
+        self.item.addItem(self.zero, ignoreBounds=True)
+        self.restyle()
+
+    @staticmethod
+    def compute(request: PlotRequest) -> Differences:
+        first = next((s for s in request.sources if s.active), next(iter(request.sources), None))
+        others = tuple(s for s in request.sources if s is not first)
+        if first is None:
+            return Differences(None, (), ())
+        found = tuple(difference_band(first.audits, s.audits, request.frames) for s in others)
+        return Differences(first, others, found)
+
+    def draw(self, data: Differences, request: PlotRequest) -> str:
+        items = self.items[0]
+        items.start()
+        shown = [own for own in data.bands if own.frames]
+        for source, own in zip(data.others, data.bands, strict=True):
+            if own.frames:
+                self.shade(source, TAU_GRID, own.band.low, own.band.high)
+                line = items.take("curve", source.number, self.pg.PlotCurveItem)
+                line.setData(TAU_GRID, own.band.values, pen=self.pen(source))
+        items.finish()
+        self.item.vb.autoRange(padding=0.05)
+        self.say_empty("" if shown else request.why_nothing(_nothing_to_compare(data)))
+        if not shown or data.first is None:
+            return ""
+        return (
+            f"{data.first.name} less each other source, on the frames both have. Beyond chance"
+            f" where the 95 % band lies beside 0; {shown[0].clustered}."
+        )
+
+    def restyle(self) -> None:
+        self.zero.setPen(self.pg.mkPen(self.palette().color(QPalette.ColorRole.Text), width=1))
+
+    @staticmethod
+    def table(data: Differences, request: PlotRequest) -> Table:
+        header, columns = ["tau_px"], [TAU_GRID]
+        for source, own in zip(data.others, data.bands, strict=True):
+            first = "" if data.first is None else data.first.name
+            header += [f"{kind} {first} less {source.name}" for kind in ("jac", "low", "high")]
+            columns += [own.band.values, own.band.low, own.band.high]
+        return Table(tuple(header), tuple(columns))
+
+
+def _nothing_to_compare(data: Differences) -> str:
+    if len(data.others) < 1:
+        return "One source alone has nothing to be compared with.\nLoad or show another one."
+    return "No frame that two of the shown sources have is scored yet."
 
 
 @dataclass(frozen=True, eq=False)

@@ -45,7 +45,7 @@ class _Kind(Protocol):
 
 def _kinds() -> tuple[_Kind, ...]:
     """Every kind of page; one is made when it is first shown."""
-    from procc_annotator.gui.plots.curves import TauPage, TimelinePage
+    from procc_annotator.gui.plots.curves import DifferencePage, TauPage, TimelinePage
     from procc_annotator.gui.plots.errors import HistogramPage, RadiusPage
     from procc_annotator.gui.plots.poses import AnglesPage, PositionPage
     from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
@@ -53,6 +53,7 @@ def _kinds() -> tuple[_Kind, ...]:
 
     return (
         TauPage,
+        DifferencePage,
         TimelinePage,
         SteadyPage,
         HistogramPage,

@@ -60,7 +60,7 @@ class CameraSource:
 
     def forget(self, frames: Iterable[str]) -> None:
         """Forget what is known of some frames: their cameras are others now."""
-        for frame in frames:
+        for frame in self._seen.intersection(frames):
             self.take(frame, None)
             self._seen.discard(frame)
 

@@ -6,9 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.session.database.database import WorkspaceDatabase
-
-# One setting a finding, so that two windows that ignore at the same time lose nothing.
-_SETTING = "ignored finding "
+from procc_annotator.session.facts.ignored_findings import SETTING
 
 
 class IgnoredFindings(QObject):
@@ -33,12 +31,12 @@ class IgnoredFindings(QObject):
 
     def add(self, frame: str, key: str) -> None:
         """Ignore a finding."""
-        self._review.set_setting(f"{_SETTING}{key} {frame}", "yes")
+        self._review.set_setting(f"{SETTING}{key} {frame}", "yes")
 
     def restore(self, frame: str) -> None:
         """Ignore no finding of a frame any more."""
         for key in self.of(frame):
-            self._review.set_setting(f"{_SETTING}{key} {frame}", None)
+            self._review.set_setting(f"{SETTING}{key} {frame}", None)
 
     def _known(self) -> dict[str, frozenset[str]]:
         database = self._review.database
@@ -50,9 +48,9 @@ class IgnoredFindings(QObject):
 
     def _read(self, setting: str) -> str | None:
         """Take over one setting; the frame it is about, if it is about an ignored finding."""
-        if not setting.startswith(_SETTING):
+        if not setting.startswith(SETTING):
             return None
-        key, _, frame = setting.removeprefix(_SETTING).partition(" ")
+        key, _, frame = setting.removeprefix(SETTING).partition(" ")
         here = self._keys.get(frame, frozenset())
         is_ignored = self._review.setting(setting) is not None
         self._keys[frame] = here | {key} if is_ignored else here - {key}

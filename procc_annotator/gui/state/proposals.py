@@ -43,7 +43,8 @@ class Proposals(QObject):
         self._store, self._blind_lock, self._cache = store, blind_lock, cache
         self.fits: Callable[[], Iterable[FitResult]] = tuple
         self._sure: dict[str, FitResult] = {}  # by frame
-        self._others: tuple[FitResult, ...] = ()  # as the thread sees them
+        # The frame asked for, and the fits known by then, as the thread sees them.
+        self._asked: tuple[Frame | None, tuple[FitResult, ...]] = (None, ())
         self._wanted = True
         self._derived = Derived(
             self._next,
@@ -124,8 +125,9 @@ class Proposals(QObject):
                 if index == state.frame_index:
                     return None  # a hand works here: no search slows it down
             elif not self._derived.answered(frame, state.field):
-                sure = (fit for name, fit in self._sure.items() if name != frame.name)
-                self._others = (*sure, *self.fits())
+                if self._asked[0] is not frame:
+                    sure = (fit for name, fit in self._sure.items() if name != frame.name)
+                    self._asked = frame, (*sure, *self.fits())
                 return frame, state.field
         return None
 
@@ -155,7 +157,8 @@ class Proposals(QObject):
     def _look_at(self, frame: Frame, field: Field, *, go_on: Callable[[], None]) -> Proposal:
         """In a thread."""
         go_on()
-        known = positions_of_fits(self._others, field)
+        asked, others = self._asked
+        known = positions_of_fits(others if asked is frame else (), field)
         picture = self._cache.get(frame.image_path)
         return propose_camera(picture, field, known=known, go_on=go_on)
 

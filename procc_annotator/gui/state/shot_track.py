@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
@@ -38,7 +38,9 @@ class ShotTrack(QObject):
         self._store, self._sequence, self._sources = store, sequence, sources
         self.tracked: dict[int, TrackedFrame] = {}
         self.cuts: tuple[int, ...] = ()
-        self.source = CameraSource(TrackedCameras(), TRACK, visible=False)
+        self._shown: dict[int, TrackedFrame] = {}  # what the source shows
+        self._cameras = TrackedCameras()
+        self.source = CameraSource(self._cameras, TRACK, visible=False)
         self._elements = _own_elements(store.state.field)
         signals.datasetChanged.connect(self._begin_anew)
         signals.fieldChanged.connect(self._leave_other_field)
@@ -66,12 +68,16 @@ class ShotTrack(QObject):
 
     def correct(self, frame: TrackedFrame) -> None:
         """One frame is known otherwise."""
-        self.replace({**self.tracked, frame.number: frame}, self.cuts)
+        self.tracked[frame.number] = frame
+        self._show([frame.number])
+        self.changed.emit()
 
     def replace(self, frames: Mapping[int, TrackedFrame], cuts: Iterable[int]) -> None:
         """This is all that is known from now on."""
         self.tracked, self.cuts = dict(frames), tuple(sorted(cuts))
-        self._show()
+        shown = self._shown
+        other = [n for n, frame in self.tracked.items() if shown.get(n) is not frame]
+        self._show([*other, *(shown.keys() - self.tracked.keys())])
         self.changed.emit()
 
     def take(self, track: Track, *, is_shot: bool = False) -> None:
@@ -136,17 +142,17 @@ class ShotTrack(QObject):
         if self._elements != before:
             self.forget()
 
-    def _show(self) -> None:
-        """The source holds the cameras of the dataset's frames."""
+    def _show(self, numbers: Collection[int]) -> None:
+        """The source holds the cameras of the dataset's frames; of these they are others now."""
         sequence, workspace = self._sequence.value, self._store.state.workspace
-        tracked: dict[str, TrackedFrame] = {}
+        self._shown = dict(self.tracked)
+        by_name: dict[str, TrackedFrame | None] = {}
         if sequence is not None and workspace is not None:
-            index_of, frames = sequence.index_of, workspace.frames
-            tracked = {
-                frames[index_of[n]].name: t for n, t in self.tracked.items() if n in index_of
-            }
-        self.source.forget(set(self.source.camera_set.frames) | set(tracked))
-        self.source.camera_set = cameras = TrackedCameras(tracked)
+            index_of, frames, tracked = sequence.index_of, workspace.frames, self.tracked
+            by_name = {frames[index_of[n]].name: tracked.get(n) for n in numbers if n in index_of}
+        cameras = self._cameras.updated(by_name) if self.tracked else TrackedCameras()
+        self.source.forget(by_name)
+        self.source.camera_set = self._cameras = cameras
         if self.source not in self._store.state.sources:
             if cameras.frames:
                 self._sources.join_source(self.source, active=False)

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from itertools import islice
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.band import Band
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
 from procc_annotator.session.dataset.tracked_cameras import doubt_about, most_residual_px
-from procc_annotator.session.facts.origins import Status
+from procc_annotator.session.facts.origins import FrameRecord, Status
+
+_AT_ONCE = 400  # frames that are taken down in one go
 
 
 class StripContent(QObject):
@@ -23,7 +26,7 @@ class StripContent(QObject):
         band: what is known of each frame's camera.
         anchors: (n,) numbers of annotated frames, ascending.
         dragged: those of frames whose camera somebody dragged, ascending.
-        statuses: (number, status) of the frames that were touched, ascending.
+        statuses: number -> status, of the frames that were touched.
     """
 
     changed = Signal()
@@ -36,7 +39,10 @@ class StripContent(QObject):
         self._told: dict[int, TrackedFrame] = {}  # what the band tells, by number
         self.anchors: tuple[int, ...] = ()
         self.dragged: tuple[int, ...] = ()
-        self.statuses: tuple[tuple[int, Status], ...] = ()
+        self.statuses: dict[int, Status] = {}
+        self._pending: dict[int, TrackedFrame] = {}  # to be taken down
+        self._go_on = QTimer(self, singleShot=True, interval=0)
+        self._go_on.timeout.connect(self._take_down)
         document.sequence.changed.connect(self._begin_anew)
         document.datasetChanged.connect(self._begin_anew)
         document.shot_track.followed.connect(self._take_followed)
@@ -73,19 +79,29 @@ class StripContent(QObject):
         if (sequence := self.sequence) is None:
             return
         tracked, told = self._document.shot_track.tracked, self._told
+        self._pending.clear()
         for number in told.keys() - tracked.keys():
             self.band.coverage[number - sequence.first] = math.nan
             del told[number]
         self._take_followed([f for n, f in tracked.items() if told.get(n) is not f])
 
     def _take_followed(self, frames: Iterable[TrackedFrame]) -> None:
+        if self.sequence is not None:
+            self._pending |= {frame.number: frame for frame in frames}
+            self._take_down()
+
+    def _take_down(self) -> None:
+        """What is known of some frames; of more of them once the event loop has turned."""
         sequence = self.sequence
         if sequence is None:
             return
-        for frame in frames:
-            if sequence.first <= frame.number <= sequence.last:
-                _put(self.band, frame.number - sequence.first, frame)
-                self._told[frame.number] = frame
+        for number in list(islice(self._pending, _AT_ONCE)):
+            frame = self._pending.pop(number)
+            if sequence.first <= number <= sequence.last:
+                _put(self.band, number - sequence.first, frame)
+                self._told[number] = frame
+        if self._pending:
+            self._go_on.start()
         self.changed.emit()
 
     def _take_anchors(self) -> None:
@@ -103,18 +119,19 @@ class StripContent(QObject):
             self.dragged = tuple(sorted(int(numbers[index[name]]) for name in names))
             self.changed.emit()
 
-    def _take_statuses(self, _: str = "") -> None:
+    def _take_statuses(self, frame: str = "") -> None:
         sequence, workspace = self.sequence, self._document.workspace
         database = self._document.review.database
         if sequence is None or workspace is None or database is None:
             return
-        known = {
-            workspace.index[name]: record.status
-            for name, record in database.records().items()
-            if record.status is not Status.UNTOUCHED and name in workspace.index
-        }
-        numbers = sequence.numbers
-        self.statuses = tuple((int(numbers[i]), known[i]) for i in sorted(known))
+        index, numbers = workspace.index, sequence.numbers
+        if frame:
+            records: Mapping[str, FrameRecord] = {frame: database.record(frame)}
+        else:
+            self.statuses, records = {}, database.records()
+        for name, record in records.items():
+            if name in index:
+                self.statuses[int(numbers[index[name]])] = record.status
         self.changed.emit()
 
 

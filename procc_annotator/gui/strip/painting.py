@@ -187,7 +187,7 @@ def _paint_cuts(
 
 def _paint_status(painter: QPainter, content: StripContent, axis: Axis, rows: Rows) -> None:
     width = max(2.0, axis.per_frame - 1.0)
-    for number, status in content.statuses:
+    for number, status in content.statuses.items():
         if status in _STATUSES and axis.begin - 1 <= number <= axis.end:
             share, tone = _STATUSES[status]
             height = share * (_STATUS - 1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.content import StripContent
 from procc_annotator.session.dataset.tracked_cameras import doubt_about
+from procc_annotator.session.facts.origins import Status
 
 
 def words_of(document: Document, content: StripContent, number: int | None) -> str:
@@ -13,6 +14,8 @@ def words_of(document: Document, content: StripContent, number: int | None) -> s
     if sequence is None or number is None:
         return ""
     said = [f"frame {number} of {sequence.first}–{sequence.last}"]
+    if sequence.step > 1:
+        said.append(f"names count by {sequence.step}")
     if sequence.video is not None:
         seconds = number / sequence.fps
         said.append(f"{int(seconds // 60)}:{seconds % 60:05.2f}")
@@ -20,8 +23,8 @@ def words_of(document: Document, content: StripContent, number: int | None) -> s
         said.append("annotated")
     if number in content.dragged and not content.hidden:
         said.append("its camera was dragged")
-    status = dict(content.statuses).get(number)
-    if status is not None:
+    status = content.statuses.get(number, Status.UNTOUCHED)
+    if status is not Status.UNTOUCHED:
         said.append(status.value)
     index = sequence.index_of.get(number)
     name = None

@@ -32,21 +32,29 @@ class CurveBand:
         return np.where(self.low > 0, 1.0, np.where(self.high < 0, -1.0, 0.0))
 
 
-def curve_band(sampled: Sampled, draws: Draws) -> CurveBand:
+def curve_band(
+    sampled: Sampled, draws: Draws, least: float = -np.inf, most: float = np.inf
+) -> CurveBand:
     """The band of a curve whose places are the figures sampled.
 
     The largest deviation among all thresholds, in standard deviations of each, is taken from the
     sets drawn (Montiel Olea and Plagborg-Møller, Journal of Applied Econometrics 2019); few
     clusters widen it as they do an interval. Where no set drawn deviates the band has no width.
+
+    Args:
+        least, most: beyond which no curve can be.
     """
     deviation = sampled.deviation
-    spread = np.nanstd(sampled.drawn, axis=0)
-    there = np.isfinite(deviation) & (spread > 0)
     half = np.where(np.isfinite(deviation), 0.0, np.nan)
+    # A set drawn may hold no frame that counts.
+    drawn = sampled.drawn[np.isfinite(sampled.drawn[:, np.isfinite(deviation)]).all(axis=1)]
+    spread = drawn.std(axis=0) if len(drawn) else np.zeros(len(deviation))
+    there = np.isfinite(deviation) & (spread > 0)
     if there.any():
-        off = np.abs(sampled.drawn[:, there] - sampled.values[there]) / spread[there]
-        largest = float(np.quantile(np.nanmax(off, axis=1), draws.level))
+        off = np.abs(drawn[:, there] - sampled.values[there]) / spread[there]
+        largest = float(np.quantile(off.max(axis=1), draws.level))
         few = reach(float(sampled.effective[there].min()), draws.level)
         few /= normal_quantile((1 + draws.level) / 2)
         half[there] = largest * few * deviation[there]
-    return CurveBand(sampled.values, sampled.values - half, sampled.values + half)
+    low, high = (np.clip(sampled.values + side * half, least, most) for side in (-1, 1))
+    return CurveBand(sampled.values, low, high)

@@ -15,7 +15,9 @@ from procc_annotator.io.source import FileSource
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet, told_of_set
 from procc_annotator.session.runs.audit import FrameAudit, audit_frame
+from procc_annotator.session.runs.certainty import Certainty
 from procc_annotator.session.runs.evaluation_run import (
     Evaluated,
     EvaluationRun,
@@ -23,6 +25,8 @@ from procc_annotator.session.runs.evaluation_run import (
     run_digested,
 )
 from procc_annotator.session.runs.execution.executor import Executor
+from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
+from procc_annotator.session.runs.moved_clicks import ClickNoise
 
 
 @dataclass(frozen=True)
@@ -44,6 +48,7 @@ class FrameFigures:
     mirrored: bool
     precision: float | None
     recall: float | None
+    mean_reprojection_error: float | None
     mean_error: float | None
 
     @classmethod
@@ -56,6 +61,7 @@ class FrameFigures:
             score.mirrored,
             score.precision,
             score.recall,
+            score.mean_reprojection_error,
             score.mean_error,
         )
 
@@ -71,6 +77,7 @@ class ReportedFrame:
         error: why annotation or camera could not be read.
         counted: False where the annotation could not be read: then it belongs to no figure.
         notices: remarks about the camera.
+        sums: what it adds to the figures of the set; None where it belongs to none.
     """
 
     name: str
@@ -79,6 +86,7 @@ class ReportedFrame:
     error: str | None
     counted: bool
     notices: tuple[str, ...]
+    sums: FrameSums | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,12 +149,14 @@ class AuditReport:
         setup: field, size, protocol.
         thresholds: px; the first decides colours, the worst frames and the final score.
         sources: in the order given.
+        chance: how it is asked what is beyond chance.
     """
 
     dataset: str
     setup: EvaluationSetup
     thresholds: tuple[float, ...]
     sources: tuple[ReportedSource, ...]
+    chance: ChanceTerms = field(default_factory=ChanceTerms)
 
     @property
     def tau(self) -> float:
@@ -163,6 +173,28 @@ class AuditReport:
         """All frames whose annotation could be read, in natural order."""
         first = self.evaluated[0].frames if self.evaluated else ()
         return tuple(frame.name for frame in first if frame.counted)
+
+    @cached_property
+    def certainty(self) -> Certainty:
+        """How surely the figures of the sources that have any are known."""
+        return self.chance.certainty(
+            self.dataset,
+            [
+                SourceSums.of(s.name, self.thresholds, [frame.sums for frame in s.frames])
+                for s in self.evaluated
+            ],
+        )
+
+    @cached_property
+    def told(self) -> ToldOfSet:
+        """What chance leaves of their figures."""
+        return told_of_set(
+            self.certainty,
+            [source.summaries for source in self.evaluated],
+            self.chance,
+            (self.dataset, self.setup.field),
+            self.setup.describe(),
+        )
 
     def failures(self) -> list[str]:
         """One line each: sources, annotations and cameras that could not be used."""
@@ -189,11 +221,13 @@ def _no_progress(
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """How the frames are evaluated: who shares the work (None: nobody), and who watches."""
+    """How the frames are evaluated: who shares the work (None: nobody), who watches, and how points
+    are moved where it is asked what clicks leave open."""
 
     executor: Executor | None = None
     camera_size: tuple[int, int] | None = None
     progress: Progress = _no_progress
+    noise: ClickNoise | None = None
 
 
 def gather_report(
@@ -203,6 +237,7 @@ def gather_report(
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
     work: Work | None = None,
+    chance: ChanceTerms | None = None,
 ) -> AuditReport:
     """Evaluate every source, exactly as `evaluate` does.
 
@@ -212,26 +247,31 @@ def gather_report(
         sources: at least one; of a source with nothing to evaluate the report says why.
         setup: field, size, protocol.
         thresholds: px, the leading one first.
+        chance: how it is asked what is beyond chance.
 
     Raises:
         UsageError: no source has anything to evaluate.
         InputError: a folder or archive that cannot be listed.
     """
-    work = work if work is not None else Work()
+    chance = chance or ChanceTerms()
+    work = replace(work if work is not None else Work(), noise=chance.noise)
     reported = [_gather(annotations, source, setup, thresholds, work) for source in sources]
     if not any(source.summaries for source in reported):
         raise UsageError(reported[0].failure if reported else "a report needs cameras: --cameras")
     shown = _without_folders([annotations.path, *(s.cameras.path for s in sources)])
-    return AuditReport(dataset, setup, thresholds, tuple(_public(s, shown) for s in reported))
+    public = tuple(_public(s, shown) for s in reported)
+    return AuditReport(dataset, setup, thresholds, public, chance)
 
 
-def reported_frame(evaluated: Evaluated, tau: float) -> ReportedFrame:
+def reported_frame(
+    evaluated: Evaluated, thresholds: tuple[float, ...], noise: ClickNoise | None = None
+) -> ReportedFrame:
     """What a report keeps of a frame, made where the frame was scored."""
     result = evaluated.result
     audit = None
     if evaluated.camera is not None and evaluated.measurement is not None:
         audit = audit_frame(
-            result.name, evaluated.camera, evaluated.model, evaluated.measurement, tau
+            result.name, evaluated.camera, evaluated.model, evaluated.measurement, thresholds[0]
         )
     return ReportedFrame(
         result.name,
@@ -240,6 +280,7 @@ def reported_frame(evaluated: Evaluated, tau: float) -> ReportedFrame:
         result.error,
         result.counted,
         result.notices,
+        frame_sums(evaluated, thresholds, noise),
     )
 
 
@@ -256,7 +297,7 @@ def _evaluate(
         source.cameras,
         setup,
         thresholds,
-        partial(reported_frame, tau=thresholds[0]),
+        partial(reported_frame, thresholds=thresholds, noise=work.noise),
         camera_size=work.camera_size,
         executor=work.executor,
     )

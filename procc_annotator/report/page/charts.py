@@ -7,14 +7,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from procc_annotator.metric.chance.bands import CurveBand
+from procc_annotator.metric.polylines import BoolArray
 from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_errors import error_charts
+from procc_annotator.report.page.chart_frames import frame_charts
 from procc_annotator.report.page.chart_parts import (
     Charted,
     chart_label,
     charted_sources,
     legend_above,
     line_style,
+    on_either_page,
     panels,
 )
 from procc_annotator.report.page.chart_svg import FAINT, INK, Chart, draw_chart
@@ -30,10 +34,13 @@ from procc_annotator.session.runs.audit_figures import (
 )
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _LARGEST_TAU = 20.0
 _FRAMES = "frame, counted in natural order"
+_MOST_PAIRS = 6  # of sources; more would fill a page
+_MOST_IN_A_ROW = 300  # frames beside each other; of more the JaC would be a smear
 _MOST_PLACES = 1500  # of a line; more could not be told apart on paper
 _DRAWABLE = 1e6  # what a damaged camera says beyond that would leave no room for the others
 
@@ -48,7 +55,12 @@ def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
     charted = charted_sources(report, colours)
     if not charted:
         return []
-    charts = [_curves(report, charted), _timelines(report, charted)]
+    charts = [_curves(report, charted)]
+    if report.certainty.pairs:
+        charts.append(_differences(report, colours))
+    if len(report.frames) <= _MOST_IN_A_ROW:
+        charts.append(_timelines(report, charted))
+    charts += frame_charts(report, charted)
     if any(len(c.points.errors_px) for c in charted):
         charts += error_charts(report, charted)
     with_pose = [c for c in charted if poses(report.frames, c.source.audits).with_pose > 1]
@@ -61,9 +73,12 @@ def _curves(report: AuditReport, charted: list[Charted]) -> Chart:
     def draw(figure: Figure) -> None:
         axes = figure.subplots()
         shown = _LARGEST_TAU >= TAU_GRID
+        places = {source.name: at for at, source in enumerate(report.evaluated)}
         for one in charted:
             curve = mean_curve(list(one.source.audits.values()))
             axes.plot(TAU_GRID[shown], 100 * curve[shown], **line_style(one.look))
+            band = report.certainty.curve(places[one.source.name])
+            _shade(axes, band, shown, one.look.colour)
         for tau in report.thresholds:
             if tau <= _LARGEST_TAU:
                 axes.axvline(tau, color=FAINT, lw=0.8, ls=":")
@@ -75,10 +90,54 @@ def _curves(report: AuditReport, charted: list[Charted]) -> Chart:
         1,
         "JaC over the threshold",
         f"Mean JaC of the frames that have a camera, for every threshold tau; dotted lines at"
-        f" {taus} px ({terms(report)}).",
+        f" {taus} px ({terms(report)}). Shaded: {_band_words(report)}.",
         2.7,
         draw,
     )
+
+
+def _differences(report: AuditReport, colours: Sequence[str]) -> Chart:
+    """JaC of every two sources, one less the other, over tau."""
+    names = [source.name for source in report.evaluated]
+    pairs = report.certainty.pairs[:_MOST_PAIRS]
+    shown = _LARGEST_TAU >= TAU_GRID
+
+    def draw(figure: Figure) -> None:
+        rows = panels(figure, len(pairs), between_in=0.26)
+        for at, (axes, pair) in enumerate(zip(rows, pairs, strict=True)):
+            band = report.certainty.curve_of_difference(pair.a, pair.b)
+            colour = on_either_page(colours[at % len(colours)])
+            axes.axhline(0, color=INK, lw=0.8)
+            axes.plot(TAU_GRID[shown], 100 * band.values[shown], color=colour, lw=1.4)
+            _shade(axes, band, shown, colour)
+            title = f"{names[pair.a]} less {names[pair.b]}, {pair.shared} frames"
+            axes.set_title(chart_label(title), y=1.0)
+            axes.set(ylabel="points", xlim=(0, _LARGEST_TAU))
+            axes.tick_params(labelbottom=axes is rows[-1])
+        rows[-1].set_xlabel("tau, px")
+
+    more = len(report.certainty.pairs) - len(pairs)
+    rest = f" {more} more pairs are in the files." if more else ""
+    return draw_chart(
+        8,
+        "The difference over the threshold",
+        "JaC of one source less that of another on the frames both have, for every threshold tau"
+        f" ({terms(report)}). Shaded: {_band_words(report)}. Where it lies wholly above or below 0"
+        f" the two can be told apart.{rest}",
+        0.62 + 1.2 * len(pairs),
+        draw,
+    )
+
+
+def _shade(axes: Axes, band: CurveBand, shown: BoolArray, colour: str) -> None:
+    low, high = 100 * band.low[shown], 100 * band.high[shown]
+    axes.fill_between(TAU_GRID[shown], low, high, color=colour, alpha=0.18, lw=0)
+
+
+def _band_words(report: AuditReport) -> str:
+    certainty = report.certainty
+    level = f"{100 * certainty.draws.level:g} % band of the whole curve"
+    return f"{level}; {certainty.clusters.described}"
 
 
 def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:

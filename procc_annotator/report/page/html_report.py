@@ -1,4 +1,4 @@
-"""The report as one self-contained page: no network, no script, pictures and charts within."""
+"""The report as one self-contained page: no network, pictures and charts within."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from base64 import b64encode
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from procc_annotator.report.page.audit_report import AuditReport
@@ -58,6 +59,7 @@ class Page:
         lot: frame -> pictures of a frame drawn by lot, one a source.
         pairs: disagreement of pairs of sources, with pictures.
         pair_tables: their tables.
+        over_time, over_time_charts: how steady sources are over their shots, where that was asked.
         failures: what could not be used, besides what the report itself lists.
     """
 
@@ -67,6 +69,8 @@ class Page:
     pairs: Sequence[ReportedPair] = ()
     pair_tables: Sequence[Sheet] = ()
     failures: Sequence[str] = ()
+    over_time: Sequence[Sheet] = ()
+    over_time_charts: Sequence[Chart] = ()
 
 
 def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
@@ -83,6 +87,7 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
         page=page,
         terms=terms(report),
         tables=[comparison_table(report), frames_table(report), errors_table(report)],
+        chance=report.told.sheets,
         classes=classes_section(report),
         frames=every_frame_table(report) if len(report.frames) <= MOST_FRAMES else None,
         failures=failures[:MOST_FAILURES],
@@ -97,6 +102,7 @@ def _template() -> Template:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
     from markupsafe import Markup
 
+    sorting = (resources_dir() / "report" / "sort.js").read_text(encoding="utf-8")
     environment = Environment(
         loader=FileSystemLoader(resources_dir() / "report"),
         autoescape=True,
@@ -107,6 +113,8 @@ def _template() -> Template:
     )
     # Drawn here from escaped texts, not read from anywhere.
     environment.filters["drawn"] = lambda chart: Markup(chart.svg)
+    environment.globals["sorting"] = Markup(sorting)  # ours, see above
+    environment.globals["sorting_hash"] = b64encode(sha256(sorting.encode()).digest()).decode()
     environment.filters["table"] = lambda sheet, **look: Markup(html_table(sheet, **look))
     environment.filters["data_uri"] = _data_uri
     return environment.get_template("report.html")

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import msgspec
 
 from procc_annotator.metric.sets import ClassSummary, SetSummary
 from procc_annotator.report.field_terms import field_terms
+from procc_annotator.report.over_time import SourceOverTime, over_time_entries
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.page.report_pairs import ReportedPair
+from procc_annotator.report.scores.chance import chance_entries
+from procc_annotator.report.scores.chance_sheets import WITH_INTERVAL, ends_of, interval_columns
 from procc_annotator.report.scores.score_columns import COUNTS
 from procc_annotator.report.scores.score_files import frame_entry, summary_entry
 from procc_annotator.report.sheet.as_csv import csv_bytes
@@ -22,10 +26,16 @@ _COLUMNS = (
     Column("source"), Column("model"), Column("protocol"), Column("options"), whole("width"),
     whole("height"), TAU, Column("class"), whole("images"), whole("evaluated"), *map(of, OF_SET),
     *(whole(count.key) for count in COUNTS), Column("field"),
+    *(end for figure in WITH_INTERVAL for end in interval_columns(figure)), whole("rank"),
+    Column("clusters"),
 )  # fmt: skip
 
 
-def report_json(report: AuditReport, pairs: tuple[ReportedPair, ...] = ()) -> bytes:
+def report_json(
+    report: AuditReport,
+    pairs: tuple[ReportedPair, ...] = (),
+    over_time: Sequence[SourceOverTime] = (),
+) -> bytes:
     """Everything that is a number, in the words of `evaluate`'s score files."""
     setup = report.setup
     content = {
@@ -37,6 +47,8 @@ def report_json(report: AuditReport, pairs: tuple[ReportedPair, ...] = ()) -> by
         "sources": [_source_entry(source) for source in report.sources],
         "pairs": [_pair_entry(pair) for pair in pairs],
         "failures": report.failures(),
+        **chance_entries([report.told]),
+        **(over_time_entries(over_time) if over_time else {}),
     }
     return json_bytes(content)
 
@@ -73,11 +85,16 @@ def _pair_entry(pair: ReportedPair) -> dict[str, Any]:
 def report_csv(report: AuditReport) -> bytes:
     """One row a source and threshold, then one for each of its classes (counted in points)."""
     rows: list[Row] = []
-    for source in report.evaluated:
+    unknown = (None,) * (2 * len(WITH_INTERVAL) + 2)
+    ranks = {tau: report.certainty.ranks(MEAN_JAC.key, tau) for tau in report.thresholds}
+    for place, source in enumerate(report.evaluated):
+        ends = report.certainty.intervals[place]
         for tau, summary in source.summaries.items():
-            rows.append(_row(report, source, tau, summary))
+            within = [end for f in WITH_INTERVAL for end in ends_of(ends[f.key, tau])]
+            known = (*within, ranks[tau][place], report.certainty.clusters.described)
+            rows.append((*_row(report, source, tau, summary), *known))
             for name, found in summary.per_class.items():
-                rows.append(_row(report, source, tau, found, name))
+                rows.append((*_row(report, source, tau, found, name), *unknown))
     return csv_bytes(Sheet("report", "", _COLUMNS, tuple(rows)))
 
 

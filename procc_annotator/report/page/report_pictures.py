@@ -15,7 +15,7 @@ from procc_annotator.metric.explain import explain_score, worst_elements_first
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score, score_to_read
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
-from procc_annotator.report.pictures import Paint, Scene
+from procc_annotator.report.scenes import Paint, Scene
 from procc_annotator.report.scores.tables import percent_text, pixels
 from procc_annotator.session.dataset.camera_set import CameraSet
 

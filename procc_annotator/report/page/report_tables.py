@@ -19,7 +19,7 @@ from procc_annotator.report.sheet.figures import (
     MEDIAN_PX,
     P95_PX,
 )
-from procc_annotator.report.sheet.sheet import Column, Sheet, of, whole, with_best_bold
+from procc_annotator.report.sheet.sheet import Column, Sheet, of, whole
 from procc_annotator.session.runs.audit_figures import bias, gather
 
 SOURCE = Column("source", "Source")
@@ -37,8 +37,10 @@ def comparison_table(report: AuditReport) -> Sheet:
         of(FINAL_SCORE, f"@{report.tau:g}"),
     )
     rows = tuple((s.name, s.model or None, *_figures(s, taus, report.tau)) for s in report.sources)
-    sheet = Sheet("comparison", "Comparison of camera sources", columns, rows, terms(report))
-    return with_best_bold(sheet)
+    return Sheet(
+        "comparison", "Comparison of camera sources", columns, rows, terms(report),
+        (_rests_on(report),), _best_beyond_chance(report, taus),
+    )  # fmt: skip
 
 
 def _figures(source: ReportedSource, taus: list[float], leading: float) -> list[float | None]:
@@ -47,10 +49,41 @@ def _figures(source: ReportedSource, taus: list[float], leading: float) -> list[
     first = source.summaries[leading]
     return [
         *(source.summaries[tau].mean_jac for tau in taus),
-        source.summaries[taus[-1]].mean_reprojection_error,
+        source.summaries[taus[-1]].mean_error,
         first.completeness,
         first.final_score,
     ]
+
+
+def _best_beyond_chance(report: AuditReport, taus: list[float]) -> frozenset[tuple[int, int]]:
+    """Places of the values that are better than those of every other source beyond chance."""
+    keys = [(MEAN_JAC.key, tau) for tau in taus]
+    keys += [(MEAN_ERROR.key, taus[-1]), (COMPLETENESS.key, report.tau)]
+    keys.append((FINAL_SCORE.key, report.tau))
+    rows = [at for at, source in enumerate(report.sources) if source.summaries]
+    best = [report.certainty.best(*key) for key in keys]
+    on_ground = [source.ground_only for source in report.evaluated]
+    error = best[len(taus)]
+    if error is not None and on_ground[error] and not all(on_ground):
+        best[len(taus)] = None  # of a homography it is the error of fewer points
+    return frozenset((rows[b], 2 + at) for at, b in enumerate(best) if b is not None)
+
+
+def _rests_on(report: AuditReport) -> str:
+    """Which frames the figures rest on, and what is bold."""
+    first = report.evaluated[0].summaries[report.tau]
+    counts = {s.name: s.summaries[report.tau].evaluated for s in report.evaluated}
+    if len(set(counts.values())) == 1:
+        own = f"{next(iter(counts.values()))}"
+    else:
+        own = ", ".join(f"{name} {count}" for name, count in counts.items())
+    rests = f"JaC and mean error are means over the frames with a camera ({own} of {first.images})."
+    if len(counts) < 2:
+        return rests
+    return (
+        f"{rests} Bold is what is better than every other source beyond chance, on the frames both"
+        " have; completeness and final score over all frames."
+    )
 
 
 def frames_table(report: AuditReport) -> Sheet:
@@ -99,8 +132,7 @@ def classes_section(report: AuditReport) -> Sheet:
             row += [None if found_here is None else found_here.jac, median.get(index)]
         rows.append(tuple(row))
     title = "Classes, counted in points"
-    sheet = Sheet("classes", title, tuple(columns), tuple(rows), terms(report))
-    return with_best_bold(sheet, across=True)
+    return Sheet("classes", title, tuple(columns), tuple(rows), terms(report))
 
 
 def _class_medians(source: ReportedSource) -> dict[int, float]:
@@ -126,8 +158,7 @@ def errors_table(report: AuditReport) -> Sheet:
             spread = (*np.percentile(errors, (50, 95)).tolist(), float(errors.max()))
         row = (source.name, len(errors), points.undefined, *spread, *(lean or (None, None)))
         rows.append(row)
-    sheet = Sheet("errors", "Reprojection errors", columns, tuple(rows), terms(report))
-    return with_best_bold(sheet)
+    return Sheet("errors", "Reprojection errors", columns, tuple(rows), terms(report))
 
 
 def every_frame_table(report: AuditReport) -> Sheet:

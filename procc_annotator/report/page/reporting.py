@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import platform
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import metadata
 from pathlib import Path
 
@@ -12,7 +12,14 @@ from procc_annotator import __version__
 from procc_annotator.errors import UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.source import FileSource
+from procc_annotator.report.over_time import (
+    SourceOverTime,
+    breaks_sheet,
+    shots_sheet,
+    shown_sheets,
+)
 from procc_annotator.report.page.audit_report import AuditReport, Work
+from procc_annotator.report.page.chart_over_time import jitter_chart
 from procc_annotator.report.page.charts import draw_charts
 from procc_annotator.report.page.html_report import Heading, Page, report_html
 from procc_annotator.report.page.report_files import report_csv, report_json
@@ -30,11 +37,12 @@ from procc_annotator.report.page.report_pictures import (
     choose_frames,
 )
 from procc_annotator.report.page.report_tables import comparison_table, terms
-from procc_annotator.report.sheet.as_latex import latex_tables
+from procc_annotator.report.sheet.as_latex import ARTICLE_PT, latex_tables
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 REPORT_SUFFIXES = (".html", ".csv", ".json", ".tex")
+_MOST_BREAKS = 100  # on the page; all are in the files
 _LIBRARIES = ("numpy", "opencv-python-headless", "matplotlib", "PySide6-Essentials")
 
 
@@ -47,6 +55,7 @@ class ReportRequest:
         worst: frames a source to draw; lot: frames to draw by lot, with ``seed``.
         disagreement: pairs of sources; pictures: how many of each.
         reference: the source that the metrics of earlier papers take as true; empty for none.
+        latex_width_pt: that tables in LaTeX may have.
         recipe: name of the file that holds what all figures were made from; empty for none.
     """
 
@@ -59,6 +68,7 @@ class ReportRequest:
     pictures: int = 3
     reference: str = ""
     recipe: str = ""
+    latex_width_pt: float = ARTICLE_PT
 
 
 @dataclass(frozen=True)
@@ -67,12 +77,12 @@ class Drawing:
 
     Attributes:
         overlays: paint one frame under one source.
-        pairs: paint the disagreement of two sources.
+        pairs: paint the disagreement of two sources; None leaves these pictures out.
         colours: of the sources in charts.
     """
 
     overlays: Painters
-    pairs: PairPainters
+    pairs: PairPainters | None
     colours: Sequence[str]
 
 
@@ -84,11 +94,13 @@ class Material:
         annotations: the source of annotation files.
         cameras: of the report's sources, in their order.
         pictures: frame -> picture.
+        over_time: the sources over their shots; none unless that was asked.
     """
 
     annotations: FileSource
     cameras: Sequence[CameraSet]
     pictures: Mapping[str, Path]
+    over_time: tuple[SourceOverTime, ...] = ()
 
 
 def report_kind(path: Path) -> str:
@@ -123,7 +135,7 @@ def write_report(
     report: AuditReport,
     material: Material,
     request: ReportRequest,
-    drawing: Drawing,
+    drawing: Drawing | None,
     outputs: Sequence[Path],
     work: Work,
 ) -> list[str]:
@@ -131,6 +143,7 @@ def write_report(
 
     Args:
         report: gathered from the material.
+        drawing: needed for a page only.
         outputs: paths with suffixes of `REPORT_SUFFIXES`.
         work: who shares the comparison of sources, and who watches.
 
@@ -152,6 +165,7 @@ def write_report(
         tables.append(disagreement_section(disagreeing))
     if legacy:
         tables.append(legacy_section(request.reference, legacy))
+    steady = shown_sheets(shots_sheet(material.over_time)) if material.over_time else []
     every_pair = tuple({(p.a, p.b): p for p in (*disagreeing, *legacy)}.values())
     problems = [problem for pair in every_pair for problem in pair.problems]
     problems += [f"{pair.a}, {pair.b}: {pair.failure}" for pair in every_pair if pair.failure]
@@ -159,18 +173,30 @@ def write_report(
     if "csv" in kinds:
         contents["csv"] = report_csv(report)
     if "json" in kinds:
-        contents["json"] = report_json(report, every_pair)
+        contents["json"] = report_json(report, every_pair, material.over_time)
     if "tex" in kinds:
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
         remarks += [f"recipe: {request.recipe}"] if request.recipe else []
-        contents["tex"] = latex_tables([comparison_table(report), *tables], remarks).encode()
-    if "html" in kinds:
+        first = [comparison_table(report), *report.told.sheets]
+        contents["tex"] = latex_tables(
+            [*first, *steady, *tables], remarks, request.latex_width_pt
+        ).encode()
+    if "html" in kinds and drawing is not None:
         page = _page(report, material, request, drawing, pairs, tables, work, problems)
+        if material.over_time:
+            chart = jitter_chart(material.over_time, drawing.colours)
+            page = replace(page, over_time=[*steady, *_breaks(material)], over_time_charts=[chart])
         contents["html"] = report_html(report, heading(report, request), page)
         problems = list(page.failures)
     for path, kind in zip(outputs, kinds, strict=True):
         write_atomic(path, contents[kind])
     return list(dict.fromkeys(problems))
+
+
+def _breaks(material: Material) -> list[Sheet]:
+    """The jumps and outages, where there are any and not too many to be read."""
+    found = breaks_sheet(material.over_time)
+    return [found] if 0 < len(found.rows) <= _MOST_BREAKS else []
 
 
 def heading(report: AuditReport, request: ReportRequest) -> Heading:
@@ -184,6 +210,7 @@ def heading(report: AuditReport, request: ReportRequest) -> Heading:
             (f"Source {source.name}", f"{source.folder} (format {source.format})")
             for source in report.sources
         ),
+        ("Intervals", report.certainty.described),
         ("Worst frames a source", str(request.worst)),
         ("Frames drawn by lot", f"{request.lot}, seed {request.seed}"),
     ]
@@ -221,7 +248,9 @@ def _page(
             b,
             None,
             pairs.compared(a, b).described,
-            pairs.pictures(a, b, request.pictures, drawing.pairs, material.pictures),
+            pairs.pictures(a, b, request.pictures, drawing.pairs, material.pictures)
+            if drawing.pairs is not None
+            else (),
         )
         for a, b in request.disagreement
     ]

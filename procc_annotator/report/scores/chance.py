@@ -11,7 +11,7 @@ from procc_annotator.metric.chance.intervals import Method
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.chance_sheets import chance_sheets
+from procc_annotator.report.scores.chance_sheets import chance_sheets, curves_sheet
 from procc_annotator.report.scores.click_sheets import clicks_sheets
 from procc_annotator.report.scores.strata_sheet import strata_sheet
 from procc_annotator.report.sheet.as_json import sheet_entry
@@ -81,11 +81,12 @@ class Judged(Protocol):
 
 @dataclass(frozen=True)
 class ToldOfSet:
-    """What chance leaves of the sources of one set at one size."""
+    """What chance leaves of the sources of one set at one size; curves are for files alone."""
 
     set_name: str
     described: str
     sheets: tuple[Sheet, ...]
+    curves: tuple[Sheet, ...] = ()
 
 
 def chance_told(scored: Sequence[Judged], terms: ChanceTerms) -> list[ToldOfSet]:
@@ -98,24 +99,37 @@ def chance_told(scored: Sequence[Judged], terms: ChanceTerms) -> list[ToldOfSet]
         certainty = terms.certainty(set_name, [one.sums for one in own if one.sums is not None])
         described = min((one.described for one in own), key=len)
         summaries = [one.summaries for one in own]
-        sheets = chance_sheets(certainty, summaries, described, power=terms.power)
-        if terms.noise is not None:
-            sheets += clicks_sheets(certainty, terms.noise, described)
-        sheets += strata_sheets(certainty, terms, set_name, own[0].setup.field, described)
-        found.append(ToldOfSet(set_name, described, tuple(sheets)))
+        of_field = own[0].setup.field
+        found.append(told_of_set(certainty, summaries, terms, (set_name, of_field), described))
     return found
 
 
-def strata_sheets(
-    certainty: Certainty, terms: ChanceTerms, of_set: str, of_field: Field, described: str
-) -> list[Sheet]:
-    """The sources over the parts of a set, one sheet a way of parting it."""
+def told_of_set(
+    certainty: Certainty,
+    summaries: Sequence[Mapping[float, SetSummary]],
+    terms: ChanceTerms,
+    of_set: tuple[str, Field],
+    described: str,
+) -> ToldOfSet:
+    """What chance leaves of some sources.
+
+    Args:
+        certainty: of the sources. summaries: the figures of each, by threshold.
+        of_set: its name and field.
+        described: protocol, size and options.
+
+    Raises:
+        UsageError: it is to be broken down by what is known of no frame.
+    """
+    sheets = chance_sheets(certainty, summaries, described, power=terms.power)
+    if terms.noise is not None:
+        sheets += clicks_sheets(certainty, terms.noise, described)
     tau = certainty.thresholds[0]
-    found = []
     for by in terms.by:
-        values = values_of(by, certainty.sources, of_field, terms.tag(of_set, by))
-        found.append(strata_sheet(strata(certainty, by, values, tau), certainty, tau, described))
-    return found
+        values = values_of(by, certainty.sources, of_set[1], terms.tag(of_set[0], by))
+        sheets.append(strata_sheet(strata(certainty, by, values, tau), certainty, tau, described))
+    curves = (curves_sheet(certainty, described),) if certainty.pairs else ()
+    return ToldOfSet(of_set[0], described, tuple(sheets), curves)
 
 
 def chance_entries(told: Sequence[ToldOfSet]) -> dict[str, Any]:
@@ -127,7 +141,7 @@ def chance_entries(told: Sequence[ToldOfSet]) -> dict[str, Any]:
             {
                 "set": one.set_name,
                 "described": one.described,
-                **{sheet.name: sheet_entry(sheet) for sheet in one.sheets},
+                **{sheet.name: sheet_entry(sheet) for sheet in (*one.sheets, *one.curves)},
             }
             for one in told
         ]

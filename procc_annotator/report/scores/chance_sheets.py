@@ -32,7 +32,7 @@ WITH_INTERVAL = (MEAN_JAC, COMPLETENESS, FINAL_SCORE, MEAN_ERROR)
 _DIFFERENCES = (
     (JAC_DIFFERENCE, "mean_jac"),
     (SCORE_DIFFERENCE, "final_score"),
-    (ERROR_DIFFERENCE, "mean_reprojection_error"),
+    (ERROR_DIFFERENCE, "mean_error"),
 )
 POINTS = (0.01, 0.02, 0.05)  # differences that a set should tell, as shares
 _POWER = 0.8

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
 
 from procc_annotator.report.sheet.figure import DASH, Figure
@@ -127,39 +127,3 @@ def records(sheet: Sheet) -> Iterator[dict[str, Value]]:
     """Its rows by the keys of the columns."""
     keys = [column.key for column in sheet.columns]
     return (dict(zip(keys, row, strict=True)) for row in sheet.rows)
-
-
-def with_best_bold(sheet: Sheet, *, across: bool = False) -> Sheet:
-    """The best value of every column stands out where a figure has a better and a worse.
-
-    Args:
-        across: the best of a row among the columns of one figure and heading instead.
-    """
-    bold: set[tuple[int, int]] = set()
-    for places, figure in _rivals(sheet, across):
-        values = {at: sheet.rows[at[0]][at[1]] for at in places}
-        numbers = {at: v for at, v in values.items() if isinstance(v, float) and v == v}
-        if len(numbers) > 1:
-            choose = max if figure.better == "higher" else min
-            best = figure.text(choose(numbers.values()))
-            # What looks the same is as good.
-            bold |= {at for at, value in numbers.items() if figure.text(value) == best}
-    return replace(sheet, bold=frozenset(bold))
-
-
-def _rivals(sheet: Sheet, across: bool) -> Iterator[tuple[list[tuple[int, int]], Figure]]:
-    """Places (row, column) that are compared with each other, and the figure there."""
-    judged = [
-        (at, column, column.figure)
-        for at, column in enumerate(sheet.columns)
-        if column.figure is not None and column.figure.better is not None
-    ]
-    rows = range(len(sheet.rows))
-    if not across:
-        for at, _, figure in judged:
-            yield [(row, at) for row in rows], figure
-        return
-    for row in rows:
-        for heading in dict.fromkeys(column.heading for _, column, _ in judged):
-            same = [(at, figure) for at, column, figure in judged if column.heading == heading]
-            yield [(row, at) for at, _ in same], same[0][1]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import InputError
 from procc_annotator.field.landmarks import field_of_frame
@@ -11,6 +12,24 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.session.dataset.workspace import Workspace
+
+
+def anchor_camera(
+    annotation: FrameAnnotation, field: Field, *, size: tuple[int, int], model: str = "R"
+) -> tuple[Camera | None, str]:
+    """The camera fitted to clicks, if they determine one; else None and why they do not.
+
+    Args:
+        annotation: of a frame.
+        field: its elements in that frame.
+        size: (width, height) px of the picture.
+        model: see `fit_camera`.
+    """
+    fit = fit_camera(annotation, field, model=model, size=size)
+    if fit.camera is None:
+        return None, fit.failure or ""
+    why = hardly_determined(fit)
+    return (None, why) if why else (fit.camera, "")
 
 
 def anchors_of(
@@ -42,7 +61,7 @@ def anchors_of(
         if not annotation.annotated:
             continue
         shown = field_of_frame(field, workspace.frames[index].name)
-        fit = fit_camera(annotation, shown, model=model, size=size)
-        if fit.camera is not None and not hardly_determined(fit):
-            found[number] = fit.camera
+        camera, _ = anchor_camera(annotation, shown, size=size, model=model)
+        if camera is not None:
+            found[number] = camera
     return found

@@ -11,6 +11,7 @@ from pathlib import Path
 from threading import Lock
 from typing import Protocol
 
+from procc_annotator.camera.model_name import model_name
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
@@ -186,7 +187,8 @@ class CameraSet:
         loaded = self._cameras.read(frame_name)
         camera, notice = fit_to_size(loaded, size, self.camera_size)
         remarks = [*loaded.notices, *([notice] if notice else [])]
-        return CameraForFrame(camera, loaded.model, "; ".join(remarks) or None)
+        model = model_name(camera, loaded.model, size)
+        return CameraForFrame(camera, model, "; ".join(remarks) or None)
 
 
 def _name_of(path: Path) -> str:

@@ -20,6 +20,7 @@ from procc_annotator.session.dataset.frames import Frame
 
 FEWEST = 10  # pictures of a folder that are called consecutive: a few are compared by eye
 _MOST_GAPS = 0.1  # share of the pictures before which some are missing
+_MOST_STEP = 12  # of names that count by more than one: half a second
 _LOOKED_AT = 8  # pairs of neighbours
 _AT_LEAST_ALIKE = 0.5  # of them; the others may be cuts
 _FOLDER_FPS = 25.0
@@ -32,11 +33,13 @@ class FrameSequence:
     """Frames of a dataset that follow one another in a video or a folder.
 
     Attributes:
-        numbers: (n,) of the dataset's frames in their source, ascending.
+        numbers: (n,) of the dataset's frames in their source, ascending; of pictures whose names
+            count by more than one, how often that was.
         first, last: numbers of the source; in a video there are frames between the dataset's.
         fps: frames of the source a second.
         video: the file; None for a folder.
         paths: of the frames of a folder, by number; empty for a video.
+        step: by what the names of a folder count.
     """
 
     numbers: NDArray[np.int64]
@@ -45,6 +48,7 @@ class FrameSequence:
     fps: float
     video: Path | None
     paths: dict[int, Path]
+    step: int = 1
 
     @cached_property
     def index_of(self) -> dict[int, int]:
@@ -108,8 +112,9 @@ def sequence_of(
 ) -> FrameSequence | None:
     """What the frames of a dataset follow one another in; None for unrelated pictures.
 
-    Those of one video do. Those of a folder do if their names end with numbers that count on, and
-    if most of some neighbours show the same scene: sets of unrelated pictures are numbered, too.
+    Those of one video do. Those of a folder do if their names end with numbers that count on, by
+    one or by some frames of a video at a time, and if most of some neighbours show the same scene:
+    sets of unrelated pictures are numbered, too.
     Reads and decodes; for any thread but the interface's.
     """
     if not frames or frames[0].image_folder != frames[-1].image_folder:
@@ -119,11 +124,15 @@ def sequence_of(
             return _of_video(frames)
     except ImageError:
         return None
-    numbers = _consecutive([frame.name for frame in frames])
-    if numbers is None or not _show_the_same(frames, numbers, go_on):
+    counted = _counted([frame.name for frame in frames])
+    if counted is None:
+        return None
+    numbers, step = counted
+    if not _show_the_same(frames, numbers, go_on):
         return None
     paths = {int(n): frame.image_path for n, frame in zip(numbers, frames, strict=True)}
-    return FrameSequence(numbers, int(numbers[0]), int(numbers[-1]), _FOLDER_FPS, None, paths)
+    first, last = int(numbers[0]), int(numbers[-1])
+    return FrameSequence(numbers, first, last, _FOLDER_FPS / step, None, paths, step)
 
 
 def _of_video(frames: Sequence[Frame]) -> FrameSequence | None:
@@ -136,8 +145,8 @@ def _of_video(frames: Sequence[Frame]) -> FrameSequence | None:
     return FrameSequence(numbers, 0, last, video.fps, path, {})
 
 
-def _consecutive(names: Sequence[str]) -> NDArray[np.int64] | None:
-    """The numbers that names end with, if they count on."""
+def _counted(names: Sequence[str]) -> tuple[NDArray[np.int64], int] | None:
+    """How far names have counted, and by what, if they end with numbers that count on."""
     if len(names) < FEWEST:
         return None
     found = [_NUMBERED.fullmatch(name) for name in names]
@@ -145,8 +154,10 @@ def _consecutive(names: Sequence[str]) -> NDArray[np.int64] | None:
         return None
     numbers = np.array([int(match[2]) for match in found if match], dtype=np.int64)
     steps = np.diff(numbers)
-    counts_on = (steps > 0).all() and (steps > 1).mean() <= _MOST_GAPS
-    return numbers if counts_on else None
+    step = int(steps.min())
+    if not 0 < step <= _MOST_STEP or (steps % step).any() or (steps > step).mean() > _MOST_GAPS:
+        return None
+    return numbers // step, step
 
 
 def _show_the_same(

@@ -85,6 +85,16 @@ class TrackedCameras:
         frame = self.tracked.get(frame_name)
         return f"no track here: {frame.reason}" if frame is not None else "not followed so far"
 
+    def updated(self, changed: Mapping[str, TrackedFrame | None]) -> TrackedCameras:
+        """The same with other cameras in some frames, or (None) without these frames."""
+        tracked = dict(self.tracked)
+        for name, frame in changed.items():
+            if frame is None:
+                tracked.pop(name, None)
+            else:
+                tracked[name] = frame
+        return TrackedCameras(tracked)
+
     def without(self, frame_names: Collection[str]) -> TrackedCameras:
         """The same without some frames."""
         kept = {n: frame for n, frame in self.tracked.items() if n not in frame_names}

@@ -20,7 +20,7 @@ from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.folds import folds_into_picture
 from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import FrameScore, score_to_read
+from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes, FrameSize, SizesUsed
@@ -123,7 +123,7 @@ def scored(
         return Calibrated(name, fit.model, failure=failure, size=used)
     file_name, data = camera_file(name, fit)
     measurement = measure(annotation, fit.camera, sums.setup.at(fit.size).of_frame(name))
-    scores = {threshold: score_to_read(measurement, threshold) for threshold in sums.thresholds}
+    scores = {threshold: score(measurement, threshold) for threshold in sums.thresholds}
     sums.add(name, None, scores)  # each frame at its own size
     return Calibrated(
         name,

@@ -30,10 +30,10 @@ BETTER = {
     "final_score": +1,
     "mean_precision": +1,
     "mean_recall": +1,
-    "mean_reprojection_error": -1,
+    "mean_error": -1,
 }
 # Those that sources are compared by; the others follow from them.
-COMPARED = ("mean_jac", "final_score", "mean_reprojection_error", "completeness")
+COMPARED = ("mean_jac", "final_score", "mean_error", "completeness")
 # Taken over all frames that count, with a camera or not.
 _OVER_ALL = ("completeness", "final_score")
 _BAND_DRAWS = 2000  # the largest deviation of a whole curve takes no more
@@ -157,18 +157,18 @@ class Certainty:
 
     def curve(self, source: int) -> CurveBand:
         """The mean JaC of a source over `TAU_GRID`, with its band."""
-        return self._band(self.sources[source].curves())
+        return self._band(self.sources[source].curves(), 0.0)
 
     def curve_of_difference(self, a: int, b: int) -> CurveBand:
         """What the curve of one source has more than that of another, on the frames both have."""
         mine, other = self.sources[a].curves(), self.sources[b].curves()
         shared = self._shared(a, b)[:, None]
         more = np.where(shared, mine.parts - other.parts, 0.0)
-        return self._band(Ratios(more, mine.wholes * shared))
+        return self._band(Ratios(more, mine.wholes * shared), -1.0)
 
-    def _band(self, ratios: Ratios) -> CurveBand:
+    def _band(self, ratios: Ratios, least: float) -> CurveBand:
         draws = Draws(min(_BAND_DRAWS, self.draws.count), self.draws.seed, self.draws.level)
-        return curve_band(sample(ratios, self.clusters.numbers, draws), draws)
+        return curve_band(sample(ratios, self.clusters.numbers, draws), draws, least, 1.0)
 
     def _sampled(self, ratios: Ratios) -> Sampled:
         draws = None if self.method == "t" else self.draws

@@ -78,8 +78,8 @@ def _figures(score: FrameScore) -> tuple[float, ...]:
         score.jac,
         math.nan if precision is None else precision,
         math.nan if recall is None else recall,
-        score.labelling.error_sum,
-        float(len(score.labelling.all_distances)),
+        score.read.error_sum,
+        float(len(score.read.all_distances)),
     )
 
 
@@ -121,7 +121,7 @@ class SourceSums:
         if key in _MEANS:
             return Ratios.mean(figures[..., _MEANS[key]])
         there = np.repeat(self.with_camera[:, None], len(self.thresholds), axis=1)
-        if key == "mean_reprojection_error":
+        if key == "mean_error":
             # A distance that is undefined leaves the set without a mean.
             counts = np.where(there, figures[..., 4], 0.0)
             return Ratios(np.where(there, figures[..., 3], 0.0), counts)

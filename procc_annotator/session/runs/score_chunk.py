@@ -9,6 +9,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 from natsort import natsorted
 
 from procc_annotator.annotation import FrameAnnotation, pixel_like
+from procc_annotator.camera.model_name import model_name
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -237,4 +238,4 @@ def _load_camera(
     loaded = cameras.read(name)
     camera, scaled = fit_to_size(loaded, task.setup.size, task.camera_size)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
-    return camera, loaded.model, notices
+    return camera, model_name(camera, loaded.model, task.setup.size), notices

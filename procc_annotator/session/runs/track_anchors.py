@@ -10,13 +10,12 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
-from procc_annotator.fit.determined import hardly_determined
-from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.image.decode import read_size
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.session.clicks.anchors import anchor_camera
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.pending_save import bytes_of
 
@@ -86,10 +85,9 @@ class Anchors:
             except InputError as error:
                 self.errors.append(str(error))
                 continue
-            fit = fit_camera(annotation, field_of_frame(field, frame.name), model="R", size=size)
-            why = fit.failure if fit.camera is None else hardly_determined(fit)
-            if fit.camera is None or why:
+            camera, why = anchor_camera(annotation, field_of_frame(field, frame.name), size=size)
+            if camera is None:
                 self.remarks.append(f"{frame.name}: its annotation is no anchor: {why}")
                 continue
-            self.cameras[number] = fit.camera
+            self.cameras[number] = camera
             self.annotated += 1

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol
 
@@ -101,10 +101,7 @@ class FollowShots:
         return [self._follow(shot) for shot in chunk], None
 
     def _follow(self, shot: ShotToFollow) -> FollowedShot:
-        paths = {n: frame.image_path for n, frame in zip(shot.numbers, shot.frames, strict=True)}
-        pictures = UsablePictures(
-            lambda n: decode_bgra(paths[n]), shot.numbers, lambda n: str(paths[n])
-        )
+        pictures = _pictures_of(shot)
         anchors = {n: camera for n, camera in shot.anchors.items() if n in shot.numbers}
         found = self.follow(
             pictures, shot.numbers, self.field, anchors=anchors, on_frame=self.on_frame
@@ -115,6 +112,28 @@ class FollowShots:
         )
         begins = tuple(first for first, _ in found.shots if first != shot.first)
         return FollowedShot(shot.first, shot.frames, tracked, begins, pictures.damaged)
+
+
+def damaged_pictures(shot: ShotToFollow, lost: Collection[str]) -> list[str]:
+    """Why pictures of a shot that was followed before cannot be used, one line each.
+
+    Args:
+        shot: all of it.
+        lost: names of its frames that have no camera.
+    """
+    if not lost:
+        return []
+    pictures = _pictures_of(shot)
+    pictures(shot.first)  # says of which size the others are
+    for number, frame in zip(shot.numbers, shot.frames, strict=True):
+        if frame.name in lost:
+            pictures(number)
+    return list(pictures.damaged.values())
+
+
+def _pictures_of(shot: ShotToFollow) -> UsablePictures:
+    paths = {n: frame.image_path for n, frame in zip(shot.numbers, shot.frames, strict=True)}
+    return UsablePictures(lambda n: decode_bgra(paths[n]), shot.numbers, lambda n: str(paths[n]))
 
 
 class TrackRun(SetRun[ShotToFollow, FollowedShot, None]):

@@ -139,6 +139,30 @@ def test_to_be_read_a_tie_keeps_the_labels_as_they_are(small_field, map_camera, 
     assert read.max_error == pytest.approx(measurement.plain.all_distances.max())
 
 
+def test_errors_are_told_of_the_labels_as_they_are_on_a_tie(small_field, map_camera, annotate):
+    """The counts stay official; its error, of half a field, is a figure of its own."""
+    measurement = measure(
+        annotate({"left": [(20, 20)]}), map_camera(CENTRE), EvaluationSetup(small_field, SIZE)
+    )
+    tied = score(measurement, 5)
+    assert tied.mirrored
+    assert tied.mean_reprojection_error == pytest.approx(50)
+    assert (tied.mean_error, tied.median_error, tied.max_error) == pytest.approx((10, 10, 10))
+    won = score(measurement, 11)  # the labels as they are pass
+    assert not won.mirrored
+    assert won.mean_error == won.mean_reprojection_error == pytest.approx(10)
+    turned = score(
+        measure(
+            annotate({"left": [(71, 20)], "right": [(32, 20)]}),
+            map_camera(CENTRE),
+            EvaluationSetup(small_field, SIZE),
+        ),
+        5,
+    )
+    assert turned.mirrored
+    assert turned.mean_error == turned.mean_reprojection_error == pytest.approx(1.5)
+
+
 def test_to_be_read_mirrored_labels_count_where_they_are_better(small_field, map_camera, annotate):
     official = EvaluationSetup(small_field, SIZE)
     annotation = annotate({"left": [(70, 20)], "right": [(30, 20)]})

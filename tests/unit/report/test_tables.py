@@ -45,6 +45,7 @@ def summary(**changes: object) -> SetSummary:
         "mean_precision": None,
         "mean_recall": 0.5,
         "mean_reprojection_error": 1.234,
+        "mean_error": 1.234,
         "per_class": {
             "Goal left post left ": ClassSummary(3, 1, 0),
             "Ghost": ClassSummary(0, 0, 2),
@@ -59,6 +60,15 @@ def test_summary_shows_what_it_was_computed_with_and_a_dash_for_the_undefined() 
     assert "84.94" in text
     assert "75.00" in text
     assert "–" in text
+
+
+def test_the_official_error_is_told_where_it_is_another_one() -> None:
+    tied = summary(mean_reprojection_error=7.123)
+    sheet = summary_table({2.0: tied, 5.0: summary()}, "soccernet")
+    at = [column.key for column in sheet.columns].index("mean_error")
+    assert [row[at] for row in sheet.rows] == [1.234, 1.234]
+    assert sheet.notes == ("official error, of mirrored labels on a tie: 7.12 px at tau 2",)
+    assert summary_table({5.0: summary()}, "soccernet").notes == ()
 
 
 def test_a_class_without_prediction_has_no_precision() -> None:

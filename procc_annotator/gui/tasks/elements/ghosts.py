@@ -86,11 +86,21 @@ class GhostTasks(QObject):
             return coming if foresight.working else "no ghosts: no camera could be fitted"
         if insight.fit.camera is None and self._document.proposals.working:
             return "no ghosts: the camera is looked for in the picture"
+        if insight.fit.camera is None and not self._document.annotation.annotated:
+            return self._why_not_found()
         if insight.fit.camera is None:
             return f"no ghosts: {insight.fit.failure or 'no camera fits yet'}"
         if not self._ghosts.known:
             return "no ghosts: what else is in sight is annotated, or not known well enough"
         return ""
+
+    def _why_not_found(self) -> str:
+        """Nothing is annotated, and no camera was found without that."""
+        document = self._document
+        if document.proposals.here is None:
+            return "no ghosts: annotate three or four elements, a camera follows from them"
+        follow = ", or follow the shot (T)" if document.sequence.value is not None else ""
+        return f"no camera was found in this picture: draw three or four elements{follow}"
 
     def _why_off(self) -> str:
         """Why no ghosts are shown, whatever the clicks say; empty if they are."""

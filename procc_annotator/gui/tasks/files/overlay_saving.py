@@ -16,18 +16,18 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.errors import ProccError
 from procc_annotator.gui.decimal_box import DecimalBox
-from procc_annotator.gui.picture.overlay_picture import (
+from procc_annotator.gui.picture.overlay_picture import OverlayPictures
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.writing import ask_where, write
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report.scenes import (
     MAX_SCALE,
     MIN_SCALE,
     MOST_PIXELS,
     SUFFIXES,
     OverlayLook,
-    OverlayPictures,
+    Scene,
 )
-from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.writing import ask_where, write
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.report.pictures import Scene
 
 _KINDS = {
     ".png": "PNG: pixels, nothing is lost",

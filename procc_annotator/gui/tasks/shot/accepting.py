@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
@@ -13,7 +14,7 @@ from procc_annotator.errors import ImageError
 from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import find_ghosts
-from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.many_edits import EditedFrames, ManyEdits
 from procc_annotator.gui.state.set_edits import edit_frame
@@ -21,6 +22,7 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
+from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.tracked_cameras import doubt_about
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.ghost_points import accept_all, find_points
@@ -28,18 +30,48 @@ from procc_annotator.session.strokes.ghost_points import accept_all, find_points
 _NOTHING = FrameAnnotation(())
 _ANNOTATED = "it is annotated by now"
 _EDITED = "it was edited since"
+_NONE_SURE = (
+    "no frame to accept: follow the shot first (T); doubtful and annotated frames are left out"
+)
 _BLIND = "blind mode: nothing is accepted that was not clicked"
 
 
 @dataclass(frozen=True, eq=False)
-class _Sure:
-    """A frame to be annotated along its track."""
+class _Stretch:
+    """The frames that are meant, as they were when somebody asked.
 
-    index: int
-    number: int
-    name: str
-    fit: FitResult
-    not_visible: frozenset[str]
+    Attributes:
+        sequence: of all frames.
+        indices: of these.
+        tracked: number -> what is known of its camera.
+        annotated: indices of frames that are left as they are.
+        frames: the dataset's.
+        revealed: names of the frames whose cameras may be used; None: all.
+        not_visible: the classes that cannot be seen in a frame; for any thread.
+        field: the elements.
+        least: how much of a line is to be seen.
+    """
+
+    sequence: FrameSequence
+    indices: range
+    tracked: Mapping[int, TrackedFrame]
+    annotated: Collection[int]
+    frames: Sequence[Frame]
+    revealed: Collection[str] | None
+    not_visible: Callable[[str], frozenset[str]]
+    field: Field
+    least: float
+
+    def sure(self) -> Iterator[tuple[int, TrackedFrame]]:
+        """Index and camera of the frames that are sure and have no annotation."""
+        numbers = self.sequence.numbers
+        for index in self.indices:
+            frame = self.tracked.get(int(numbers[index]))
+            if index in self.annotated or frame is None or frame.fit is None:
+                continue
+            shown = self.revealed is None or self.frames[index].name in self.revealed
+            if shown and not doubt_about(frame):
+                yield index, frame
 
 
 class StretchAccepting(QObject):
@@ -83,7 +115,8 @@ class StretchAccepting(QObject):
         """How far it is."""
         if self._job is None:
             return ""
-        return f"looking for paint along the track: {self._far[0]} of {self._far[1]} frames"
+        of = f": {self._far[0]} of {self._far[1]} frames" if self._far[1] else ""
+        return f"looking for paint along the track{of}"
 
     def accept(self) -> None:
         """Annotate the sure frames along the track."""
@@ -94,19 +127,17 @@ class StretchAccepting(QObject):
             document.say(_BLIND)
             return
         document.aboutToLeave.emit()
-        chosen = self._chosen()
-        if not chosen:
-            document.say(
-                "no frame to accept: follow the shot first (T); doubtful and annotated frames are"
-                " left out"
-            )
+        stretch = self._stretch()
+        if stretch is None:
+            document.say(_NONE_SURE)
             return
-        sequence = document.sequence.value
-        assert sequence is not None
-        work = partial(_look, sequence, chosen, document.field, self._least_support())
-        self._far = (0, len(chosen))
+        self._far = (0, 0)
         self._job = run_in_background(
-            work, on_result=self._take, on_error=self._fail, on_progress=self._advance, owner=self
+            partial(_look, stretch),
+            on_result=self._take,
+            on_error=self._fail,
+            on_progress=self._advance,
+            owner=self,
         )
         self.changed.emit()
 
@@ -136,28 +167,26 @@ class StretchAccepting(QObject):
 
     # --- which frames -------------------------------------------------------------------------
 
-    def _chosen(self) -> list[_Sure]:
-        """The frames that are sure and have no annotation."""
+    def _stretch(self) -> _Stretch | None:
+        """What is asked for; None where nothing was followed."""
         document, sequence = self._document, self._document.sequence.value
-        workspace = document.workspace
-        if sequence is None or workspace is None:
-            return []
-        shot_track, marked = document.shot_track, self.marked()
-        here = int(sequence.numbers[document.frame_index])
-        stretch = shot_track.shot_of(here) if marked is None else range(marked[0], marked[1] + 1)
-        annotated = document.annotated_frames.indices
-        found = []
-        for index, number in enumerate(sequence.numbers.tolist()):
-            frame = shot_track.tracked.get(number)
-            if number not in stretch or index in annotated or frame is None:
-                continue
-            name = workspace.frames[index].name
-            if not document.proposals.allowed_in(name):
-                continue
-            if frame.fit is not None and not doubt_about(frame):
-                hidden = document.review.not_visible(name)
-                found.append(_Sure(index, number, name, frame.fit, hidden))
-        return found
+        workspace, shot_track = document.workspace, self._document.shot_track
+        if sequence is None or workspace is None or not shot_track.tracked:
+            return None
+        here, marked = int(sequence.numbers[document.frame_index]), self.marked()
+        meant = shot_track.shot_of(here) if marked is None else range(marked[0], marked[1] + 1)
+        begin, end = np.searchsorted(sequence.numbers, (meant.start, meant.stop)).tolist()
+        return _Stretch(
+            sequence,
+            range(begin, end),
+            dict(shot_track.tracked),
+            document.annotated_frames.indices,
+            workspace.frames,
+            document.revealed_frames,
+            document.review.not_visible,
+            document.field,
+            self._least_support(),
+        )
 
     # --- points -------------------------------------------------------------------------------
 
@@ -165,8 +194,11 @@ class StretchAccepting(QObject):
         self._far = (done, total)
         self.changed.emit()
 
-    def _take(self, found: dict[int, FrameAnnotation]) -> None:
+    def _take(self, found: dict[int, FrameAnnotation] | None) -> None:
         self._end()
+        if found is None:
+            self._document.say(_NONE_SURE)
+            return
         if not found:
             self._document.say("no frame was accepted: too little of their lines is seen")
             return
@@ -258,31 +290,32 @@ def _why(outcome: EditedFrames) -> str:
     return f"; {counted(left, 'frame')} left: {', '.join(whys)}" if left else ""
 
 
-def _look(
-    sequence: FrameSequence,
-    chosen: Sequence[_Sure],
-    field: Field,
-    least: float,
-    control: JobControl,
-) -> dict[int, FrameAnnotation]:
-    """In a thread: what each frame is to hold, by index; of those where paint was seen."""
+def _look(stretch: _Stretch, control: JobControl) -> dict[int, FrameAnnotation] | None:
+    """In a thread: what each frame is to hold, by index, of those where paint was seen; None where
+    no frame is sure."""
+    chosen = list(stretch.sure())
+    if not chosen:
+        return None
     found = {}
-    with sequence.open_pictures() as pictures:
-        for done, sure in enumerate(chosen):
+    with stretch.sequence.open_pictures() as pictures:
+        for done, (index, frame) in enumerate(chosen):
             control.progress_or_stop(done, len(chosen))
             try:
-                picture = pictures(sure.number)
+                picture = pictures(frame.number)
             except ImageError:
                 continue  # told when that frame is opened
-            annotation = _annotated(picture, field_of_frame(field, sure.name), sure, least)
+            annotation = _annotated(picture, stretch, stretch.frames[index].name, frame)
             if annotation.annotated:
-                found[sure.index] = annotation
+                found[index] = annotation
     return found
 
 
-def _annotated(picture: PixelArray, field: Field, sure: _Sure, least: float) -> FrameAnnotation:
+def _annotated(
+    picture: PixelArray, stretch: _Stretch, name: str, frame: TrackedFrame
+) -> FrameAnnotation:
     """The elements whose paint is seen where the track shows them."""
-    size = picture.shape[1], picture.shape[0]
-    ghosts = find_ghosts(_NOTHING, field, sure.fit, without=sure.not_visible)
+    assert frame.fit is not None
+    size, field = (picture.shape[1], picture.shape[0]), field_of_frame(stretch.field, name)
+    ghosts = find_ghosts(_NOTHING, field, frame.fit, without=stretch.not_visible(name))
     found = [find_points(ghost, picture, field, size) for ghost in ghosts]
-    return accept_all(_NOTHING, found, least).annotation
+    return accept_all(_NOTHING, found, stretch.least).annotation

@@ -193,3 +193,14 @@ def test_the_noise_of_one_annotator_from_the_floor_of_two() -> None:
     rng = np.random.default_rng(10)
     apart = np.abs(rng.normal(0, 1.5, 200_000) - rng.normal(0, 1.5, 200_000))
     assert noise_of_floor(float(np.median(apart))) == pytest.approx(1.5, rel=0.01)
+
+
+def test_a_band_of_a_curve_that_few_frames_have() -> None:
+    jacs = np.full((12, 3), np.nan)
+    jacs[:2] = (0.1, 0.5, 0.9), (0.2, 0.5, 0.8)
+    band = curve_band(sample(Ratios.mean(jacs), np.arange(12), DRAWS), DRAWS)
+    assert band.values == pytest.approx([0.15, 0.5, 0.85])
+    assert (band.low <= band.values).all()
+    jacs[1] = np.nan
+    band = curve_band(sample(Ratios.mean(jacs), np.arange(12), DRAWS), DRAWS)
+    assert np.isnan(band.low).all()

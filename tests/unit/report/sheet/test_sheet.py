@@ -16,7 +16,7 @@ from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
 from procc_annotator.report.sheet.as_terminal import terminal_table
 from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.sheet import Column, Sheet, Value, of, whole, with_best_bold
+from procc_annotator.report.sheet.sheet import Column, Sheet, Value, of, whole
 from procc_annotator.report.sheet.shown import shown
 
 LOW = Figure("low", "low", "%")
@@ -50,16 +50,6 @@ def test_keys_of_figures_that_stand_together_differ() -> None:
         assert len({figure.key for figure in together}) == len(together)
 
 
-def test_the_best_of_a_column_stands_out_and_what_looks_the_same_is_as_good() -> None:
-    rows = (
-        ("a", 0.381, None, None, 2.0, 3, False),
-        ("b", 0.389101, None, None, None, 4, True),
-        ("c", 0.389102, None, None, None, 4, False),
-        ("d", math.nan, None, None, None, 4, False),
-    )
-    assert with_best_bold(sheet(*rows)).bold == {(1, 1), (2, 1)}  # one error alone is not the best
-
-
 def test_columns_that_are_joined_share_a_cell_on_a_page() -> None:
     content = shown(
         sheet(("a", 0.38, 0.36, 0.41, 2.0, 3, True), ("b", 0.4, None, None, 2.0, 3, False))
@@ -80,7 +70,7 @@ def test_columns_that_are_joined_share_a_cell_on_a_page() -> None:
 def test_csv_holds_exact_values_and_no_formula() -> None:
     text = csv_bytes(sheet(("=1+1", 0.1 + 0.2, None, math.nan, 2.0, 3, True))).decode()
     head, row = csv.reader(io.StringIO(text))
-    assert head == ["source", "jac@5", "low", "high", "mean_reprojection_error", "frames", "fitted"]
+    assert head == ["source", "jac@5", "low", "high", "mean_error", "frames", "fitted"]
     assert row == ["'=1+1", repr(0.1 + 0.2), "", "", "2.0", "3", "true"]
 
 
@@ -107,7 +97,7 @@ def test_json_holds_the_same_values_and_null_for_what_is_undefined() -> None:
     assert entry["rows"] == [
         {
             "source": "=1", "jac@5": 0.25, "low": None, "high": None,
-            "mean_reprojection_error": 2.0, "frames": 3, "fitted": True,
+            "mean_error": 2.0, "frames": 3, "fitted": True,
         }
     ]  # fmt: skip
     assert entry["described"] == "soccernet, 960x540"

@@ -24,7 +24,7 @@ def test_cameras_by_frame(tmp_path: Path) -> None:
     assert list(cameras.frames) == ["1", "2"]
     found = cameras.camera("1", (960, 540))
     assert found is not None
-    assert (found.model, found.notice) == ("pinhole", None)
+    assert (found.model, found.notice) == ("pinhole P", None)
     assert cameras.camera("3", (960, 540)) is None
     with pytest.raises(CameraError, match=r"camera_2\.json: the key 'tilt_degrees' is missing"):
         cameras.camera("2", (960, 540))

@@ -71,7 +71,7 @@ def test_best_and_ranks_only_where_the_data_can_tell(three) -> None:
     found = certain(three)
     assert found.best("mean_jac", 5.0) == 1
     assert found.ranks("mean_jac", 5.0) == [2, 1, 2]
-    assert found.best("mean_reprojection_error", 5.0) == 1
+    assert found.best("mean_error", 5.0) == 1
     assert found.best("completeness", 5.0) is None
     assert sum(found.chances_of_being_best[5.0]) == pytest.approx(1.0)
     assert found.chances_of_being_best[5.0][1] > 0.99
@@ -82,7 +82,7 @@ def test_intervals_hold_the_figures_and_no_share_leaves_its_range(three) -> None
     jac = found["mean_jac", 5.0]
     assert jac.low < np.nanmean([f.figures[1, 0] for f in three[1].frames]) < jac.high
     assert found["completeness", 5.0].high == 1.0
-    assert found["mean_reprojection_error", 2.0].low > 0
+    assert found["mean_error", 2.0].low > 0
 
 
 def test_frames_of_one_cluster_widen_intervals_and_clusters_of_one_frame_do_not(three) -> None:

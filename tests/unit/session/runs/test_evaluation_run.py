@@ -157,20 +157,20 @@ def test_groups_sum_up_their_own_frames_only(annotations, cameras, monkeypatch) 
     monkeypatch.setattr(evaluation_run, "CHUNK", 2)
     evaluated = run(annotations, cameras, grouping=Grouping(("light", "model"), tags))
     results = {r.name: r for r in evaluated}
-    assert results["003"].groups == ("day", "pinhole")
+    assert results["003"].groups == ("day", "pinhole P")
     assert results["001"].groups == ("day", None)
-    assert results["008"].groups == (None, "pinhole")
+    assert results["008"].groups == (None, "pinhole P")
     found = {(g.by, g.value): g.summaries[5.0] for g in evaluated.group_summaries()}
     assert list(found) == [
         ("light", "day"), ("light", "night"), ("light", None),
-        ("model", "pinhole"), ("model", None),
+        ("model", "pinhole P"), ("model", None),
     ]  # fmt: skip
     counts = {key: (s.images, s.evaluated) for key, s in found.items()}
     # 002 cannot be read: it belongs to no figure.
     assert counts[("light", "day")] == (3, 2)
     assert counts[("light", "night")] == (2, 2)
     assert counts[("light", None)] == (3, 3)
-    assert counts[("model", "pinhole")] == (7, 7)
+    assert counts[("model", "pinhole P")] == (7, 7)
     assert counts[("model", None)] == (1, 0)
 
     alone = fill_only(annotations, cameras, ["003", "005"])

@@ -1,0 +1,270 @@
+"""``procc-annotator release``: what a keeper of a dataset publishes."""
+
+from __future__ import annotations
+
+import datetime
+import re
+import tempfile
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Annotated, TypeVar
+
+import typer
+
+from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.console import progress_bar, with_progress
+from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.together import fit_sizes
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.fingerprint import field_fingerprint
+from procc_annotator.field.model import Field
+from procc_annotator.io.csv_text import csv_cells
+from procc_annotator.io.source import FileSource, open_source, read_file
+from procc_annotator.report import agreement, findings
+from procc_annotator.report.provenance import export_provenance
+from procc_annotator.report.release.publishing import (
+    gather_frames,
+    origins_of,
+    severities,
+    write_release,
+)
+from procc_annotator.report.release.released import (
+    AGREEMENT_FILE,
+    FIELD_COPY,
+    FINDINGS_FILE,
+    PROVENANCE_FILE,
+    RELEASE_FILE,
+    Release,
+    ReleaseTerms,
+)
+from procc_annotator.report.targets import is_archive
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.database.places import database_path, kept_elsewhere, read_settings
+from procc_annotator.session.dataset.dataset_folder import (
+    FIELD_FILE,
+    annotations_of,
+    folder_of_dataset,
+)
+from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.ignored_findings import ignored_keys
+from procc_annotator.session.facts.origins import default_author
+from procc_annotator.session.runs.agreement_run import AgreementRun
+from procc_annotator.session.runs.check_run import CheckRun
+from procc_annotator.words import count_of
+
+HELP = """\
+OUT, a folder or a .zip, gets the annotations as they are, splits, the SHA-256 of every annotation
+and picture (index.csv), how the points came to be, the findings of the label check that nobody has
+ignored, a dataset card (README.md, with the header that dataset hubs read), Croissant metadata
+(croissant.json) and a changelog against the release before. Pictures are passed on only with
+--pictures: footage often may not be. Nothing of DATASET is changed.
+
+Exit code: 0; 1 if some files were left out (listed); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator release match/ match-1.1/ --version 1.1 --licence CC-BY-4.0 \\
+      --splits splits.csv --second second_annotator/ --before match-1.0/
+"""
+
+_AGREEMENT_TAU = 5.0
+_SPLIT = re.compile(r"[\w][\w .\-]{0,60}")
+
+T = TypeVar("T")
+
+Name = Annotated[
+    str | None, typer.Option(metavar="TEXT", show_default=False, help="Of the dataset.")
+]
+Version = Annotated[str, typer.Option("--version", metavar="X.Y.Z", help="Of this release.")]
+Licence = Annotated[
+    str, typer.Option("--licence", "--license", metavar="ID", help="Such as CC-BY-4.0, or a URL.")
+]
+By = Annotated[
+    list[str] | None,
+    typer.Option("--by", metavar="NAME", show_default=False, help="Who made it; repeat."),
+]
+Url = Annotated[str, typer.Option(metavar="URL", help="Where it is found.")]
+Description = Annotated[str, typer.Option(metavar="TEXT", help="A paragraph for the card.")]
+Citation = Annotated[
+    Path | None, typer.Option(metavar="FILE.bib", show_default=False, help="How it is cited.")
+]
+Splits = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE.csv",
+        show_default=False,
+        help="Columns 'frame' and 'split'; frames in none are left out.",
+    ),
+]
+Second = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="DIR", show_default=False, help="Annotations of the same frames by somebody else."
+    ),
+]
+Before = Annotated[
+    Path | None, typer.Option(metavar="DIR", show_default=False, help="The release before.")
+]
+Pictures = Annotated[bool, typer.Option("--pictures/--no-pictures", help="Pass pictures on.")]
+Check = Annotated[bool, typer.Option("--check/--no-check", help="Run the label check.")]
+Date = Annotated[
+    str | None,
+    typer.Option(metavar="YYYY-MM-DD", show_default=False, help="Of the release; today's."),
+]
+
+
+def release(
+    dataset: options.AnnotatedSet,
+    out: Annotated[Path, typer.Argument(help="Folder or .zip to write.")],
+    name: Name = None,
+    version: Version = "1.0.0",
+    licence: Licence = "",
+    by: By = None,
+    url: Url = "",
+    description: Description = "",
+    citation: Citation = None,
+    splits: Splits = None,
+    second: Second = None,
+    before: Before = None,
+    pictures: Pictures = False,
+    check: Check = True,
+    field: options.FieldName = None,
+    lines: options.Lines = None,
+    date: Date = None,
+    overwrite: options.Overwrite = False,
+) -> None:
+    place = annotations_of(dataset)
+    folder = folder_of_dataset(place)
+    known = chosen_field(field, dataset, lines=lines)
+    called = name or (folder or dataset).absolute().stem
+    said = "" if citation is None else read_file(citation).decode("utf-8", "replace")
+    terms = ReleaseTerms(
+        called, called, version, date or datetime.date.today().isoformat(), licence,
+        tuple(by or ()), url, description, said,
+    )  # fmt: skip
+    with open_source(place) as source:
+        _check_out(out, source, dataset, overwrite=overwrite)
+        sizes = PictureSizes(picture_folders(dataset, place))
+        with progress_bar("reading") as progress:
+            found = gather_frames(source, known, _splits(splits), sizes, progress)
+        made = _Making(source, dataset, folder, known)
+        files: dict[str, bytes] = {}
+        open_findings = made.findings(files) if check else None
+        agreed = "" if second is None else made.agreement(second, files)
+        origins = made.provenance(files)
+        made.field_file(files)
+        whole = Release(
+            terms, tuple(found.frames), known, made.fingerprint, open_findings, agreed, origins,
+            pictures, tuple(files.items()),
+        )  # fmt: skip
+        with progress_bar("writing") as progress:
+            changes = write_release(whole, out, before, sizes.path, progress)
+    for split, names in whole.splits.items():
+        typer.echo(f"{split}: {count_of(len(names), 'frame')}")
+    if changes is not None:
+        counted = (len(changes.added), len(changes.removed), len(changes.changed))
+        typer.echo("since {}: {} added, {} removed, {} changed".format(changes.before, *counted))
+    typer.echo(f"release {version} of {called} written to {out}")
+    raise typer.Exit(datasets.report_unreadable(found.problems, "left out"))
+
+
+def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool) -> None:
+    """Fail before the work.
+
+    Raises:
+        UsageError: OUT is, or lies in, what is read; or holds a release nobody asked to replace.
+    """
+    outputs.check_place(out, [source])
+    if dataset.is_dir() and out.resolve().is_relative_to(dataset.resolve()):
+        raise UsageError(f"{out}: lies in what is read, write to another place than {dataset}")
+    if is_archive(out):
+        outputs.check_replaces_nothing(out, (), overwrite=overwrite)
+    elif out.is_dir() and any(out.iterdir()) and not overwrite:
+        held = "a release" if (out / RELEASE_FILE).exists() else "files"
+        raise UsageError(f"{out}: holds {held} already, choose another folder, or --overwrite")
+
+
+def _splits(path: Path | None) -> dict[str, str]:
+    """Frame -> split.
+
+    Raises:
+        InputError: no such table.
+    """
+    if path is None:
+        return {}
+    (_, header), *rows = csv_cells(path) or [(1, [])]
+    names = [cell.strip() for cell in header]
+    if not {"frame", "split"} <= set(names):
+        raise InputError(path, "has no columns 'frame' and 'split'")
+    found = {}
+    for line, cells in rows:
+        row = dict(zip(names, (cell.strip() for cell in cells), strict=False))
+        split = row.get("split", "")
+        if not _SPLIT.fullmatch(split):
+            raise InputError(path, f"{split!r} is no name for a split", place=f"line {line}")
+        found[row["frame"]] = split
+    return found
+
+
+class _Making:
+    """What is found out about a dataset for its release; its files are added as they come."""
+
+    def __init__(
+        self, source: FileSource, dataset: Path, folder: Path | None, known: Field
+    ) -> None:
+        self._source, self._dataset, self._folder, self._known = source, dataset, folder, known
+        self.fingerprint = field_fingerprint(known)
+
+    def findings(self, files: dict[str, bytes]) -> Mapping[str, int]:
+        """By severity, without those that somebody ignored."""
+        sizes = fit_sizes(self._source, self._source.path, self._dataset, None)
+        run = CheckRun(self._source, self._known, sizes, "R", looks=True)
+        report = findings.check_set(run, with_progress)
+        ignored = {} if self._folder is None else ignored_keys(read_settings(self._folder))
+        report.found = [
+            told for told in report.found if told.key not in ignored.get(told.frame, frozenset())
+        ]
+        files[FINDINGS_FILE] = findings.findings_csv(report)
+        return severities(told.finding.severity.value for told in report.found)
+
+    def agreement(self, second: Path, files: dict[str, bytes]) -> str:
+        """In one line."""
+        with open_source(annotations_of(second)) as other:
+            run = AgreementRun(self._source, other, self._known, (960, 540), (_AGREEMENT_TAU,))
+            agreed, files[AGREEMENT_FILE] = _as_file(
+                ".json", lambda path: agreement.agree_sets(run, output=path)
+            )
+        return agreement.noise_floor_line(agreed)
+
+    def provenance(self, files: dict[str, bytes]) -> Mapping[str, int] | None:
+        """Origin -> number of points; None where no workspace knows of any."""
+        folder = self._folder
+        if folder is None or not self._dataset.is_dir():
+            return None
+        if not database_path(folder).exists() and kept_elsewhere(folder) is None:
+            return None
+        workspace = Workspace.open(folder, self._known)
+        database = WorkspaceDatabase.open(folder, default_author())
+        try:
+            _, data = _as_file(".json", lambda path: export_provenance(workspace, database, path))
+        finally:
+            database.close()
+        files[PROVENANCE_FILE] = data
+        return origins_of(data)
+
+    def field_file(self, files: dict[str, bytes]) -> None:
+        """The dataset's own field, where it has one."""
+        path = None if self._folder is None else self._folder / FIELD_FILE
+        if path is not None and path.is_file():
+            files[FIELD_COPY] = read_file(path)
+
+
+def _as_file(suffix: str, write: Callable[[Path], T]) -> tuple[T, bytes]:
+    """What a function says, and what it writes."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"file{suffix}"
+        return write(path), path.read_bytes()

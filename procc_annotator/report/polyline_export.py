@@ -1,0 +1,93 @@
+"""Cameras of a set as a submission of projected polylines."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from pathlib import Path
+
+import numpy as np
+
+import procc_annotator
+from procc_annotator.camera.base import FloatArray
+from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.field.fingerprint import field_fingerprint
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.camera_writers import ConvertedCameras
+from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.io.camera_files.polyline_submission import (
+    FORMAT,
+    Manifest,
+    encode_manifest,
+    encode_polylines,
+    names_sha256,
+)
+from procc_annotator.io.collections import MANIFEST_FILE
+from procc_annotator.metric.project import project_field, unclipped
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.targets import is_archive, open_target
+
+
+def export_polylines(
+    cameras: CameraCollection,
+    out: Path,
+    setup: EvaluationSetup,
+    method: str,
+    frames: Collection[str] | None = None,
+    *,
+    camera_size: tuple[int, int] | None = None,
+    progress: Callable[[int, int], None] = lambda done, total: None,
+) -> ConvertedCameras:
+    """Write where cameras show the elements, with a manifest.
+
+    Args:
+        cameras: of any model.
+        out: a ``.zip``.
+        setup: field, protocol and size it is to be evaluated with.
+        method: its name in tables.
+        frames: names of the frames that are to be judged; those of the cameras unless given.
+        camera_size: the picture size pixels belong to, where camera files do not say.
+
+    Raises:
+        UsageError: no ``.zip``.
+        SaveError: writing failed; the archive is then not there, or the old one.
+    """
+    if not is_archive(out):
+        raise UsageError(f"{out}: a submission is an archive, its name must end in .zip")
+    wanted = list(cameras.frames if frames is None else frames)
+    done = ConvertedCameras(out)
+    with open_target(out) as archive:
+        manifest = Manifest(
+            FORMAT, method, setup.protocol, setup.field.described, field_fingerprint(setup.field),
+            setup.size, len(wanted), names_sha256(wanted), procc_annotator.__version__,
+        )  # fmt: skip
+        archive.write(MANIFEST_FILE, encode_manifest(manifest))
+        for number, frame in enumerate(wanted, 1):
+            progress(number, len(wanted))
+            if frame not in cameras.frames:
+                continue
+            try:
+                camera, _ = fit_to_size(cameras.read(frame), setup.size, camera_size)
+            except CameraError as error:
+                done.problems.append(str(error))
+                continue
+            pieces = projected_pieces(camera, setup.of_frame(frame))
+            archive.write(f"{frame}.json", encode_polylines(pieces, setup.size))
+            done.written += 1
+    return done
+
+
+def projected_pieces(
+    camera: CameraOrProjections, setup: EvaluationSetup
+) -> dict[str, tuple[FloatArray, ...]]:
+    """Where a camera shows the elements: all that the protocol measures distances to.
+
+    ``soccernet`` ends at the border of the picture. ``procc`` goes on beyond it, for elements that
+    are in sight.
+    """
+    shown = project_field(camera, setup)
+    if setup.is_official:
+        return shown.pieces
+    names = np.array(shown.names)
+    whole = unclipped(camera, setup, shown.polylines.detected)
+    return {str(names[row]): whole.pieces_of(row) for row in whole.detected.nonzero()[0].tolist()}

@@ -1,0 +1,254 @@
+"""Gather what a release of a dataset holds, and write it as a folder or an archive."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+import procc_annotator
+from procc_annotator.errors import ImageError, InputError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import FileSource, read_file
+from procc_annotator.report.release.card import dataset_card
+from procc_annotator.report.release.changes import Changes, changed_frame, changelog
+from procc_annotator.report.release.croissant import croissant_bytes
+from procc_annotator.report.release.released import (
+    ANNOTATIONS,
+    CARD_FILE,
+    CHANGES_FILE,
+    CROISSANT_FILE,
+    FORMAT,
+    INDEX_FILE,
+    ONE_SPLIT,
+    PICTURES,
+    RELEASE_FILE,
+    SPLITS,
+    Release,
+    ReleasedFrame,
+    ReleasedPicture,
+    index_sheet,
+)
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.as_json import json_bytes
+from procc_annotator.report.targets import open_target
+from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_size
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass
+class Gathered:
+    """Frames on their way into a release, and what cannot be used of them, one line each."""
+
+    frames: list[ReleasedFrame] = field(default_factory=list)
+    problems: list[str] = field(default_factory=list)
+
+
+def gather_frames(
+    source: FileSource,
+    known: Field,
+    splits: Mapping[str, str],
+    pictures: PictureSizes,
+    progress: Progress,
+) -> Gathered:
+    """Read every annotation, and hash it and its picture.
+
+    Args:
+        known: the elements.
+        splits: frame -> split; where it is empty, all frames are in one.
+    """
+    found = Gathered()
+    files = list_annotations(source)
+    for number, (name, file) in enumerate(files.items(), 1):
+        progress(number, len(files))
+        if splits and name not in splits:
+            found.problems.append(f"{name}: is in no split; left out")
+            continue
+        try:
+            data = source.read(file)
+            annotation = read_annotation(data, path=source.display(file), field=known)
+        except InputError as error:
+            found.problems.append(str(error))
+            continue
+        path = pictures.path(name)
+        picture = None
+        if path is not None:
+            try:
+                picture = _picture(path)
+            except InputError as error:
+                found.problems.append(str(error))
+        split = splits.get(name, ONE_SPLIT)
+        found.frames.append(ReleasedFrame(name, split, data, _sha256(data), annotation, picture))
+    if not found.frames:
+        raise UsageError(f"nothing to do: no annotation of {source.path} can be released")
+    return found
+
+
+def origins_of(provenance: bytes) -> dict[str, int]:
+    """How many points came to be in which way, the most frequent first.
+
+    Args:
+        provenance: as `report.provenance` writes it.
+    """
+    content: dict[str, Any] = json.loads(provenance)
+    counts = Counter(
+        "from a file" if point is None else str(point[0])
+        for elements in content["frames"].values()
+        for points in elements.values()
+        for point in points
+    )
+    return dict(counts.most_common())
+
+
+def write_release(
+    release: Release,
+    out: Path,
+    before: Path | None,
+    picture_of: Callable[[str], Path | None],
+    progress: Progress,
+) -> Changes | None:
+    """Write everything; returns what changed since the release before.
+
+    Args:
+        out: a folder, or an archive if it ends in ``.zip``.
+        before: folder of the release before.
+        picture_of: frame -> its picture's path.
+
+    Raises:
+        InputError: the release before, or a picture, cannot be read.
+        SaveError: writing failed; an archive is then not there.
+    """
+    terms = release.terms
+    changes = None if before is None else changes_since(before, release)
+    earlier = "" if before is None else _earlier_changes(before)
+    index = csv_bytes(index_sheet(release.frames))
+    with open_target(out) as target:
+        for number, frame in enumerate(release.frames, 1):
+            progress(number, len(release.frames))
+            target.write(f"{ANNOTATIONS}/{frame.name}.json", frame.data)
+            path = picture_of(frame.name) if release.with_pictures else None
+            if path is not None and frame.picture is not None:
+                target.write(f"{PICTURES}/{frame.picture.file}", read_file(path, ImageError))
+        for split, names in release.splits.items():
+            target.write(f"{SPLITS}/{split}.txt", "".join(f"{n}\n" for n in names).encode())
+        for name, data in release.files:
+            target.write(name, data)
+        target.write(INDEX_FILE, index)
+        target.write(CROISSANT_FILE, croissant_bytes(release, index, _sha256(index)))
+        text = changelog(terms.version, terms.date, changes, earlier)
+        target.write(CHANGES_FILE, text.encode())
+        target.write(RELEASE_FILE, _release_bytes(release))
+        target.write(CARD_FILE, dataset_card(release).encode())
+    return changes
+
+
+def changes_since(before: Path, release: Release) -> Changes:
+    """What changed since a release.
+
+    Raises:
+        InputError: it is no release, or cannot be read.
+    """
+    known = _read_release(before)
+    now = {frame.name: frame for frame in release.frames}
+    changed = []
+    for name, frame in now.items():
+        entry = known.frames.get(name)
+        if entry is None or entry.sha256 == frame.sha256:
+            continue
+        path = before / ANNOTATIONS / f"{name}.json"
+        was = read_annotation(read_file(path), path=str(path), field=release.field)
+        if (found := changed_frame(name, was, frame.annotation)) is not None:
+            changed.append(found)
+    splits = (n for n, f in now.items() if n in known.frames and known.frames[n].split != f.split)
+    return Changes(
+        f"version {known.version}",
+        tuple(name for name in now if name not in known.frames),
+        tuple(name for name in known.frames if name not in now),
+        tuple(changed),
+        tuple(splits),
+        known.field_sha256 != release.fingerprint,
+    )
+
+
+@dataclass(frozen=True)
+class _Entry:
+    split: str
+    sha256: str
+    picture_sha256: str | None = None
+
+
+@dataclass(frozen=True)
+class _Known:
+    """What `RELEASE_FILE` holds."""
+
+    format: str
+    name: str
+    version: str
+    date: str
+    field: str
+    field_sha256: str
+    frames: dict[str, _Entry]
+    program: str = ""
+
+
+def _release_bytes(release: Release) -> bytes:
+    frames = {
+        frame.name: _Entry(
+            frame.split, frame.sha256, None if frame.picture is None else frame.picture.sha256
+        )
+        for frame in release.frames
+    }
+    terms = release.terms
+    known = _Known(
+        FORMAT, terms.name, terms.version, terms.date, release.field.described,
+        release.fingerprint, frames, f"procc-annotator {procc_annotator.__version__}",
+    )  # fmt: skip
+    return json_bytes(msgspec.to_builtins(known))
+
+
+def _read_release(folder: Path) -> _Known:
+    path = folder / RELEASE_FILE
+    data = read_file(path)
+    try:
+        known = msgspec.json.decode(data, type=_Known)
+    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        raise InputError(path, f"is no release: {error}") from error
+    if known.format != FORMAT:
+        raise InputError(path, f"is of format {known.format[:60]!r}, expected {FORMAT!r}")
+    for name in known.frames:
+        if "/" in name or "\\" in name or name in ("", ".", ".."):
+            raise InputError(path, f"{name[:60]!r} is no name of a frame")
+    return known
+
+
+def _earlier_changes(before: Path) -> str:
+    path = before / CHANGES_FILE
+    if not path.exists():
+        return ""
+    text = read_file(path).decode("utf-8", "replace")
+    return text.partition("\n## ")[2] and "## " + text.partition("\n## ")[2]
+
+
+def _picture(path: Path) -> ReleasedPicture:
+    data = read_file(path, ImageError)
+    width, height = picture_size(path)
+    return ReleasedPicture(path.name, _sha256(data), len(data), width, height)
+
+
+def _sha256(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
+
+
+def severities(found: Iterable[str]) -> dict[str, int]:
+    """Severity -> number of findings, the gravest first."""
+    counts = Counter(found)
+    return {name: counts[name] for name in ("error", "warning", "hint") if counts[name]}

@@ -1,0 +1,144 @@
+"""A benchmark of projected polylines: written, checked and scored, by two who share no camera."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import zipfile
+from pathlib import Path
+
+import pytest
+
+SOURCES = ("true", "bad", "homography", "pinhole")
+
+
+def summary(path: Path) -> dict:
+    found = json.loads(path.read_text())
+    return (found.get("evaluations") or [found])[0]["summary"]["5"]
+
+
+def submit(cli, data: Path, source: str, out: Path, *options: object) -> None:
+    done = cli(
+        "convert", data / "cameras" / source, out, "--to", "polylines", "--frames", data, *options
+    )
+    assert done.exit_code == 0, done.output
+
+
+def changed(path: Path, out: Path, **changes: object) -> Path:
+    """The archive with another manifest or other files; None leaves a file out."""
+    with zipfile.ZipFile(path) as archive, zipfile.ZipFile(out, "w") as other:
+        for name in archive.namelist():
+            data = changes.pop(name, archive.read(name))
+            if data is not None:
+                other.writestr(name, data)
+        for name, data in changes.items():
+            other.writestr(name, data)
+    return out
+
+
+def manifest(path: Path) -> dict:
+    with zipfile.ZipFile(path) as archive:
+        return json.loads(archive.read("manifest.json"))
+
+
+@pytest.fixture
+def data(sample_data: Path, tmp_path: Path) -> Path:
+    folder = tmp_path / "sample"
+    folder.mkdir()
+    for file in sample_data.glob("*.json"):
+        shutil.copy(file, folder)
+    shutil.copytree(sample_data / "cameras", folder / "cameras")
+    return folder
+
+
+@pytest.mark.parametrize("protocol", ["procc", "soccernet"])
+@pytest.mark.parametrize("source", SOURCES)
+def test_polylines_score_as_their_cameras_do(
+    cli, data: Path, tmp_path: Path, source: str, protocol: str
+) -> None:
+    archive, own, theirs = tmp_path / "s.zip", tmp_path / "own.json", tmp_path / "theirs.json"
+    submit(cli, data, source, archive, "--protocol", protocol, "--method", "mine")
+    cameras = data / "cameras" / source
+    looked = cli("check-submission", archive, "--annotations", data)
+    assert looked.exit_code == (source == "bad"), looked.output  # it has no camera for some
+    terms = ("--protocol", protocol, "-t", "5")
+    done = cli("evaluate", data, "--submission", archive, *terms, "--output", theirs)
+    assert done.exit_code == 0, done.output
+    assert cli("evaluate", data, cameras, *terms, "--output", own).exit_code == 0
+    assert json.loads(theirs.read_text())["evaluations"][0]["method"] == "mine"
+    for key in ("mean_jac", "completeness", "mean_reprojection_error"):
+        assert summary(theirs)[key] == pytest.approx(summary(own)[key], abs=2e-3), key
+
+
+def test_what_it_was_made_for_counts(cli, data: Path, tmp_path: Path) -> None:
+    archive = tmp_path / "s.zip"
+    submit(cli, data, "true", archive, "--protocol", "procc")
+
+    def refused(*options: object) -> str:
+        done = cli("evaluate", data, "--submission", archive, *options)
+        assert done.exit_code == 2
+        return done.output
+
+    assert "made for the protocol procc, not soccernet" in refused()
+    assert "960x540, not 1280x720" in refused("--protocol", "procc", "--size", "1280x720")
+    assert "another field" in refused("--protocol", "procc", "--field", "soccer:length=100")
+    (data / "00099.json").write_text((data / "00001.json").read_text())
+    assert "other frames" in refused("--protocol", "procc")
+
+
+def test_findings_of_a_poor_submission(cli, data: Path, tmp_path: Path) -> None:
+    good = tmp_path / "s.zip"
+    submit(cli, data, "true", good)
+    poor = changed(
+        good,
+        tmp_path / "poor.zip",
+        **{
+            "00001.json": None,
+            "00002.json": b'{"Middle line": [{"x": "far"}]}',
+            "00003.json": b'{"Half line": [{"x": 0.5, "y": 0.1}, {"x": 0.5, "y": 0.9}]}',
+            "00077.json": b"{}",
+            "run.py": b"raise SystemExit",
+        },
+    )
+    done = cli("check-submission", poor, "--annotations", data)
+    assert done.exit_code == 1
+    assert "lowers the score: 1 of 11 annotated frames are missing (00001)" in done.output
+    assert "lowers the score: 00002.json" in done.output
+    assert "ignored: 00003.json: no element of the field: Half line" in done.output
+    assert "ignored: 1 frame (00077) not annotated" in done.output
+    assert "run.py" in done.output
+    scored = cli("evaluate", data, "--submission", poor, "--output", tmp_path / "o.json")
+    assert scored.exit_code == 1  # what cannot be read is listed, the rest is scored
+    assert summary(tmp_path / "o.json")["completeness"] == pytest.approx(9 / 11)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [(b"{", "is no manifest"), (b'{"format": 1}', "is no manifest"), (None, "no manifest.json")],
+)
+def test_a_manifest_that_cannot_be_used(
+    cli, data: Path, tmp_path: Path, text: bytes | None, said: str
+) -> None:
+    good = tmp_path / "s.zip"
+    submit(cli, data, "true", good)
+    bad = changed(good, tmp_path / "bad.zip", **{"manifest.json": text})
+    done = cli("evaluate", data, "--submission", bad)
+    assert done.exit_code == 2
+    assert said in done.output
+
+
+def test_a_name_from_a_manifest_is_only_a_name(cli, data: Path, tmp_path: Path) -> None:
+    good = tmp_path / "s.zip"
+    submit(cli, data, "true", good)
+    content = manifest(good) | {"method": "../../x=y:{set}\n" + "z" * 300}
+    odd = changed(good, tmp_path / "odd.zip", **{"manifest.json": json.dumps(content).encode()})
+    done = cli("evaluate", data, "--submission", odd, "--output", tmp_path / "o.json")
+    assert done.exit_code == 0, done.output
+    method = json.loads((tmp_path / "o.json").read_text())["evaluations"][0]["method"]
+    assert not set(method) & set("=:/{}\n")
+
+
+def test_only_an_archive_takes_polylines(cli, data: Path, tmp_path: Path) -> None:
+    done = cli("convert", data / "cameras" / "true", tmp_path / "out", "--to", "polylines")
+    assert done.exit_code == 2
+    assert ".zip" in done.output

@@ -1,0 +1,205 @@
+"""``procc-annotator release`` as the keeper of a dataset runs it."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import json
+import shutil
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.cli.together import fit_sizes
+from procc_annotator.field.load import load_field
+from procc_annotator.io.source import open_source
+from procc_annotator.report.findings import check_set
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.facts.ignored_findings import SETTING
+from procc_annotator.session.runs.check_run import CheckRun
+
+
+@pytest.fixture
+def keep(sample_copy: Path) -> Path:
+    """The sample, as somebody keeps it."""
+    return sample_copy
+
+
+def made(cli, *arguments: object) -> str:
+    done = cli("release", *arguments, "--date", "2026-05-01")
+    assert done.exit_code == 0, done.output
+    return done.output
+
+
+def rows_of(path: Path) -> list[dict[str, str]]:
+    return list(csv.DictReader(path.read_text().splitlines()))
+
+
+def index_of(folder: Path) -> dict[str, dict[str, str]]:
+    return {row["frame"]: row for row in rows_of(folder / "index.csv")}
+
+
+def sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def test_annotations_and_hashes_without_pictures(cli, keep: Path, tmp_path: Path) -> None:
+    out = tmp_path / "release"
+    said = made(cli, keep, out, "--version", "1.0", "--licence", "CC-BY-4.0", "--no-check")
+    assert "all: 11 frames" in said
+    assert not (out / "images").exists()
+    annotated = sorted(path.name for path in keep.glob("0*.json"))
+    assert sorted(path.name for path in (out / "annotations").iterdir()) == annotated
+    for name in annotated:
+        assert (out / "annotations" / name).read_bytes() == (keep / name).read_bytes()
+    assert (out / "splits" / "all.txt").read_text().split() == [n[:-5] for n in annotated]
+    row = index_of(out)["00002"]
+    assert row["annotation_sha256"] == sha256(keep / "00002.json")
+    assert row["picture_sha256"] == sha256(keep / "00002.jpg")
+    assert (row["picture"], row["width"], row["height"]) == ("00002.jpg", "1280", "720")
+    assert "The first release." in (out / "CHANGELOG.md").read_text()
+    assert not any(path.name.startswith(".procc") for path in out.rglob("*"))
+
+
+def test_the_card_has_the_header_that_hubs_read(cli, keep: Path, tmp_path: Path) -> None:
+    out = tmp_path / "release"
+    made(
+        cli, keep, out, "--name", "Cup: 'one'", "--licence", "CC-BY-4.0", "--by", "A | B",
+        "--description", "Drawn <frames>.", "--no-check",
+    )  # fmt: skip
+    card = (out / "README.md").read_text()
+    begin, header, _ = card.split("---\n", 2)
+    assert begin == ""
+    assert "license: cc-by-4.0\n" in header
+    assert "pretty_name: \"Cup: 'one'\"\n" in header
+    assert "- n<1K\n" in header
+    assert "| by | A \\| B |" in card
+    assert "Drawn &lt;frames>." in card
+    assert "| Side line top | 9 |" in card
+    assert "Nobody looked" in card
+
+
+def test_croissant_names_every_column_by_what_is_there(cli, keep: Path, tmp_path: Path) -> None:
+    out = tmp_path / "release"
+    made(cli, keep, out, "--pictures", "--version", "2.1", "--no-check", "--url", "https://x.org")
+    found = json.loads((out / "croissant.json").read_text())
+    assert found["@type"] == "sc:Dataset"
+    assert found["version"] == "2.1.0"
+    assert found["conformsTo"] == "http://mlcommons.org/croissant/1.0"
+    index, annotations, pictures = found["distribution"]
+    assert index["sha256"] == sha256(out / "index.csv")
+    assert index["contentSize"] == f"{(out / 'index.csv').stat().st_size} B"
+    assert annotations["includes"] == "annotations/*.json"
+    assert pictures["includes"] == "images/*.jpg"
+    header = (out / "index.csv").read_text().splitlines()[0].split(",")
+    columns = [f["source"]["extract"]["column"] for f in found["recordSet"][0]["field"]]
+    assert columns == header
+    assert (out / "images" / "00002.jpg").read_bytes() == (keep / "00002.jpg").read_bytes()
+
+
+def test_splits_findings_and_a_second_annotator(cli, keep: Path, tmp_path: Path) -> None:
+    splits = tmp_path / "splits.csv"
+    splits.write_text("frame,split\n00001,train\n00002,train\n00003,test\n")
+    second = tmp_path / "second"
+    second.mkdir()
+    for name in ("00001", "00002"):
+        content = json.loads((keep / f"{name}.json").read_text())
+        moved = {k: [{"x": p["x"] + 0.001, "y": p["y"]} for p in v] for k, v in content.items()}
+        (second / f"{name}.json").write_text(json.dumps(moved))
+    out = tmp_path / "release.zip"
+    done = cli("release", keep, out, "--splits", splits, "--second", second)
+    assert done.exit_code == 1
+    assert "left out: 00004: is in no split" in done.output
+    assert "train: 2 frames" in done.output
+    with zipfile.ZipFile(out) as archive:
+        names = set(archive.namelist())
+        assert {"findings.csv", "agreement.json", "splits/train.txt", "splits/test.txt"} <= names
+        card = archive.read("README.md").decode()
+        assert archive.read("splits/train.txt") == b"00001\n00002\n"
+    assert "Noise floor: median" in card
+    assert "Label check, still open:" in card
+
+
+def test_what_is_known_of_points_goes_along(cli, keep: Path, tmp_path: Path) -> None:
+    database = WorkspaceDatabase.open(keep, "Ann")
+    database.set_setting("anything", "yes")
+    assert database.close()
+    out = tmp_path / "release"
+    made(cli, keep, out, "--no-check")
+    provenance = json.loads((out / "provenance.json").read_text())
+    assert set(provenance["frames"]) == set(index_of(out))
+    assert "points came to be: from a file 100 %" in (out / "README.md").read_text()
+
+
+def test_findings_that_were_ignored_are_not_open(cli, keep: Path, tmp_path: Path) -> None:
+    content = json.loads((keep / "00002.json").read_text())
+    content["Side line botom"] = content.pop(next(iter(content)))
+    (keep / "00002.json").write_text(json.dumps(content))
+    field = load_field("soccer")
+    with open_source(keep) as source:
+        run = CheckRun(source, field, fit_sizes(source, keep, keep, None), "R")
+        report = check_set(run, lambda items, total, what: items)
+    keys = [told.key for told in report.found if told.frame == "00002"]
+    made(cli, keep, tmp_path / "before")
+    before = [row["frame"] for row in rows_of(tmp_path / "before" / "findings.csv")]
+    assert before.count("00002") == len(keys) > 0
+    database = WorkspaceDatabase.open(keep, "Ann")
+    for key in keys:
+        database.set_setting(f"{SETTING}{key} 00002", "yes")
+    assert database.close()
+    made(cli, keep, tmp_path / "after")
+    after = [row["frame"] for row in rows_of(tmp_path / "after" / "findings.csv")]
+    assert "00002" not in after
+    assert len(after) == len(before) - len(keys)
+
+
+def test_changes_against_the_release_before(cli, keep: Path, tmp_path: Path) -> None:
+    first, then = tmp_path / "first", tmp_path / "then"
+    made(cli, keep, first, "--version", "1.0", "--no-check")
+    (keep / "00001.json").unlink()
+    content = json.loads((keep / "00002.json").read_text())
+    kept, gone, *_ = content
+    content[kept][0]["x"] += 4 / 959
+    content["Circle central left"] = content.pop(gone)
+    (keep / "00002.json").write_text(json.dumps(content))
+    shutil.copy(keep / "00003.json", keep / "00005.json")
+    said = made(cli, keep, then, "--version", "1.1", "--before", first, "--no-check")
+    assert "since version 1.0: 1 added, 1 removed, 1 changed" in said
+    text = (then / "CHANGELOG.md").read_text()
+    assert "1 frame added: 00005" in text
+    assert "1 frame removed: 00001" in text
+    assert "+Circle central left" in text
+    assert f"-{gone}" in text
+    assert f"{kept} (up to 4.0 px)" in text
+    assert text.index("## 1.1") < text.index("## 1.0")
+    same = made(cli, keep, tmp_path / "same", "--version", "1.2", "--before", then, "--no-check")
+    assert "0 added, 0 removed, 0 changed" in same
+
+
+def test_the_same_release_is_the_same_bytes(cli, keep: Path, tmp_path: Path) -> None:
+    for name in ("a.zip", "b.zip"):
+        made(cli, keep, tmp_path / name, "--no-check")
+    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
+
+
+def test_where_it_may_not_be_written(cli, keep: Path, tmp_path: Path) -> None:
+    inside = cli("release", keep, keep / "release", "--no-check")
+    assert inside.exit_code == 2
+    assert "lies in what is read" in inside.output
+    out = tmp_path / "release"
+    made(cli, keep, out, "--no-check")
+    again = cli("release", keep, out, "--no-check")
+    assert again.exit_code == 2
+    assert "holds a release already" in again.output
+    made(cli, keep, out, "--no-check", "--overwrite")
+
+
+def test_a_release_before_that_is_none(cli, keep: Path, tmp_path: Path) -> None:
+    before = tmp_path / "before"
+    before.mkdir()
+    (before / "release.json").write_text('{"format": "else"}')
+    done = cli("release", keep, tmp_path / "out", "--before", before, "--no-check")
+    assert done.exit_code == 2
+    assert "is no release" in done.output
+    assert not (tmp_path / "out").exists()
