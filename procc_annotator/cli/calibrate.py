@@ -34,8 +34,9 @@ from procc_annotator.words import count_of, first_of
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
 archive if it ends in .zip: it gets camera_00037.json for frame 00037 (with --model H 00037.npy, in
-the format carwc; a fisheye is 00037.yml, in the format opencv) and calibration.csv, a row a frame: JaC, error, standard deviations, what the
-points leave open of a camera they hardly determine, or why there is none.
+the format carwc; a fisheye is 00037.yml, in the format opencv) and calibration.csv, a row a frame:
+JaC, error, standard deviations, what the points leave open of a camera they hardly determine, or
+why there is none.
 
 Pictures beside the annotations only tell the shape of each frame: a camera is for 960 px in that
 shape (4:3 is 960x720). Without pictures it is 960x540, unless --size says otherwise.
