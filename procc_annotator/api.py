@@ -120,8 +120,9 @@ def fit_camera(
         field: the elements, metres; or a field's name, see `load_field`; the usual one (SoccerNet's
             classes, nominal size) if None.
         model: H (homography of the ground), P (pinhole, one focal length), R (P and one radial
-            coefficient), R+ (R, aspect ratio and principal point), or auto (the simplest of P, R
-            and R+ that the points support).
+            coefficient), R+ (R, aspect ratio and principal point), R2 (R+ and a second radial
+            coefficient), F (OpenCV's fisheye), or auto (the simplest of P, R and R+ that the points
+            support, or R2 or F).
         size: (width, height) px of the picture the camera is for.
         start: a camera that is nearly right, px of ``size``.
 

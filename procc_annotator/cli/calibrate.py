@@ -34,15 +34,17 @@ from procc_annotator.words import count_of, first_of
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
 archive if it ends in .zip: it gets camera_00037.json for frame 00037 (with --model H 00037.npy, in
-the format carwc) and calibration.csv, a row a frame: JaC, error, standard deviations, what the
-points leave open of a camera they hardly determine, or why there is none.
+the format carwc; a fisheye is 00037.yml, in the format opencv) and calibration.csv, a row a frame:
+JaC, error, standard deviations, what the points leave open of a camera they hardly determine, or
+why there is none.
 
 Pictures beside the annotations only tell the shape of each frame: a camera is for 960 px in that
 shape (4:3 is 960x720). Without pictures it is 960x540, unless --size says otherwise.
 
 Models: P, a pinhole with one focal length; R, P and one radial coefficient; R+, R with aspect ratio
-and principal point; H, a homography of the ground, which shows no goals; auto, for each frame the
-simplest of P, R and R+ that its points support.
+and principal point; R2, R+ and a second radial coefficient; F, OpenCV's fisheye; H, a homography of
+the ground, which shows no goals; auto, for each frame the simplest of P, R and R+ that its points
+support, or R2 or F where lines are bent as none of these explains.
 
 With --shared-position frames that one camera took from one place get one position: frames whose
 own positions agree are fitted together (each group by itself, if --groups names any). The position
@@ -67,7 +69,9 @@ Example:
 
 
 Out = Annotated[Path, typer.Argument(help="Folder or .zip to write the cameras to.")]
-Model = Annotated[str, typer.Option("--model", "-m", metavar="H|P|R|R+|auto", help="What to fit.")]
+Model = Annotated[
+    str, typer.Option("--model", "-m", metavar="H|P|R|R+|R2|F|auto", help="What to fit.")
+]
 SharedPosition = Annotated[
     bool,
     typer.Option(
@@ -186,7 +190,13 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
     outputs.check_place(out, [source])
     if out.is_dir():
         outputs.check_no_annotations(out)
-    kinds = ["camera_*.json", "*.npy", TABLE_FILE, *([POSITIONS_FILE] if positions else [])]
+    kinds = [
+        "camera_*.json",
+        "*.npy",
+        "*.yml",
+        TABLE_FILE,
+        *([POSITIONS_FILE] if positions else []),
+    ]
     there = [kind for kind in kinds if any(True for _ in out.glob(kind))]
     if (there or out.is_file()) and not overwrite:
         stopped = "" if TABLE_FILE in there or out.is_file() else f" but no {TABLE_FILE}"

@@ -80,7 +80,7 @@ FailOn = Annotated[
     ),
 ]
 Model = Annotated[
-    str, typer.Option("--model", "-m", metavar="H|P|R|R+|auto", help="Camera to fit.")
+    str, typer.Option("--model", "-m", metavar="H|P|R|R+|R2|F|auto", help="Camera to fit.")
 ]
 
 

@@ -58,7 +58,7 @@ Dimension = Annotated[
     ),
 ]
 Model = Annotated[
-    str, typer.Option("--model", "-m", metavar="P|R|R+|auto", help="Camera of each frame.")
+    str, typer.Option("--model", "-m", metavar="P|R|R+|R2|F|auto", help="Camera of each frame.")
 ]
 Save = Annotated[
     bool, typer.Option("--save", help="Keep the dimensions in the dataset's workspace.")

@@ -90,7 +90,8 @@ Output = Annotated[
     ),
 ]
 Model = Annotated[
-    str, typer.Option("--model", "-m", metavar="P|R|R+|auto", help="Camera to fit to each frame.")
+    str,
+    typer.Option("--model", "-m", metavar="P|R|R+|R2|F|auto", help="Camera to fit to each frame."),
 ]
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
+from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -17,13 +18,23 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.barrel import is_demanded, perhaps_barrel
 from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
 from procc_annotator.fit.solving.cut_out import is_cut_out, perhaps_cut_out
-from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
+from procc_annotator.fit.solving.models import (
+    KAPPA,
+    strong_vector_from_camera,
+    vector_from_camera,
+)
 from procc_annotator.fit.solving.observations import Observations, PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing, objection
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, FoundCamera, believed, fit_models
 from procc_annotator.fit.solving.starts import (
     side_of,
     wide_prior,
+)
+from procc_annotator.fit.solving.strong_lens import (
+    explains_more,
+    perhaps_strong,
+    plain_lens_near,
+    refine_strong,
 )
 from procc_annotator.fit.solving.surroundings import surroundings_of
 
@@ -41,7 +52,8 @@ def fit_simplest(
     size: tuple[int, int],
     start: Camera | None = None,
 ) -> FitResult:
-    """Fit the simplest of the models P, R and R+ that the points support.
+    """Fit the simplest of the models P, R and R+ that the points support; R2 or F where lines are
+    bent as none of these explains.
 
     The models are fitted to the same elements and compared by their evidence, the probability of
     the points given a model (Laplace's approximation: MacKay, Bayesian Interpolation, 1992). What
@@ -66,7 +78,13 @@ def fit_simplest(
     problem = missing(seen, needed=MINIMUM_ELEMENTS, planar=False)
     if seen is None or problem is not None:
         return FitResult("auto", size, None, problem)
+    strong = _still_strong(seen, field, frame, start)
+    if strong is not None:
+        return _strong_result(*strong, field, frame, warm=True)
     fits, warm = _fits(seen, field, frame, start)
+    found = perhaps_strong(fits["R+"], seen, field, frame)
+    if found is not None:
+        return _strong_result(*found, fits["R+"], field, frame, warm=False)
     error_px = error_of_points(fits["R+"])
     evidence = {model: _evidence(found, error_px) for model, found in fits.items()}
     around = surroundings_of(field)
@@ -76,6 +94,46 @@ def fit_simplest(
     if result.camera is None:
         return replace(result, model="auto")
     return replace(result, chosen_because=_reason(chosen, fits, frame))
+
+
+def _still_strong(
+    seen: Observations, field: Field, frame: PictureFrame, start: Camera | None
+) -> tuple[FoundCamera, str, FoundCamera] | None:
+    """The strong lens that was there before, its model, and the R+ nearest to it that explains
+    clearly less; None where there is none, or it is not supported any more."""
+    if isinstance(start, FisheyeCamera):
+        model = "F"
+    elif isinstance(start, PinholeCamera) and start.radial[1]:
+        model = "R2"
+    else:
+        return None
+    vector = strong_vector_from_camera(start, frame)
+    if not np.isfinite(vector).all():
+        return None
+    found = refine_strong(seen, field, frame, vector)
+    if found.is_stale or not found.is_consistent or objection(found.vector, surroundings_of(field)):
+        return None
+    near = plain_lens_near(found.vector)
+    plain = fit_models(found.seen, field, frame, near, found.left_out, ("R+",))["R+"]
+    return (found, model, plain) if explains_more(found, plain) else None
+
+
+def _strong_result(
+    found: FoundCamera,
+    model: str,
+    plain: FoundCamera,
+    field: Field,
+    frame: PictureFrame,
+    *,
+    warm: bool,
+) -> FitResult:
+    result = result_of(found, field, frame, model, warm)
+    if result.camera is None:
+        return replace(result, model="auto")
+    without, with_lens = (f"{_mean_px(one) / frame.scale:.2f}" for one in (plain, found))
+    lens = "a second radial coefficient" if model == "R2" else "the lens of a fisheye"
+    because = f"{lens} brings the points from {without} to {with_lens} px"
+    return replace(result, chosen_because=because)
 
 
 def _fits(

@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.result import FitResult, PosedCamera
 from procc_annotator.fit.solving.models import PAN, ROLL, TILT
 
 # Standard deviations beyond which a camera is hardly determined: about twice what the worst of the
@@ -31,7 +30,7 @@ def hardly_determined(fit: FitResult) -> str:
     that failed.
     """
     known, camera = fit.deviations, fit.camera
-    if known is None or not isinstance(camera, PinholeCamera):
+    if known is None or not isinstance(camera, PosedCamera):
         return ""
     pan, roll = _pan_and_roll(fit)
     angles = {"pan": pan, "tilt": known.tilt_rad, "roll": roll}

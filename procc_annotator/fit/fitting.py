@@ -41,7 +41,8 @@ def fit_camera(
         field: the elements, metres.
         model: H (homography of the ground), P (pinhole, one focal length), R (P and one radial
             coefficient, negative only where the points demand it), R+ (R, aspect ratio and
-            principal point), or auto (the simplest of P, R, R+ that the points support, see
+            principal point), R2 (R+ and a second radial coefficient), F (OpenCV's fisheye), or auto
+            (the simplest of P, R, R+ that the points support, R2 or F where none of these does, see
             `fit_simplest`).
         size: (width, height) px of the picture that the camera is for.
         start: a camera that is nearly right, px of ``size``, e.g. the fit before the last edit; it

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from procc_annotator.camera.base import Camera
+from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
@@ -20,15 +21,18 @@ from procc_annotator.fit.solving.covariance import (
 from procc_annotator.fit.solving.cut_out import perhaps_cut_out
 from procc_annotator.fit.solving.element_offsets import element_offsets
 from procc_annotator.fit.solving.models import (
-    FREE,
     LOG_FOCAL,
-    PARAMETERS,
+    STRONG,
     X,
     Z,
     camera_from_vector,
+    fisheye_from_vector,
     homography_camera,
     homography_from_pinhole,
     homography_in_solver,
+    is_fisheye,
+    parameters_of,
+    strong_vector_from_camera,
     vector_from_camera,
 )
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
@@ -42,6 +46,7 @@ from procc_annotator.fit.solving.search import (
     search,
     search_homography,
 )
+from procc_annotator.fit.solving.strong_lens import fit_strong, refine_strong
 from procc_annotator.fit.solving.surroundings import surroundings_of
 
 # Farther off than this on the median element, a camera explains nothing.
@@ -57,12 +62,14 @@ def find_model(
         seen: the annotated points; for H those on the ground.
         field: the elements, metres.
         frame: the picture.
-        model: H, P, R or R+.
+        model: H, P, R, R+, R2 or F.
         start: a camera that is nearly right, px of the picture.
 
     Returns:
         The fit, plausible or not, and whether it came from the start.
     """
+    if model in STRONG:
+        return _find_strong(seen, field, frame, model, start)
     found, warm = _warm(seen, field, frame, model, start), True
     if isinstance(start, PinholeCamera) and found is not None and not _keeps_barrel(found):
         found = _warm(seen, field, frame, model, replace(start, radial=(0.0,) * 6))
@@ -75,6 +82,20 @@ def find_model(
     if model in ("R", "R+"):
         found = perhaps_barrel(found, field, frame)
     return perhaps_cut_out(found, field, frame) if model == "R+" else found, warm
+
+
+def _find_strong(
+    seen: Observations, field: Field, frame: PictureFrame, model: str, start: Camera | None
+) -> tuple[FoundCamera, bool]:
+    if isinstance(start, FisheyeCamera if model == "F" else PinholeCamera):
+        assert isinstance(start, FisheyeCamera | PinholeCamera)  # one of both
+        vector = strong_vector_from_camera(start, frame)
+        if np.isfinite(vector).all():
+            found = refine_strong(seen, field, frame, vector)
+            if not found.is_stale and _is_plausible(found, field):
+                return found, True
+    near, _ = find_model(seen, field, frame, "R+", None)
+    return fit_strong(seen, field, frame, model, near), False
 
 
 def _warm(
@@ -119,15 +140,16 @@ def result_of(
     of_clicks = covariance_of(found, error_px)
     offsets = element_offsets(found, frame, error_px)
     covariance = of_clicks + offsets.covariance(of_clicks)
-    camera: PinholeCamera | HomographyCamera
+    camera: PinholeCamera | HomographyCamera | FisheyeCamera
     if found.basis is not None:
         matrix = homography_of(found.vector[None], found.basis)[0]
         camera, deviations = homography_camera(matrix, frame), None
         names = tuple(f"h{row}{column}" for row in range(3) for column in range(3))[:8]
     else:
-        camera = camera_from_vector(found.vector, frame)
+        of_vector = fisheye_from_vector if is_fisheye(found.vector) else camera_from_vector
+        camera = of_vector(found.vector, frame)
         deviations = _deviations(found.vector, covariance, frame)
-        names = PARAMETERS[: FREE[model]]
+        names = parameters_of(model)
     return FitResult(
         model,
         frame.size,

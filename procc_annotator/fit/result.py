@@ -7,10 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.annotation import Polyline
+from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.solving.covariance import projected_covariance, worst_sd
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, used_points
+
+PosedCamera = PinholeCamera | FisheyeCamera
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +67,7 @@ class ElementResidual:
 
 @dataclass(frozen=True, slots=True)
 class PoseDeviations:
-    """Standard deviations of a fitted pinhole camera: rad, metres, px of the picture."""
+    """Standard deviations of a fitted camera with a pose: rad, metres, px of the picture."""
 
     pan_rad: float
     tilt_rad: float
@@ -78,7 +81,7 @@ class FitResult:
     """A fit, or the reason why there is none.
 
     Attributes:
-        model: H, P, R or R+; auto if the model was to be chosen and there is no camera.
+        model: H, P, R, R+, R2 or F; auto if the model was to be chosen and there is no camera.
         size: (width, height) px of the picture.
         camera: in px of the picture; None if the fit failed.
         failure: why there is no camera, in words; None if there is one.
@@ -89,7 +92,8 @@ class FitResult:
         covariance: (n, n) of those, in the units of `fit.models`: what the noise of the clicks
             leaves open, and what elements that lie beside the model as a whole do to it.
         warm: whether the camera was found from the start that was given.
-        vector: (11,) the solver's parameters of a pinhole, or (8,) corrections of `basis`.
+        vector: (11,) the solver's parameters of a pinhole, (13,) of a strong lens, or (8,)
+            corrections of `basis`.
         basis: (3, 3) the homography that was corrected; None for a pinhole.
         chosen_because: why this model, in a sentence; None if it was asked for.
         other_end: whether the points may as well be seen from the other end of the field, half a
@@ -101,7 +105,7 @@ class FitResult:
 
     model: str
     size: tuple[int, int]
-    camera: PinholeCamera | HomographyCamera | None
+    camera: PosedCamera | HomographyCamera | None
     failure: str | None = None
     elements: tuple[ElementResidual, ...] = ()
     deviations: PoseDeviations | None = None

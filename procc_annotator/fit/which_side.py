@@ -8,11 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.labels.finding import LOOK, Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.result import FitResult, PosedCamera
 from procc_annotator.fit.solving.models import CENTRE
 from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.fit.together.sides import on_other_side
@@ -38,7 +37,7 @@ class Stand:
 
 def stand_of(fit: FitResult) -> Stand | None:
     """Where a fit has its camera; None without one, and for a homography."""
-    if not isinstance(fit.camera, PinholeCamera) or fit.of_clicks is None:
+    if not isinstance(fit.camera, PosedCamera) or fit.of_clicks is None:
         return None
     covariance = fit.of_clicks[CENTRE, CENTRE].tolist()
     sure = not hardly_determined(fit)

@@ -139,7 +139,7 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
 def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
     """Cameras of these frames that this run did not write: nobody should take them for its own."""
     for name in names:
-        for file_name in (f"camera_{name}.json", f"{name}.npy"):
+        for file_name in (f"camera_{name}.json", f"{name}.npy", f"{name}.yml"):
             if file_name not in written and (out / file_name).exists():
                 yield file_name
 

@@ -13,10 +13,9 @@ from functools import cached_property
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
-from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.labels.seen_paint import SeenPaint
-from procc_annotator.fit.result import ElementResidual, FitResult
+from procc_annotator.fit.result import ElementResidual, FitResult, PosedCamera
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
 # An element with a point farther off than this is not where the camera of the others shows it.
@@ -130,7 +129,7 @@ class ClickedFrame:
         """Whether a pinhole explains everything: it is above the ground and sees nothing the wrong
         way round."""
         elements = self.fit.elements
-        return isinstance(self.fit.camera, PinholeCamera) and len(self.explained) == len(elements)
+        return isinstance(self.fit.camera, PosedCamera) and len(self.explained) == len(elements)
 
 
 def far_apart(points: FloatArray) -> tuple[FloatArray, FloatArray]:

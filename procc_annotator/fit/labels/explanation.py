@@ -17,7 +17,6 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.camera.base import Camera
-from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.landmarks import known_covariances
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
@@ -31,7 +30,7 @@ from procc_annotator.fit.labels.relabelling import (
     vague_names,
     worst_point,
 )
-from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.result import FitResult, PosedCamera
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 
@@ -105,7 +104,7 @@ class Explanation:
         points: mistake -> the one point that is to blame.
     """
 
-    camera: PinholeCamera
+    camera: PosedCamera
     vector: FloatArray
     off_px: Mapping[str, float]
     right: int
@@ -165,7 +164,7 @@ def _is_convincing(found: Explanation) -> bool:
 def _alone(doubted: DoubtedFrame, out: set[str]) -> Explanation | None:
     """These elements as the only mistakes, if all others fit without them."""
     fit = doubted.fit(doubted.without(out))
-    if not isinstance(fit.camera, PinholeCamera) or fit.vector is None:
+    if not isinstance(fit.camera, PosedCamera) or fit.vector is None:
         return None
     off = _largest(doubted, fit.vector)
     wrong = {name for name, distance in off.items() if distance > doubted.limit_px}
@@ -179,7 +178,7 @@ def _settled(doubted: DoubtedFrame, out: set[str], start: Camera | None) -> Expl
     camera: Camera | None = start
     for _ in range(_ROUNDS):
         fit = doubted.fit(doubted.without(out), camera)
-        if not isinstance(fit.camera, PinholeCamera) or fit.vector is None:
+        if not isinstance(fit.camera, PosedCamera) or fit.vector is None:
             return None
         off = _largest(doubted, fit.vector)
         now = {name for name, distance in off.items() if distance > doubted.limit_px}
@@ -189,7 +188,7 @@ def _settled(doubted: DoubtedFrame, out: set[str], start: Camera | None) -> Expl
         if now == out:
             break
         out = now
-    assert isinstance(camera, PinholeCamera)  # the last one looked at
+    assert isinstance(camera, PosedCamera)  # the last one looked at
     assert fit.vector is not None
     return _looked_again(doubted, _understood(doubted, camera, fit.vector, off, now))
 
@@ -277,7 +276,7 @@ def _largest(doubted: DoubtedFrame, vector: FloatArray) -> dict[str, float]:
 
 def _understood(
     doubted: DoubtedFrame,
-    camera: PinholeCamera,
+    camera: PosedCamera,
     vector: FloatArray,
     off: Mapping[str, float],
     wrong: Collection[str],
@@ -337,7 +336,7 @@ def _bad_point(
     doubted: DoubtedFrame,
     polyline: Polyline,
     vector: FloatArray,
-    camera: PinholeCamera,
+    camera: PosedCamera,
     wrong: Collection[str],
 ) -> BadPoint | None:
     """The one point without which an element fits."""

@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.landmarks import known_covariances
 from procc_annotator.fit.labels.clicked import ClickedFrame, in_picture, limit_of, off_px
 from procc_annotator.fit.labels.explanation import ENOUGH_RIGHT, DoubtedFrame, Explanation, explain
@@ -22,7 +21,8 @@ from procc_annotator.fit.labels.finding import (
 )
 from procc_annotator.fit.labels.orientation import ACROSS, ALONG, reflected_names, renamed
 from procc_annotator.fit.labels.relabelling import distances_to_classes, others_with_and_without
-from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.result import FitResult, PosedCamera
+from procc_annotator.fit.solving.models import STRONG
 from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX
@@ -56,7 +56,7 @@ def camera_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> tuple[
     if fit.camera is not None and not suspects_of(fit, frame):
         return ()
     # A model without distortion leaves lines off that are right; so does one of the ground alone.
-    model = "R+" if fit.model == "R+" else "R"
+    model = fit.model if fit.model in ("R+", *STRONG) else "R"
     polylines = looked_at.annotation.polylines
     doubted = DoubtedFrame(
         FrameAnnotation(polylines), looked_at.field, frame, model, go_on=looked_at.go_on
@@ -107,7 +107,7 @@ def _reflected(doubted: DoubtedFrame, fit: FitResult) -> Finding | None:
     if after * _TIMES_AS_WELL > before or after > _REFLECTION_FITS_PX:
         return None
     # Both reflections fit alike; the main camera stands on the near side.
-    near = isinstance(better.camera, PinholeCamera) and better.camera.position_world[1] > 0
+    near = isinstance(better.camera, PosedCamera) and better.camera.position_world[1] > 0
     words = {ACROSS: "far and near", ALONG: "left and right"}
     remedies = [
         Remedy(

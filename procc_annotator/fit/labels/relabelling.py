@@ -14,7 +14,7 @@ from procc_annotator.field.geometry import Spot
 from procc_annotator.field.landmarks import known_covariances
 from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.labels.clicked import FITS_PX, LIMIT_PX
-from procc_annotator.fit.solving.models import FREE, KAPPA
+from procc_annotator.fit.solving.models import FREE, bounded_in
 from procc_annotator.fit.solving.noise import shown_spread, softened
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, observe
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
@@ -189,7 +189,7 @@ def refit(
         pinhole_residuals, seen=used, half_diagonal=frame.half_diagonal, free=FREE[model]
     )
     prior = prior_near(vector, around, FREE[model])
-    problem = Problem(residuals, used.weights, loss, prior, bounded=KAPPA)
+    problem = Problem(residuals, used.weights, loss, prior, bounded=bounded_in(vector))
     # A mistake at the other end of the field may send a step anywhere; it is not taken then.
     with np.errstate(over="ignore", invalid="ignore"):
         found = solve(problem, vector[None].copy(), iterations=_ITERATIONS)

@@ -1,4 +1,4 @@
-"""Projection with one radial coefficient and its derivatives, for B pinhole cameras at once."""
+"""Projection through a lens and its derivatives, for B cameras at once."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.fit.solving.lens_curve import LensCurve
 from procc_annotator.fit.solving.models import (
     ASPECT,
     CENTRE,
@@ -16,6 +17,9 @@ from procc_annotator.fit.solving.models import (
     PRINCIPAL_X,
     PRINCIPAL_Y,
     ROLL,
+    SECOND,
+    is_fisheye,
+    is_strong,
     rotations,
 )
 from procc_annotator.fit.solving.observations import FloatArray
@@ -28,11 +32,12 @@ class Lens:
     """B cameras, taken apart.
 
     Attributes:
-        vectors: (B, 11) parameters.
+        vectors: (B, 11) parameters, or (B, 13) of strong lenses of one kind.
         rotation: (B, 3, 3) world -> camera.
         linear: (B, 3, 4) world -> undistorted pixels times depth.
         bend: (B, 1) kappa / h^2.
         bend_by_kappa: 1 / h^2.
+        curve: of strong lenses; None for those of one radial coefficient.
     """
 
     vectors: FloatArray
@@ -40,13 +45,14 @@ class Lens:
     linear: FloatArray
     bend: FloatArray
     bend_by_kappa: float
+    curve: LensCurve | None = None
 
     @classmethod
     def of(cls, vectors: FloatArray, half_diagonal: float) -> Lens:
         """Take apart.
 
         Args:
-            vectors: (B, 11).
+            vectors: (B, 11) or (B, 13).
             half_diagonal: half the picture's diagonal, solver px.
         """
         rotation = rotations(vectors)
@@ -56,7 +62,8 @@ class Lens:
         linear[:, :2] *= np.exp(vectors[:, LOG_FOCAL])[:, None, None]
         bend_by_kappa = 1 / half_diagonal**2
         bend = vectors[:, KAPPA : KAPPA + 1] * bend_by_kappa
-        return cls(vectors, rotation, linear, bend, bend_by_kappa)
+        curve = _curve_of(vectors, half_diagonal) if is_strong(vectors) else None
+        return cls(vectors, rotation, linear, bend, bend_by_kappa, curve)
 
     def undistorted(self, points: FloatArray) -> FloatArray:
         """(2, N) solver px -> (B, 2, N) where a lens without distortion would show them.
@@ -69,6 +76,10 @@ class Lens:
         around[:, 0] = points[0] - self.vectors[:, PRINCIPAL_X, None]
         around[:, 0] /= 1 + self.vectors[:, ASPECT, None]
         around[:, 1] = points[1] - self.vectors[:, PRINCIPAL_Y, None]
+        if self.curve is not None:
+            distance = np.sqrt(np.maximum((around * around).sum(axis=1), _TINY))
+            around *= (self.curve.undistorted(distance) / distance)[:, None]
+            return around
         if not self.bend.any():
             return around
         size = np.maximum(np.abs(self.bend), 1e-18)
@@ -86,6 +97,10 @@ class Lens:
     def beyond_fold(self, world: FloatArray) -> NDArray[np.bool_] | None:
         """(B, 3, N) metres, in front of the cameras -> (B, N) whether a point lies so far out that
         barrel distortion would fold it back among others; None if no lens folds."""
+        if self.curve is not None:
+            place = self.linear[:, :, :3] @ world + self.linear[:, :, 3:]
+            depth = np.where(np.abs(place[:, 2]) > _TINY, place[:, 2], _TINY)
+            return self.curve.beyond((place[:, :2] ** 2).sum(axis=1) / depth**2)
         if not (self.bend < 0).any():
             return None
         place = self.linear[:, :, :3] @ world + self.linear[:, :, 3:]
@@ -116,7 +131,8 @@ def project(
     toward = linear[:, :, :3] @ along
     v_along = (toward[:, :2] - v * toward[:, 2:]) / depth
     # Derivatives of the undistorted pixel v, then through the lens; in one place where none bends.
-    bends = lens.bend.any()
+    curve = lens.curve
+    bends = curve is not None or lens.bend.any()
     derivatives = np.empty((count, free, 2, total))
     inner = np.empty((count, 7, 2, total)) if bends else derivatives[:, :KAPPA]
     inner[:, PAN : ROLL + 1] = _by_rotation(lens, v)
@@ -125,15 +141,17 @@ def project(
     inner[:, CENTRE] /= depth[:, None]
     inner[:, LOG_FOCAL] = v
     squares = np.einsum("bkn,bkn->bn", v, v)
-    grown = 1 + lens.bend * squares
+    grown, slope = (
+        (1 + lens.bend * squares, 2 * lens.bend) if curve is None else curve.growth(squares)
+    )
     stretch = 1 + vectors[:, ASPECT, None]
     bent = v * grown[:, None]
     pixels = bent.copy()
     pixels[:, 0] *= stretch
     pixels += vectors[:, PRINCIPAL_X : PRINCIPAL_Y + 1, None]
     if bends:
-        # d(v grown) = grown dv + 2 bend v (v . dv)
-        twice = 2 * lens.bend[:, None] * v
+        # d(v grown) = grown dv + slope v (v . dv)
+        twice = slope[:, None] * v
         radial = np.einsum("bpkn,bkn->bpn", inner, v)
         np.multiply(inner, grown[:, None, None], out=derivatives[:, :7])
         derivatives[:, :7] += twice[:, None] * radial[:, :, None]
@@ -141,15 +159,34 @@ def project(
     else:
         moved = v_along
     moved[:, 0] *= stretch
+    if curve is not None and curve.fisheye:
+        # A ray's angle is the same at every focal length.
+        derivatives[:, LOG_FOCAL] = bent
+    first, second = None, None
+    if curve is not None:
+        first, second = curve.by_coefficients(squares)
     if free > KAPPA:
-        derivatives[:, KAPPA] = v * (squares * lens.bend_by_kappa)[:, None]
+        by_first = squares * lens.bend_by_kappa if first is None else first
+        derivatives[:, KAPPA] = v * by_first[:, None]
     if free > ASPECT:
         derivatives[:, :ASPECT, 0] *= stretch[:, None]
         derivatives[:, ASPECT:] = 0.0
         derivatives[:, ASPECT, 0] = bent[:, 0]
         derivatives[:, PRINCIPAL_X, 0] = 1.0
         derivatives[:, PRINCIPAL_Y, 1] = 1.0
+    if free > SECOND and second is not None:
+        derivatives[:, SECOND] = v * second[:, None]
+        derivatives[:, SECOND, 0] *= stretch
     return pixels, moved, derivatives
+
+
+def _curve_of(vectors: FloatArray, half_diagonal: float) -> LensCurve:
+    fisheye = is_fisheye(vectors)
+    unit = np.full((len(vectors), 1), half_diagonal)
+    if fisheye:
+        unit = np.exp(vectors[:, LOG_FOCAL : LOG_FOCAL + 1])
+    first, second = vectors[:, KAPPA : KAPPA + 1], vectors[:, SECOND : SECOND + 1]
+    return LensCurve(first, second, unit, fisheye)
 
 
 def _by_rotation(lens: Lens, v: FloatArray) -> FloatArray:

@@ -11,6 +11,10 @@ A pinhole vector, (11,), holds in this order:
 | ASPECT | aspect ratio less one | - |
 | PRINCIPAL_X, PRINCIPAL_Y | principal point less the picture's centre | solver px |
 
+A strong lens takes two more, (13,): SECOND, its second coefficient, and FISHEYE, 1 for OpenCV's
+fisheye and 0 for a radial lens, which is never free. A fisheye's KAPPA and SECOND are k1 and k2 of
+its angles, a radial lens's second one is scaled as kappa is: k2 = SECOND (f / h)^4.
+
 kappa is scaled so that it is of the same size for every zoom: a pixel lies at v (1 + kappa |v|^2 /
 h^2) from the principal point, where v is its undistorted place and h half the picture's diagonal;
 k1 = kappa (f / h)^2.
@@ -22,6 +26,7 @@ import math
 
 import numpy as np
 
+from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
@@ -40,24 +45,50 @@ PARAMETERS = (
     "principal_y",
 )
 PAN, TILT, ROLL, X, Y, Z, LOG_FOCAL, KAPPA, ASPECT, PRINCIPAL_X, PRINCIPAL_Y = range(11)
+SECOND, FISHEYE = 11, 12  # of a strong lens
 CENTRE = slice(X, Z + 1)
 # Barrel distortion of this size shows places up to 1.11 h from the principal point; below -4 / 27
 # it would not reach the picture's corners.
 LEAST_KAPPA = -0.12
 # The first so many parameters of a pinhole model are free, the others stay at zero.
-FREE = {"P": 7, "R": 8, "R+": 11}
+FREE = {"P": 7, "R": 8, "R+": 11, "R2": 12, "F": 12}
 MODELS = ("H", *FREE)
+STRONG = ("R2", "F")
+
+
+def is_strong(vectors: FloatArray) -> bool:
+    """Whether parameters, of one camera or several, are those of a strong lens."""
+    return bool(vectors.shape[-1] > SECOND)
+
+
+def is_fisheye(vectors: FloatArray) -> bool:
+    """Whether they are those of fisheyes."""
+    return is_strong(vectors) and bool(vectors[..., FISHEYE].all())
+
+
+def bounded_in(vectors: FloatArray) -> int | None:
+    """The parameter that may not fall below 0 unless it starts there: of a lens of one coefficient,
+    which would fold."""
+    return None if is_strong(vectors) else KAPPA
+
+
+def parameters_of(model: str) -> tuple[str, ...]:
+    """Names of a pinhole model's free parameters."""
+    names = {"R2": (*PARAMETERS, "kappa2"), "F": (*PARAMETERS, "k2")}
+    plain = names.get(model, PARAMETERS)[: FREE[model]]
+    return tuple("k1" if model == "F" and name == "kappa" else name for name in plain)
 
 
 def camera_from_vector(vector: FloatArray, frame: PictureFrame) -> PinholeCamera:
     """The camera of a pinhole vector.
 
     Args:
-        vector: (11,).
+        vector: (11,), or (13,) of a radial lens.
         frame: the picture; the camera is in its pixels.
     """
     focal = math.exp(vector[LOG_FOCAL])
     k1 = float(vector[KAPPA]) * (focal / frame.half_diagonal) ** 2
+    k2 = float(vector[SECOND]) * (focal / frame.half_diagonal) ** 4 if is_strong(vector) else 0.0
     fy = focal / frame.scale
     centre = frame.centre_px
     return PinholeCamera(
@@ -70,8 +101,44 @@ def camera_from_vector(vector: FloatArray, frame: PictureFrame) -> PinholeCamera
             centre[0] + float(vector[PRINCIPAL_X]) / frame.scale,
             centre[1] + float(vector[PRINCIPAL_Y]) / frame.scale,
         ),
-        (k1, 0.0, 0.0, 0.0, 0.0, 0.0),
+        (k1, k2, 0.0, 0.0, 0.0, 0.0),
     )
+
+
+def fisheye_from_vector(vector: FloatArray, frame: PictureFrame) -> FisheyeCamera:
+    """The camera of a fisheye's vector (13,), in pixels of the picture."""
+    lens = float(vector[KAPPA]), float(vector[SECOND])
+    plain = camera_from_vector(vector[:SECOND], frame)
+    return FisheyeCamera(
+        plain.pan_rad,
+        plain.tilt_rad,
+        plain.roll_rad,
+        plain.position_world,
+        plain.focal_px,
+        plain.principal_point_px,
+        (*lens, 0.0, 0.0),
+    )
+
+
+def strong_vector_from_camera(
+    camera: PinholeCamera | FisheyeCamera, frame: PictureFrame
+) -> FloatArray:
+    """The vector (13,) of a strong lens closest to a camera: higher terms are dropped."""
+    if isinstance(camera, FisheyeCamera):
+        place = camera.position_world
+        pinhole = PinholeCamera(
+            camera.pan_rad, camera.tilt_rad, camera.roll_rad, place, camera.focal_px,
+            camera.principal_point_px,
+        )  # fmt: skip
+        first, second = camera.coefficients[:2]
+        vector = np.concatenate([vector_from_camera(pinhole, frame), (second, 1.0)])
+    else:
+        plain = vector_from_camera(camera, frame)
+        reach = frame.half_diagonal / math.exp(plain[LOG_FOCAL])
+        first, second = camera.radial[0] * reach**2, camera.radial[1] * reach**4
+        vector = np.concatenate([plain, (second, 0.0)])
+    vector[KAPPA] = first
+    return vector
 
 
 def half_turned(vectors: FloatArray) -> FloatArray:

@@ -13,6 +13,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.models import (
     FREE,
     KAPPA,
+    bounded_in,
     half_turned,
     homography_from_pinhole,
 )
@@ -343,7 +344,7 @@ def final_fit(
 
     Spots that are not known exactly are softened by the camera that comes out.
     """
-    bounded = None if basis is not None else KAPPA
+    bounded = None if basis is not None else bounded_in(vectors)
     for _ in range(_SOFTENINGS):
         final = _final_stage(seen, vectors, left_out, residuals, prior, bounded=bounded)
         found = FoundCamera(final.vectors[0], final, prior, seen, left_out, basis)

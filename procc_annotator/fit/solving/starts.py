@@ -17,7 +17,9 @@ from procc_annotator.fit.solving.models import (
     PAN,
     PARAMETERS,
     PRINCIPAL_X,
+    PRINCIPAL_Y,
     ROLL,
+    SECOND,
     TILT,
     X,
     Y,
@@ -51,6 +53,8 @@ _WIDE_SD, _WIDE_ALONG, _SEARCH = 0.5, 0.38, 0.75
 _LEAST_SD = 0.05
 # The principal point (solver px): of a whole picture it is near the centre, of a picture that is
 # cut out of a larger one it may be anywhere.
+# What both coefficients of a strong lens are expected to be.
+_STRONG_SD = (0.25, 0.15)
 CENTRE_SD, FARTHEST_CENTRE, CUT_OUT_SD = 25.0, 100.0, 300.0
 _SHORT = 2 / 7  # of half the field's length
 
@@ -176,7 +180,7 @@ def wide_prior(
 def prior_near(vector: FloatArray, around: Surroundings, free: int) -> Prior:
     """The wide prior of a camera that is near another one (11,): on its side of the field, and of a
     picture that is cut out of a larger one where that one's is."""
-    cut_out = np.abs(vector[PRINCIPAL_X:]).max() > FARTHEST_CENTRE
+    cut_out = np.abs(vector[PRINCIPAL_X : PRINCIPAL_Y + 1]).max() > FARTHEST_CENTRE
     centre_sd = CUT_OUT_SD if cut_out else CENTRE_SD
     return wide_prior(np.array([side_of(vector, around)]), around, free, centre_sd=centre_sd)
 
@@ -186,7 +190,7 @@ def _prior(
 ) -> Prior:
     """``spread`` of where cameras stand; ``sd``: roll (degrees), log f, kappa, aspect, centre."""
     sides = np.asarray(sides)
-    mean, inverse = np.zeros((len(sides), len(PARAMETERS))), np.zeros((len(sides), len(PARAMETERS)))
+    mean, inverse = np.zeros((len(sides), SECOND + 1)), np.zeros((len(sides), SECOND + 1))
     half_length, half_width = around.half_length, around.half_width
     at_end = (sides == 2) | (sides == 3)
     sign = np.where(sides % 3 == 0, 1.0, -1.0)  # near and right: positive
@@ -213,7 +217,9 @@ def _prior(
         inverse[above, ROLL] = 0.0  # it looks down: which way is up is anybody's guess
     inverse[:, CENTRE] /= spread
     inverse[:, LOG_FOCAL], inverse[:, KAPPA] = 1 / sd[1], 1 / sd[2]
-    inverse[:, ASPECT], inverse[:, PRINCIPAL_X:] = 1 / sd[3], 1 / sd[4]
+    inverse[:, ASPECT], inverse[:, PRINCIPAL_X : PRINCIPAL_Y + 1] = 1 / sd[3], 1 / sd[4]
+    if free > SECOND:
+        inverse[:, KAPPA], inverse[:, SECOND] = 1 / _STRONG_SD[0], 1 / _STRONG_SD[1]
     return Prior(mean[:, :free], inverse[:, :free])
 
 

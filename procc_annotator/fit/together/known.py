@@ -13,7 +13,17 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.one_model import result_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.element_offsets import element_offsets
-from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, Z
+from procc_annotator.fit.solving.models import (
+    FISHEYE,
+    FREE,
+    KAPPA,
+    LOG_FOCAL,
+    ROLL,
+    X,
+    Z,
+    bounded_in,
+    is_strong,
+)
 from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame, observe
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
@@ -101,7 +111,7 @@ def prior_at(vector: FloatArray, field: Field, free: int, usual: Usual | None = 
     mean[:, POSITION], inverse[:, POSITION] = vector[POSITION], 1 / _HELD_M
     if usual is not None:
         mean[:, ROLL], inverse[:, ROLL] = usual.roll[0], 1 / usual.roll[1]
-        if free > KAPPA:
+        if free > KAPPA and not is_strong(vector):
             mean[:, KAPPA], inverse[:, KAPPA] = usual.kappa[0], 1 / usual.kappa[1]
     return Prior(mean, inverse)
 
@@ -161,7 +171,7 @@ def _fit(
 ) -> FoundCamera:
     free = FREE[sighting.model]
     vectors = starts.copy()
-    vectors[:, free:] = 0.0
+    vectors[:, free:FISHEYE] = 0.0
     problem = Problem(
         partial(
             pinhole_residuals,
@@ -172,7 +182,7 @@ def _fit(
         sighting.kept.weights,
         loss,
         prior,
-        bounded=KAPPA,
+        bounded=bounded_in(vectors),
     )
     found = solve(problem, vectors, iterations=20, tolerance=tolerance)
     best = int(np.argmin(found.costs))

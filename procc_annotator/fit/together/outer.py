@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA
+from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, is_strong
 from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.residual import Residuals, components
@@ -103,7 +103,7 @@ def profile_of(
 
 def open_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
     """Free parameters of a camera; a radial coefficient on its bound is none."""
-    bound = free > KAPPA and vector[KAPPA] in (0.0, LEAST_KAPPA)
+    bound = free > KAPPA and not is_strong(vector) and vector[KAPPA] in (0.0, LEAST_KAPPA)
     return np.array([i for i in range(free) if not (bound and i == KAPPA)], dtype=np.intp)
 
 

@@ -15,7 +15,7 @@ from procc_annotator.field.load import resized
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.models import FREE, KAPPA
+from procc_annotator.fit.solving.models import FREE, bounded_in
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.residual import (
     pinhole_residuals,
@@ -304,7 +304,7 @@ def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
         kept.weights,
         FINAL_LOSS,
         prior,
-        bounded=KAPPA,
+        bounded=bounded_in(sighting.vector),
     )
     vector = solve(problem, sighting.vector[None], iterations=20, tolerance=1e-5).vectors[0]
     residuals = dimension_residuals(vector, kept, half, free, rates)

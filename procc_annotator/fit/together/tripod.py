@@ -3,7 +3,7 @@ remain each frame's own."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -12,7 +12,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, Z
+from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, STRONG, X, Z, is_strong
 from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, observe
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
@@ -318,7 +318,7 @@ def _judged(sighting: Sighting, vector: FloatArray) -> Sighting:
 def _tripod(
     frames: Sequence[str], shared: Shared, positions: FloatArray, covariances: FloatArray
 ) -> Tripod:
-    vectors = np.array([profile.vector for profile in shared.profiles])
+    vectors = [profile.vector for profile in shared.profiles]
     predicted = np.sqrt(np.diagonal(covariances, axis1=1, axis2=2).mean(axis=0))
     scatter = positions.std(axis=0, ddof=1)
     return Tripod(
@@ -326,11 +326,13 @@ def _tripod(
     )
 
 
-def usual_of(vectors: FloatArray) -> Usual:
-    """What lens and level of a camera usually are, told from its frames' parameters (F, 11)."""
-    return Usual(
-        _usual(vectors[:, ROLL], _LEAST_ROLL_SD), _usual(vectors[:, KAPPA], _LEAST_KAPPA_SD)
-    )
+def usual_of(vectors: Iterable[FloatArray]) -> Usual:
+    """What lens and level of a camera usually are, told from its frames' parameters; strong lenses
+    say nothing of one radial coefficient."""
+    vectors = list(vectors)
+    kappas = [vector[KAPPA] for vector in vectors if not is_strong(vector)]
+    roll = _usual(np.array([vector[ROLL] for vector in vectors]), _LEAST_ROLL_SD)
+    return Usual(roll, _usual(np.array(kappas or [0.0]), _LEAST_KAPPA_SD))
 
 
 def _usual(values: FloatArray, least: float) -> tuple[float, float]:
@@ -356,6 +358,7 @@ def _late(
         return replace(alone, failure=problem)
     # A model that was to be chosen is known only where there is a camera.
     model = alone.model if alone.model in FREE else "R"
+    model = "R+" if model in STRONG else model
     found = fit_from(annotation, field, tripods[0], model=model, size=alone.size)
     if found.camera is None:
         return replace(alone, failure=f"{alone.failure}; {found.failure}")

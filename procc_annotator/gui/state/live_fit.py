@@ -23,7 +23,7 @@ from procc_annotator.session.clicks.insight import Insight, gain_insight
 from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
 
 DEFAULT_MODEL = "auto"
-MODELS = ("auto", "H", "P", "R", "R+")
+MODELS = ("auto", "H", "P", "R", "R+", "R2", "F")
 _KEPT = 32  # insights, of frames and steps of undo one may come back to
 _STAYED_MS = 80  # a frame that is left sooner was only passed: no fit slows the walk through it
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import InputError
 from procc_annotator.field.landmarks import field_of_frame
@@ -144,11 +145,15 @@ def camera_file(name: str, fit: FitResult) -> tuple[str, bytes]:
     """File name and content of a frame's fitted camera.
 
     A pinhole becomes a SoccerNet camera that names the picture size its pixels belong to; a
-    homography a .npy in the convention that this suffix stands for (yards, picture of 1280 x 720).
+    fisheye, which these cannot hold, a file of `cv::FileStorage`; a homography a .npy in the
+    convention that this suffix stands for (yards, picture of 1280 x 720).
     """
     if isinstance(fit.camera, HomographyCamera):
         data, _ = encode_camera(LoadedCamera(fit.camera, "homography", fit.size), "carwc")
         return f"{name}.npy", data
+    if isinstance(fit.camera, FisheyeCamera):
+        data, _ = encode_camera(LoadedCamera(fit.camera, "fisheye", fit.size), "opencv")
+        return f"{name}.yml", data
     if fit.camera is None:
         raise ValueError("a failed fit has no camera")
     size = {"image_width": fit.size[0], "image_height": fit.size[1]}

@@ -105,13 +105,13 @@ def _fitted_from(annotation: FrameAnnotation, fit: FitResult, field: str) -> dic
 
 def _cameras_of(folder: Path, frame: str) -> list[Path]:
     """The files of a frame's camera that are there."""
-    paths = (folder / f"camera_{frame}.json", folder / f"{frame}.npy")
+    paths = (folder / f"camera_{frame}.json", folder / f"{frame}.npy", folder / f"{frame}.yml")
     return [path for path in paths if path.exists()]
 
 
 def _is_saved_fit(path: Path, beside: Path) -> bool:
     """Whether a camera's file was written by `save_fit`."""
-    if path.suffix == ".npy":
+    if path.suffix != ".json":
         return beside.exists()
     try:
         content = json.loads(path.read_bytes())

@@ -322,7 +322,7 @@ def test_unknown_models_are_refused(views, field) -> None:
     annotation = views.main(np.random.default_rng(0)).annotation
     with pytest.raises(UsageError, match="did you mean R"):
         fit_camera(annotation, field, model="r")
-    with pytest.raises(UsageError, match="choose one of H, P, R, R\\+, auto"):
+    with pytest.raises(UsageError, match="choose one of H, P, R, R\\+, R2, F, auto"):
         fit_camera(annotation, field, model="fisheye")
     with pytest.raises(UsageError, match="did you mean auto"):
         fit_camera(annotation, field, model="Auto")

@@ -7,7 +7,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.solving import barrel, cut_out, search
+from procc_annotator.fit.solving import barrel, cut_out, search, strong_lens
 from procc_annotator.fit.solving.observations import MOST_POINTS, PictureFrame, observe
 
 # Times that residuals are computed (for any number of cameras at once), at most: 4 + 5 steps of the
@@ -22,6 +22,9 @@ CUT_OUT = 42
 # Where there may be barrel distortion: one look at its promise, 20 more robust steps, 20 more final
 # ones, and one look at the start of both.
 BARREL = 43
+# Where lines are bent as by a strong lens: three searches for points made straight again, and a
+# fisheye and a radial lens with 40 robust steps and 20 final ones each, with a look at each start.
+STRONG = 3 * COLD + 2 * 62
 
 
 class Work:
@@ -36,7 +39,7 @@ class Work:
             self.points += len(vectors) * seen.points.shape[1]
             return computed(vectors, seen, **options)
 
-        for module in (search, cut_out, barrel):
+        for module in (search, cut_out, barrel, strong_lens):
             monkeypatch.setattr(module, "pinhole_residuals", counted)
 
     def of(self, annotation, field, **options) -> int:
@@ -67,7 +70,7 @@ def scattered(annotation: FrameAnnotation, rng: np.random.Generator) -> FrameAnn
 @pytest.mark.parametrize("model", ["R+", "auto"])
 def test_the_work_is_bounded_whatever_the_labels_say(views, field, work, model) -> None:
     rng = np.random.default_rng(40)
-    most = COLD + CUT_OUT + BARREL + (CHOICE if model == "auto" else 0)
+    most = COLD + CUT_OUT + BARREL + (CHOICE + STRONG if model == "auto" else 0)
     for _ in range(3):
         annotation = views.random(rng, at_least=3).annotation
         for spoilt in (annotation, shuffled(annotation, rng), scattered(annotation, rng)):

@@ -55,6 +55,8 @@ MODEL_WORDS = {
     "P": "P: pinhole",
     "R": "R: pinhole, lens distortion",
     "R+": "R+: R, aspect ratio, principal point",
+    "R2": "R2: R+, second radial coefficient",
+    "F": "F: fisheye",
 }
 _GREY_AFTER_MS = 100  # most fits are there by then
 

@@ -9,9 +9,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.result import ElementResidual, FitResult
+from procc_annotator.fit.result import ElementResidual, FitResult, PosedCamera
 from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, Index
 from procc_annotator.gui.panels.states import class_title
 
@@ -96,7 +95,7 @@ def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
     """What the camera is and how surely, line by line: name, value, standard deviation; empty for
     a homography, which has no pose."""
     camera, sd = fit.camera, fit.deviations
-    if not isinstance(camera, PinholeCamera) or sd is None:
+    if not isinstance(camera, PosedCamera) or sd is None:
         return []
     angles = (
         ("Pan", camera.pan_rad, sd.pan_rad),
