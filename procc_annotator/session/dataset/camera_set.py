@@ -22,11 +22,13 @@ _KEPT = 64
 
 @dataclass(frozen=True, eq=False)
 class CameraForFrame:
-    """A frame's camera in pixels of the evaluation size, its model, and a remark for the user."""
+    """A frame's camera in pixels of the evaluation size, its model, and a remark for the user;
+    assumed_field as of `LoadedCamera`."""
 
     camera: CameraOrProjections
     model: str
     notice: str | None
+    assumed_field: str = ""
 
 
 class FrameCameras(Protocol):
@@ -188,7 +190,7 @@ class CameraSet:
         camera, notice = fit_to_size(loaded, size, self.camera_size)
         remarks = [*loaded.notices, *([notice] if notice else [])]
         model = model_name(camera, loaded.model, size)
-        return CameraForFrame(camera, model, "; ".join(remarks) or None)
+        return CameraForFrame(camera, model, "; ".join(remarks) or None, loaded.assumed_field)
 
 
 def _name_of(path: Path) -> str:
