@@ -28,6 +28,7 @@ class SourceFrame:
         projected: what the camera shows of the field.
         notice: what to know about it (scaled from another size, missing).
         error: why it cannot be used.
+        fitted_on: what it was fitted to, see `LoadedCamera`.
     """
 
     camera: CameraOrProjections | None = None
@@ -35,6 +36,7 @@ class SourceFrame:
     projected: ProjectedField | None = None
     notice: str = ""
     error: str = ""
+    fitted_on: str | None = None
 
 
 NO_CAMERA = SourceFrame()
@@ -51,7 +53,9 @@ def look_up(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> Sou
     if problem := of_another_field(found.assumed_field, setup.field):
         return SourceFrame(error=f"{frame}: {problem} ({NAME_THE_FORMAT})")
     projected = project_field(found.camera, setup.of_frame(frame))
-    return SourceFrame(found.camera, found.model, projected, found.notice or "")
+    return SourceFrame(
+        found.camera, found.model, projected, found.notice or "", fitted_on=found.fitted_on
+    )
 
 
 _Key = tuple[FrameCameras, str]

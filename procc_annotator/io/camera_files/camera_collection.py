@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from typing import Self
 
@@ -13,6 +14,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.cameras import read_camera_file
+from procc_annotator.io.camera_files.fitted_on import FittedOn
 from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.paired_files import paired_format, paired_records
@@ -50,6 +52,7 @@ class CameraCollection:
         self.path: Path = source.path
         self.format = fmt
         self._source = source
+        self._fitted_on = FittedOn(source)
         self._records: dict[str, CameraRecords] = {}
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
@@ -82,11 +85,16 @@ class CameraCollection:
         """
         file = self.frames[frame]
         if file in self._records:
-            loaded = self._records[file].read(self.frames.name_there(frame) or frame)
-        else:
-            loaded = read_camera_file(
-                self._read_file(file), path=self._source.display(file), fmt=self.format
+            return self._of_field(
+                self._records[file].read(self.frames.name_there(frame) or frame), frame, field
             )
+        shown = self._source.display(file)
+        loaded = read_camera_file(self._read_file(file), path=shown, fmt=self.format)
+        own = self.frames.name_there(frame) or frame
+        loaded = replace(loaded, fitted_on=self._fitted_on.of(own, file, loaded.extra))
+        return self._of_field(loaded, frame, field)
+
+    def _of_field(self, loaded: LoadedCamera, frame: str, field: Field | None) -> LoadedCamera:
         if field is not None and (problem := of_another_field(loaded.assumed_field, field)):
             raise CameraError(self.display(frame), problem, advice=NAME_THE_FORMAT)
         return loaded

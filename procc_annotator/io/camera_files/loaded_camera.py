@@ -25,6 +25,7 @@ class LoadedCamera:
         assumed_field: name of the field whose world these pixels belong to, where the format alone
             says so and nobody named it; empty otherwise.
         content: all of the file's keys and values, so that saving spells unchanged numbers alike.
+        fitted_on: `annotation_digest` of the annotation it was fitted to, where that is told.
     """
 
     camera: CameraOrProjections
@@ -33,4 +34,5 @@ class LoadedCamera:
     extra: Mapping[str, Any] = field(default_factory=dict)
     notices: tuple[str, ...] = ()
     content: Mapping[str, Any] = field(default_factory=dict)
+    fitted_on: str | None = None
     assumed_field: str = ""
