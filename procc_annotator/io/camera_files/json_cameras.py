@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import PurePath
 from typing import Any
 
 from procc_annotator.errors import CameraError
@@ -51,6 +52,7 @@ _ANNOTATION_ADVICE = (
 
 
 ARRAY_SUFFIXES = (".npz", ".mat")
+SOCCERNET_PREFIX = "camera_"  # of its files' names
 
 
 class PointsError(CameraError):
@@ -251,7 +253,8 @@ def _recognised(content: object, path: str) -> JsonFormat:
     for known in JSON_FORMATS:
         if known.one is not None and any(map(known.recognises, values)):
             return known
-    if type(content) is dict and any(key in content for key in _SOCCERNET_KEYS):
+    named = PurePath(path).name.startswith(SOCCERNET_PREFIX)
+    if named or (type(content) is dict and any(key in content for key in _SOCCERNET_KEYS)):
         return SOCCERNET  # which says what else is missing
     raise _unknown(content, path)
 
