@@ -21,7 +21,9 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.json_text import printable
 
 # A folder with such a name stands where a file was expected; any other may be a split (``v1.2``).
-_FILE_SUFFIXES = frozenset({".json", ".npy", ".txt", ".homographymatrix", ".yml", ".yaml", ".xml"})
+_FILE_SUFFIXES = frozenset(
+    {".json", ".npy", ".npz", ".mat", ".txt", ".homographymatrix", ".yml", ".yaml", ".xml"}
+)
 _LONGEST_NAME = 255  # of what a file system takes; an archive may hold any
 # Annotations and cameras have a few kilobytes. A larger file is another one, or a zip bomb.
 LARGEST_FILE = 50 * 1024 * 1024
