@@ -90,7 +90,8 @@ def convert_annotations(
     with open_source(folder) as source:
         known, files, strays = _found(source, fmt, field)
         sizes = PictureSizes(picture_folders(path, folder), size)
-        reading = Reading(field, sizes.size)
+        pictures = sorted(path.name for path in sizes.files())
+        reading = Reading(field, sizes.size, pictures)
         assert known.read is not None
         frames = _once(known.read(source, files, reading), reading, progress)
         complete = (
@@ -100,7 +101,10 @@ def convert_annotations(
         inputs = _input_files(source) | {os.path.realpath(path) for path in sizes.files()}
         if wanted.into is not None:
             inputs.add(os.path.realpath(wanted.into))
-        done = write_converted(complete, out, target, wanted, field, inputs)
+        done = write_converted(
+            complete, out, target, wanted, field, inputs,
+            lambda frame: sizes.path(Path(frame.picture or "").stem) or sizes.path(frame.name),
+        )  # fmt: skip
     done.source = known.title
     done = _with_reading(done, reading)
     done.losses = [*strays, *done.losses]
@@ -133,7 +137,10 @@ def export_as(
     inputs = {os.path.realpath(f.annotation_path) for f in workspace.frames}
     sized = target.in_pixels or bool(target.one_file)
     frames = _frames_of(workspace, reading, set(drafts), progress, sized=sized)
-    done = write_converted(frames, out, target, wanted, workspace.field, inputs)
+    done = write_converted(
+        frames, out, target, wanted, workspace.field, inputs,
+        lambda frame: _picture_in(workspace, frame.name),
+    )  # fmt: skip
     done.source = "the dataset"
     return _with_reading(done, reading)
 
@@ -152,7 +159,8 @@ def read_annotations(
     """
     with open_source(_annotation_folder(path)) as source:
         known, files, strays = _found(source, fmt, workspace.field)
-        reading = Reading(workspace.field, lambda name: _size_in(workspace, name))
+        pictures = sorted(frame.image_file for frame in workspace.frames)
+        reading = Reading(workspace.field, lambda name: _size_in(workspace, name), pictures)
         assert known.read is not None
         done = Imported(known.title)
         for frame in _once(known.read(source, files, reading), reading, progress):
@@ -225,6 +233,12 @@ def _size_in(workspace: Workspace, name: str) -> Size | None:
         return None if index is None else picture_size(workspace.frames[index].image_path)
     except ImageError:
         return None
+
+
+def _picture_in(workspace: Workspace, name: str) -> Path | None:
+    """The file of a frame's picture; None for frames of a video, which have none."""
+    path = workspace.frames[workspace.index[name]].image_path
+    return path if path.is_file() else None
 
 
 def _annotation_folder(path: Path) -> Path:

@@ -76,6 +76,8 @@ class Reading:
     Attributes:
         field: knows the official names.
         size_of: the size in px of a frame's picture, for files that do not say it.
+        pictures: file names of the pictures around the files in the order of their names, for files
+            that count them.
         problems: one line for each frame or file that could not be used.
         remarks: what was left out or changed.
         total: how many frames there are in all, as soon as it is known.
@@ -83,6 +85,7 @@ class Reading:
 
     field: Field
     size_of: Callable[[str], Size | None] = lambda _: None
+    pictures: Sequence[str] = ()
     problems: list[str] = attribute(default_factory=list)
     remarks: Remarks = attribute(default_factory=Remarks)
     total: int | None = None
@@ -105,7 +108,8 @@ class Writing:
         put: writes one file of the output by its name; False if it may not (and says so).
         file_name: the name of the only file, when the output is a file; else None.
         line_width: of masks, px.
-        folder: a folder inside the output that files of single frames go to; may be empty.
+        folder: the split that is written: a folder inside the output that files of single frames
+            go to, or part of a file's name; may be empty.
         into: content of an existing file whose other entries are to be kept; None without.
         problems: one line for each frame that could not be written.
         remarks: what the format cannot hold.
