@@ -30,7 +30,7 @@ def test_every_name_is_there_and_none_else() -> None:
 
 def test_type_checkers_are_told_the_same_names_from_the_same_places() -> None:
     tree = ast.parse((PACKAGE / "__init__.py").read_text())
-    (block,) = (node for node in tree.body if isinstance(node, ast.If))
+    block = next(node for node in tree.body if isinstance(node, ast.If))
     told = {
         alias.name: node.module
         for node in block.body
