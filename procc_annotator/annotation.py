@@ -6,12 +6,15 @@ clamped or reordered here, so that an untouched element is written back with ide
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, SupportsFloat
 
 import numpy as np
 from numpy.typing import NDArray
+
+from procc_annotator.errors import UsageError
 
 FloatArray = NDArray[np.float64]
 
@@ -48,6 +51,49 @@ class FrameAnnotation:
     polylines: tuple[Polyline, ...] = ()
     extra: tuple[tuple[str, Any], ...] = field(default=())
     unconfirmed: tuple[Polyline, ...] = ()
+
+    @classmethod
+    def from_dict(
+        cls,
+        elements: Mapping[str, Iterable[Mapping[str, Any] | Iterable[SupportsFloat]]],
+        *,
+        size: tuple[int, int] | None = None,
+    ) -> FrameAnnotation:
+        """An annotation from plain values.
+
+        Args:
+            elements: class name -> its points in order along the element, each ``(u, v)`` or
+                ``{"x": u, "y": v}``; further keys of a point are kept. Arrays (n, 2) will do.
+            size: (width, height) px of the picture that the points are pixels of (pixel centres
+                are whole numbers); None where they are normalised, as in files.
+
+        Raises:
+            UsageError: what is given is none of this, or no finite number.
+        """
+        return cls(
+            tuple(
+                Polyline(str(name), _points_of(str(name), points, size))
+                for name, points in _by_class(elements)
+            )
+        )
+
+    def to_dict(self, *, size: tuple[int, int] | None = None) -> dict[str, list[dict[str, Any]]]:
+        """The elements as plain values, as a SoccerNet file has them; unconfirmed ones are none.
+
+        Args:
+            size: (width, height) px of the picture, for points in its pixels; None for normalised
+                ones.
+
+        Returns:
+            Class name -> its points, each ``{"x": u, "y": v}`` with its further keys.
+        """
+        right, low = (1, 1) if size is None else (size[0] - 1, size[1] - 1)
+        return {
+            polyline.class_name: [
+                {"x": u * right, "y": v * low, **dict(extra)} for u, v, extra in polyline.points
+            ]
+            for polyline in self.polylines
+        }
 
     def __iter__(self) -> Iterator[Polyline]:
         return iter(self.polylines)
@@ -112,6 +158,36 @@ class FrameAnnotation:
             polylines=_other_classes(self.polylines, class_name),
             unconfirmed=_other_classes(self.unconfirmed, class_name),
         )
+
+
+def _by_class(elements: object) -> Iterable[tuple[object, object]]:
+    if not isinstance(elements, Mapping):
+        raise UsageError(f"expected points by class name, found {type(elements).__name__}")
+    return elements.items()
+
+
+def _points_of(name: str, points: object, size: tuple[int, int] | None) -> tuple[Point, ...]:
+    if not isinstance(points, Iterable) or isinstance(points, str | Mapping):
+        raise UsageError(f"{name}: expected a list of points, found {type(points).__name__}")
+    return tuple(_point_of(f"{name}[{i}]", point, size) for i, point in enumerate(points))
+
+
+def _point_of(place: str, point: object, size: tuple[int, int] | None) -> Point:
+    extra: dict[str, Any] = {}
+    try:
+        if isinstance(point, Mapping):
+            extra = dict(point)
+            x, y = float(extra.pop("x")), float(extra.pop("y"))
+        else:
+            x, y = (float(value) for value in point)  # type: ignore[attr-defined]
+    except (TypeError, ValueError, KeyError):
+        raise UsageError(
+            f'{place}: expected a point as (x, y) or {{"x": x, "y": y}}, found {point!r}'
+        ) from None
+    if not (math.isfinite(x) and math.isfinite(y)):
+        raise UsageError(f"{place}: expected finite numbers, found ({x}, {y})")
+    found = Point(x, y) if size is None else point_from_px(x, y, size)
+    return found._replace(extra=tuple(extra.items()))
 
 
 def _other_classes(polylines: tuple[Polyline, ...], class_name: str) -> tuple[Polyline, ...]:

@@ -10,9 +10,9 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from procc_annotator import __version__
 from procc_annotator.cli.lazy_command import LazyCommand
 from procc_annotator.errors import ProccError
+from procc_annotator.version import __version__
 
 EXAMPLES = """
 Examples:

@@ -11,7 +11,6 @@ from typing import Annotated, Any
 
 import typer
 
-import procc_annotator
 from procc_annotator.cli.field_option import chosen_field, named_field
 from procc_annotator.errors import InputError
 from procc_annotator.io.atomic import write_atomic
@@ -31,6 +30,7 @@ from procc_annotator.report.recipe import (
 )
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
+from procc_annotator.version import __version__
 
 RecipeOption = Annotated[
     Path | None,
@@ -104,7 +104,7 @@ class RecipeFor:
                 found[role, path] = RecipeInput(role, relative(path, root), files)
         recipe = Recipe(
             FORMAT,
-            procc_annotator.__version__,
+            __version__,
             str(self.context.info_name),
             _typed_options(self.context),
             tuple(found.values()),

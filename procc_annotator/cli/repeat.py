@@ -9,7 +9,6 @@ from typing import Annotated
 
 import typer
 
-import procc_annotator
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.recipes import FieldAsked, field_again, hashed_input, moved
@@ -30,6 +29,7 @@ from procc_annotator.report.recipe import (
 from procc_annotator.report.scores.scoring import Asked, Evaluations, Outcome
 from procc_annotator.report.sheet.as_json import json_bytes
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.version import __version__
 from procc_annotator.words import count_of
 
 HELP = """\
@@ -114,7 +114,7 @@ def _leads_out(path: str) -> bool:
 
 
 def _other_version(known: Recipe) -> list[str]:
-    own = procc_annotator.__version__
+    own = __version__
     return [] if known.version == own else [f"other version: {own}, was {known.version}"]
 
 

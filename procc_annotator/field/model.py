@@ -62,6 +62,7 @@ class Element:
 
     @property
     def is_straight(self) -> bool:
+        """Whether it is one straight line."""
         return isinstance(self.geometry, Line)
 
     @property

@@ -28,7 +28,6 @@ class ElementScore:
         distances: (n,) px in the order of the polyline's points, empty where there are none.
         max_distance: the largest one; None where there are none or it is undefined.
         deciding_point: index in the polyline of the point with that distance.
-        passes_above: the element is correct at every threshold above this one, px.
     """
 
     name: str
@@ -40,6 +39,7 @@ class ElementScore:
 
     @property
     def passes_above(self) -> float | None:
+        """The element is correct at every threshold above this one, px."""
         return self.max_distance
 
 

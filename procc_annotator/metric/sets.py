@@ -34,14 +34,17 @@ class ClassSummary:
 
     @property
     def jac(self) -> float | None:
+        """TP / (TP + FP + FN); None when all are zero."""
         return _ratio(self.tp, self.tp + self.fp + self.fn)
 
     @property
     def precision(self) -> float | None:
+        """TP / (TP + FP); None when nothing is shown."""
         return _ratio(self.tp, self.tp + self.fp)
 
     @property
     def recall(self) -> float | None:
+        """TP / (TP + FN); None when nothing is annotated."""
         return _ratio(self.tp, self.tp + self.fn)
 
 

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 
-import procc_annotator
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, UsageError
@@ -26,6 +25,7 @@ from procc_annotator.io.collections import MANIFEST_FILE
 from procc_annotator.metric.project import project_field, unclipped
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.targets import is_archive, open_target
+from procc_annotator.version import __version__
 
 
 def export_polylines(
@@ -59,7 +59,7 @@ def export_polylines(
     with open_target(out) as archive:
         manifest = Manifest(
             FORMAT, method, setup.protocol, setup.field.described, field_fingerprint(setup.field),
-            setup.size, len(wanted), names_sha256(wanted), procc_annotator.__version__,
+            setup.size, len(wanted), names_sha256(wanted), __version__,
         )  # fmt: skip
         archive.write(MANIFEST_FILE, encode_manifest(manifest))
         for number, frame in enumerate(wanted, 1):

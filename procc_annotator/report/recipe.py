@@ -14,7 +14,6 @@ from typing import Any
 
 import msgspec
 
-import procc_annotator
 from procc_annotator.errors import InputError
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
@@ -24,6 +23,7 @@ from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.sheet.as_json import figure_entry, json_bytes
 from procc_annotator.report.sheet.figure import shortest
 from procc_annotator.report.sheet.figures import OF_SET
+from procc_annotator.version import __version__
 
 FORMAT = "procc-annotator recipe 1"
 _SAME = 1e-12  # of a figure: the last digit that is written
@@ -40,7 +40,7 @@ CITATION = {
     "program": (
         "@software{procc_annotator,\n  title = {ProCC Annotator},\n"
         "  author = {{The ProCC Annotator authors}},\n"
-        f"  version = {{{procc_annotator.__version__}}}\n}}"
+        f"  version = {{{__version__}}}\n}}"
     ),
 }
 

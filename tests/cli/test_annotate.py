@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.api import evaluate, load_annotation
+from procc_annotator import evaluate, load_annotation
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.facts.origins import Origin, OriginKind, count_origins

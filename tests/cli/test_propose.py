@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from procc_annotator.api import fit_camera, load_annotation
+from procc_annotator import fit_camera, load_annotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal, State
 from procc_annotator.fit.result import FitResult

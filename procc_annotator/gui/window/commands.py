@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QInputDialog, QMessageBox, QWidget
 
-from procc_annotator import __version__
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.settings import AUTHOR, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.key_sheet import KeySheet
+from procc_annotator.version import __version__
 
 _TAU_STEP = 0.5
 

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from importlib import metadata
 from pathlib import Path
 
-from procc_annotator import __version__
 from procc_annotator.errors import UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.source import FileSource
@@ -40,6 +39,7 @@ from procc_annotator.report.page.report_tables import comparison_table, terms
 from procc_annotator.report.sheet.as_latex import ARTICLE_PT, latex_tables
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.version import __version__
 
 REPORT_SUFFIXES = (".html", ".csv", ".json", ".tex")
 _MOST_BREAKS = 100  # on the page; all are in the files

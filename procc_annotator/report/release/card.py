@@ -6,7 +6,6 @@ import json
 import re
 from collections.abc import Iterable
 
-import procc_annotator
 from procc_annotator.report.recipe import CITATION
 from procc_annotator.report.release.released import (
     AGREEMENT_FILE,
@@ -20,6 +19,7 @@ from procc_annotator.report.release.released import (
     SPLITS,
     Release,
 )
+from procc_annotator.version import __version__
 from procc_annotator.words import count_of
 
 _SIZES = ((1_000, "n<1K"), (10_000, "1K<n<10K"), (100_000, "10K<n<100K"), (10**6, "100K<n<1M"))
@@ -50,7 +50,7 @@ def dataset_card(release: Release) -> str:
             for text in (terms.citation, *CITATION.values())
             if text.strip()
         ),
-        f"Made by ProCC Annotator {procc_annotator.__version__}.",
+        f"Made by ProCC Annotator {__version__}.",
     ]
     return "\n\n".join(part for part in parts if part) + "\n"
 

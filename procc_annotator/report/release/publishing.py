@@ -12,7 +12,6 @@ from typing import Any
 
 import msgspec
 
-import procc_annotator
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
@@ -41,6 +40,7 @@ from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import json_bytes
 from procc_annotator.report.targets import open_target
 from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_size
+from procc_annotator.version import __version__
 
 Progress = Callable[[int, int], None]
 
@@ -210,7 +210,7 @@ def _release_bytes(release: Release) -> bytes:
     terms = release.terms
     known = _Known(
         FORMAT, terms.name, terms.version, terms.date, release.field.described,
-        release.fingerprint, frames, f"procc-annotator {procc_annotator.__version__}",
+        release.fingerprint, frames, f"procc-annotator {__version__}",
     )  # fmt: skip
     return json_bytes(msgspec.to_builtins(known))
 

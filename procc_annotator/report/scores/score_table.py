@@ -11,7 +11,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from procc_annotator import __version__
 from procc_annotator.errors import UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.exclusive import exclusive
@@ -21,6 +20,7 @@ from procc_annotator.report.scores.score_table_reading import read_csv_rows, rea
 from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
 from procc_annotator.report.sheet.as_parquet import parquet_bytes
 from procc_annotator.session.runs.evaluation_run import FrameResult
+from procc_annotator.version import __version__
 
 Figures = tuple[Any, ...]  # what of a row depends on frame and threshold
 

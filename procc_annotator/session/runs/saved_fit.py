@@ -7,7 +7,6 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from procc_annotator import __version__
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import SaveError
@@ -16,6 +15,7 @@ from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.fitted_on import BESIDE, DIGEST, FIT_KEY, annotation_digest
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.session.runs.calibration_run import camera_file
+from procc_annotator.version import __version__
 
 FOLDER = Path("cameras") / "fitted"  # in the dataset's folder
 

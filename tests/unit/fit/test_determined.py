@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from procc_annotator import fit_camera, load_annotation
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.api import fit_camera, load_annotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.determined import hardly_determined

@@ -18,9 +18,9 @@ from contextlib import ExitStack, contextmanager
 from itertools import islice
 from typing import Any, Self, TypeVar
 
-from procc_annotator import __version__
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.session.runs.execution.worker_tasks import run_chunk
+from procc_annotator.version import __version__
 
 C = TypeVar("C")
 R = TypeVar("R")

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from procc_annotator import load_annotation
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.api import load_annotation
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels

@@ -1,0 +1,180 @@
+"""What a caller gives, looked at before anything is done with it."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.checked import checked
+from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
+from procc_annotator.camera.scaling import scaled
+from procc_annotator.errors import UsageError
+from procc_annotator.field.load import load_field
+from procc_annotator.field.model import Field
+from procc_annotator.fit.result import FitResult
+from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.pixels import PixelArray, bgra
+from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+
+AnyCamera = Camera | ElementProjections | FitResult | LoadedCamera
+"""A camera as a caller has it: of any model, fitted, or read from a file."""
+
+
+@dataclass(frozen=True)
+class CameraAt:
+    """A camera in px of a size."""
+
+    camera: CameraOrProjections
+    model: str
+
+
+def camera_at(
+    camera: object,
+    size: tuple[int, int],
+    camera_size: tuple[int, int] | None = None,
+    name: str = "camera",
+) -> CameraAt:
+    """A camera in px of a picture size; what those of others return is checked from now on.
+
+    Args:
+        camera: as a caller gave it.
+        size: (width, height) px.
+        camera_size: (width, height) px that cameras belong to which do not say it, and those read
+            from files; None for ``size``.
+        name: how to call it where it is none.
+
+    Raises:
+        UsageError: it is no camera, or a fit that failed.
+    """
+    if isinstance(camera, LoadedCamera):
+        return CameraAt(checked(fit_to_size(camera, size, camera_size)[0], name), camera.model)
+    if isinstance(camera, FitResult):
+        if camera.camera is None:
+            raise UsageError(f"there is no camera to evaluate, the fit failed: {camera.failure}")
+        of_fit = camera.camera
+        at = of_fit if camera.size == size else scaled(of_fit, camera.size, size)
+        return CameraAt(at, camera.model)
+    own = as_camera(camera, name)
+    at = own if camera_size in (None, size) else scaled(own, camera_size, size)
+    return CameraAt(at, str(getattr(own, "model", type(own).__name__)))
+
+
+def as_camera(camera: object, name: str) -> CameraOrProjections:
+    """A camera of any model, its answers checked from now on.
+
+    Raises:
+        UsageError: it is none.
+    """
+    if isinstance(camera, ElementProjections) or callable(getattr(camera, "project", None)):
+        return checked(camera, name)  # type: ignore[arg-type]
+    if camera is None:
+        raise UsageError("there is no camera to evaluate (a fit that failed says why in `failure`)")
+    hint = ""
+    if callable(camera):
+        hint = "; camera_from_function makes one of a function"
+    elif isinstance(camera, np.ndarray):
+        hint = "; camera_from_projection and camera_from_homography make one of a matrix"
+    raise UsageError(
+        f"{name}: expected a camera (an object with `project`), found {kind_of(camera)}{hint}"
+    )
+
+
+def as_annotation(annotation: object) -> FrameAnnotation:
+    """An annotation.
+
+    Raises:
+        UsageError: it is none.
+    """
+    if isinstance(annotation, FrameAnnotation):
+        return annotation
+    hint = ""
+    if isinstance(annotation, str | Path):
+        hint = " (load_annotation(path) reads one)"
+    elif isinstance(annotation, Mapping):
+        hint = " (FrameAnnotation.from_dict makes one)"
+    raise UsageError(f"expected an annotation (FrameAnnotation), found {kind_of(annotation)}{hint}")
+
+
+def as_field(field: object) -> Field:
+    """A field, or the one of that name or file; the usual one for None.
+
+    Raises:
+        UsageError: it is none. FieldError: there is no such field.
+    """
+    if isinstance(field, Field):
+        return field
+    if field is None:
+        return load_field()
+    if isinstance(field, str | Path):
+        return load_field(field)
+    raise UsageError(f"expected a field, its name or its .toml file, found {kind_of(field)}")
+
+
+def as_path(path: object, what: str) -> Path:
+    """A path.
+
+    Raises:
+        UsageError: it is none; ``what`` says of what.
+    """
+    if isinstance(path, str | Path):
+        return Path(path)
+    raise UsageError(f"expected the path of {what}, found {kind_of(path)}")
+
+
+def as_size(size: Any) -> tuple[int, int]:
+    """(width, height) px.
+
+    Raises:
+        UsageError: it is none.
+    """
+    try:
+        width, height = map(operator.index, size)
+    except (TypeError, ValueError):  # no whole numbers, or not two of them
+        raise UsageError(
+            f"expected a size as (width, height) in whole pixels, found {size!r}"
+        ) from None
+    return width, height
+
+
+def as_size_or_none(size: Any) -> tuple[int, int] | None:
+    """The same; None stays None."""
+    return None if size is None else as_size(size)
+
+
+def as_picture(picture: object) -> PixelArray:
+    """(H, W, 4) BGRA of a picture's file or its pixels.
+
+    Raises:
+        UsageError: it is no picture. ImageError: it cannot be read.
+    """
+    if isinstance(picture, str | Path):
+        return decode_bgra(Path(picture))
+    return as_pixels(picture)
+
+
+def as_pixels(picture: object) -> PixelArray:
+    """(H, W, 4) BGRA of a picture's pixels.
+
+    Raises:
+        UsageError: they are none.
+    """
+    right = isinstance(picture, np.ndarray) and picture.dtype == np.uint8 and picture.ndim == 3
+    if not isinstance(picture, np.ndarray) or not right or picture.shape[2] not in (3, 4):
+        raise UsageError(
+            "expected a picture: the path of one, or (H, W, 3) or (H, W, 4) uint8 pixels, found"
+            f" {kind_of(picture)}"
+        )
+    return bgra(picture) if picture.shape[2] == 3 else picture
+
+
+def kind_of(value: object) -> str:
+    """What a value is, in a word."""
+    return "nothing" if value is None else type(value).__name__

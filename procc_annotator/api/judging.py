@@ -1,0 +1,312 @@
+"""How well cameras and annotations agree, and how far two cameras are apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.api.given import (
+    AnyCamera,
+    CameraAt,
+    as_annotation,
+    as_field,
+    as_picture,
+    as_size,
+    as_size_or_none,
+    camera_at,
+    kind_of,
+)
+from procc_annotator.api.reading import Dataset, load_annotations, load_cameras
+from procc_annotator.api.set_score import SetScore, score_set
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.fit import fitting
+from procc_annotator.fit.fitting import DEFAULT_SIZE
+from procc_annotator.fit.labels.check import check_labels as findings_of
+from procc_annotator.fit.labels.check import with_paint
+from procc_annotator.fit.labels.finding import Finding
+from procc_annotator.fit.result import FitResult
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.metric import disagreement as two_cameras
+from procc_annotator.metric import project, score
+from procc_annotator.metric.disagreement import Disagreement
+from procc_annotator.metric.measure import measure
+from procc_annotator.metric.score import FrameScore, score_to_read
+from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
+
+FloatArray = NDArray[np.float64]
+Size = tuple[int, int]
+
+
+def evaluate(
+    annotation: FrameAnnotation,
+    camera: AnyCamera,
+    *,
+    field: Field | str | None = None,
+    size: Size | None = None,
+    camera_size: Size | None = None,
+    tau: float = 5.0,
+    protocol: str = "soccernet",
+    allow_mirrored: bool = False,
+    off_plane: str = "missed",
+) -> FrameScore:
+    """Score a camera: an annotated element passes if all its points are closer than tau to it.
+
+    The protocol is that of Magera et al., A Universal Protocol to Benchmark Camera Calibration for
+    Sports, CVsports 2024; ``soccernet`` follows the official evaluation in every count. See
+    docs/metrics.md for every number.
+
+    A fit knows its picture size, and so do most camera files. **A plain camera does not**: it is
+    taken to be in px of ``size``, 960x540 unless told otherwise, and a camera in px of another size
+    scores nearly 0.
+
+    Args:
+        annotation: what is annotated, points normalised.
+        camera: what `fit_camera`, `load_camera` or a ``camera_from_...`` gave; or anything that
+            projects world points (metres) to pixels, see `Camera`.
+        field: the elements, metres; or a field's name, see `load_field`; the usual one (SoccerNet's
+            classes, nominal size) if None.
+        size: (width, height) px at which annotation and camera are compared; if None that of the
+            fit, and 960x540 (the official size) for any other camera. Cameras are scaled to it.
+        camera_size: (width, height) px that the camera belongs to, where it is no fit; if None what
+            its file says, and ``size`` where nothing is said.
+        tau: the threshold, px; compared strictly.
+        protocol: ``soccernet`` or ``procc``.
+        allow_mirrored: whether labels of the turned field may count, where they fit better; for
+            ``procc`` only, ``soccernet`` always considers them.
+        off_plane: how elements off the ground count for a camera that knows only the ground:
+            ``missed`` or ``left_out``.
+
+    Returns:
+        The score: ``jac`` = tp / (tp + fp + fn), the counts ``tp``, ``fp``, ``fn`` of elements,
+        ``precision``, ``recall``, ``mean_error``, ``median_error`` and ``max_error`` (px; None
+        where nothing is compared), ``mirrored`` (whether labels of the turned field fit better) and
+        ``elements``, each with its verdict and distances (px).
+
+    Raises:
+        UsageError: an argument of another kind, a fit that failed (with its reason), a camera whose
+            answers are no projection, a threshold that is no positive number, an unknown protocol
+            or choice, or a size without pixels.
+        FieldError: no such field.
+    """
+    (threshold,) = check_thresholds((tau,))
+    at = _size_for(camera, size)
+    setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
+    used = camera_at(camera, at, as_size_or_none(camera_size)).camera
+    return score_to_read(measure(as_annotation(annotation), used, setup), threshold)
+
+
+def evaluate_set(
+    annotations: Mapping[str, FrameAnnotation] | Dataset | str | Path,
+    cameras: Mapping[str, AnyCamera | None] | str | Path,
+    *,
+    field: Field | str | None = None,
+    size: Size = DEFAULT_SIZE,
+    camera_size: Size | None = None,
+    thresholds: tuple[float, ...] = (5.0,),
+    protocol: str = "soccernet",
+    allow_mirrored: bool = False,
+    off_plane: str = "missed",
+    planar_only: bool = False,
+) -> SetScore:
+    """Score the cameras of a method on a set: the figures of ``procc-annotator evaluate``.
+
+    Args:
+        annotations: frame name -> what is annotated in it; or a dataset, or the path of one.
+        cameras: frame name -> its camera, as `evaluate` takes it; or the path of camera files.
+            Annotated frames without a camera, or whose camera is None or a fit that failed, lower
+            the completeness; cameras of frames that are not annotated are not counted.
+        field: the elements, metres; or a field's name, see `load_field`; if None that of the
+            dataset, and the usual one (SoccerNet's classes, nominal size) for other annotations.
+        size: (width, height) px at which annotations and cameras are compared; cameras are scaled
+            to it.
+        camera_size: (width, height) px that the cameras belong to, where they are no fits; if None
+            what their files say, and ``size`` where nothing is said.
+        thresholds: px; compared strictly.
+        protocol: ``soccernet`` or ``procc``.
+        allow_mirrored: whether labels of the turned field may count, where they fit better; for
+            ``procc`` only, ``soccernet`` always considers them.
+        off_plane: how elements off the ground count for a camera that knows only the ground:
+            ``missed`` or ``left_out``.
+        planar_only: whether elements off the ground are left out for every camera.
+
+    Returns:
+        The figures of the set by threshold, the scores of its frames, and both as tables.
+
+    Raises:
+        UsageError: nothing to score, an argument of another kind, a camera whose answers are no
+            projection, or a choice that there is not, see `evaluate`.
+        InputError: a file cannot be used.
+    """
+    known = annotations.field if isinstance(annotations, Dataset) and field is None else None
+    known = known or as_field(field)
+    if isinstance(annotations, Dataset):
+        annotations = annotations.annotations
+    elif isinstance(annotations, str | Path):
+        annotations = load_annotations(annotations, known)
+    if isinstance(cameras, str | Path):
+        cameras = load_cameras(cameras)
+    _require_by_frame("annotations", annotations)
+    _require_by_frame("cameras", cameras)
+    at, own = as_size(size), as_size_or_none(camera_size)
+    setup = EvaluationSetup(known, at, protocol, allow_mirrored, off_plane, planar_only)
+    frames: dict[str, tuple[FrameAnnotation, CameraAt | None]] = {}
+    for name, annotation in annotations.items():
+        camera = cameras.get(name)
+        if isinstance(camera, FitResult) and camera.camera is None:
+            camera = None
+        used = None if camera is None else camera_at(camera, at, own, f"camera of {name}")
+        frames[name] = as_annotation(annotation), used
+    return score_set(frames, setup, check_thresholds(tuple(thresholds)))
+
+
+def jac_curve(
+    annotation: FrameAnnotation,
+    camera: AnyCamera,
+    thresholds: ArrayLike,
+    *,
+    field: Field | str | None = None,
+    size: Size | None = None,
+    camera_size: Size | None = None,
+    protocol: str = "soccernet",
+    allow_mirrored: bool = False,
+    off_plane: str = "missed",
+) -> FloatArray:
+    """JaC as a function of the threshold; the same numbers as `evaluate` gives one by one.
+
+    Args:
+        annotation: what is annotated, points normalised.
+        camera: as `evaluate` takes it.
+        thresholds: (T,) px, in any order.
+        field, size, camera_size, protocol, allow_mirrored, off_plane: as of `evaluate`.
+
+    Returns:
+        (T,) JaC in [0, 1].
+
+    Raises:
+        UsageError: as of `evaluate`.
+        FieldError: no such field.
+    """
+    at = _size_for(camera, size)
+    setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
+    used = camera_at(camera, at, as_size_or_none(camera_size)).camera
+    return score.jac_curve(measure(as_annotation(annotation), used, setup), thresholds)
+
+
+def project_field(
+    camera: AnyCamera,
+    field: Field | str | None = None,
+    *,
+    size: Size | None = None,
+    camera_size: Size | None = None,
+    protocol: str = "procc",
+) -> dict[str, tuple[FloatArray, ...]]:
+    """Where a camera shows the elements of a field.
+
+    Args:
+        camera: as `evaluate` takes it.
+        field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
+        size: (width, height) px of the picture; as of `evaluate`.
+        camera_size: as of `evaluate`.
+        protocol: ``procc`` for true curves, cut where they leave the picture; ``soccernet`` for the
+            points that the official evaluation measures to.
+
+    Returns:
+        Class name -> its pieces in the picture, each (n, 2) px of ``size``, vertices in order along
+        the element; of the elements that have any.
+
+    Raises:
+        UsageError: an argument of another kind, see `evaluate`.
+        FieldError: no such field.
+    """
+    at = _size_for(camera, size)
+    used = camera_at(camera, at, as_size_or_none(camera_size)).camera
+    return project.project_field(used, EvaluationSetup(as_field(field), at, protocol)).pieces
+
+
+def disagreement(
+    a: AnyCamera,
+    b: AnyCamera,
+    field: Field | str | None = None,
+    *,
+    size: Size = DEFAULT_SIZE,
+    camera_size: Size | None = None,
+    step_px: int = 4,
+) -> Disagreement:
+    """How far two cameras of one picture disagree about the ground, pixel by pixel.
+
+    Args:
+        a, b: cameras as `evaluate` takes them; not projections alone, which know no ground.
+        field: the ground that counts, metres; or a field's name, see `load_field`; the usual one if
+            None.
+        size: (width, height) px of the picture. camera_size: as of `evaluate`.
+        step_px: samples are at most that far apart, px; the picture's border is always sampled.
+
+    Returns:
+        Maps (h, w) of the distance in metres between the two ground points that a pixel means, and
+        in px of the picture; ``statistics`` of both.
+
+    Raises:
+        UsageError: an argument of another kind, projections alone, or a step below one pixel.
+        FieldError: no such field.
+    """
+    at, own = as_size(size), as_size_or_none(camera_size)
+    first, second = camera_at(a, at, own, "a").camera, camera_at(b, at, own, "b").camera
+    return two_cameras.disagreement(first, second, as_field(field), at, step_px=step_px)
+
+
+def check_labels(
+    annotation: FrameAnnotation,
+    field: Field | str | None = None,
+    *,
+    size: Size = DEFAULT_SIZE,
+    picture: PixelArray | str | Path | None = None,
+    model: str = "R",
+) -> tuple[Finding, ...]:
+    """What may be wrong with the labels and points of a frame.
+
+    Args:
+        annotation: what is annotated, points normalised.
+        field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
+        size: (width, height) px of the picture, or any size of its shape; that of ``picture`` if it
+            is given.
+        picture: a picture's file, or its pixels, (H, W, 3) or (H, W, 4) uint8, BGR: what it shows
+            of paint is looked at, too.
+        model: of the camera that is fitted, see `fit_camera`.
+
+    Returns:
+        At most one finding about each mistake, the surest first: its ``severity``, ``elements``,
+        ``reason`` in words, ``remedies``, and ``error_px`` (px of ``size``).
+
+    Raises:
+        UsageError: an argument of another kind, no such model, or a size without pixels.
+        ImageError: the picture cannot be read.
+        FieldError: no such field.
+    """
+    given, known = as_annotation(annotation), as_field(field)
+    pixels = None if picture is None else as_picture(picture)
+    at = as_size(size) if pixels is None else (pixels.shape[1], pixels.shape[0])
+    fit = fitting.fit_camera(given, known, model=model, size=at)
+    found = findings_of(given, known, size=at, fit=fit)
+    if pixels is None:
+        return found
+    from procc_annotator.session.strokes.paint_evidence import paint_by_class
+
+    paint = paint_by_class(given, pixels, known)
+    return with_paint(found, given, known, size=at, fit=fit, paint=paint)
+
+
+def _size_for(camera: object, size: Size | None) -> Size:
+    if size is not None:
+        return as_size(size)
+    return camera.size if isinstance(camera, FitResult) else DEFAULT_SIZE
+
+
+def _require_by_frame(what: str, given: object) -> None:
+    if not isinstance(given, Mapping):
+        found = kind_of(given)
+        raise UsageError(f"{what}: expected values by frame name, or a path, found {found}")

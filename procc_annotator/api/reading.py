@@ -1,0 +1,254 @@
+"""Datasets, annotations and cameras as values, whatever the format of their files."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from procc_annotator.annotation import FrameAnnotation, pixel_like
+from procc_annotator.api.given import as_field, as_path
+from procc_annotator.errors import AnnotationError, InputError, ProccError, UsageError
+from procc_annotator.field.landmarks import field_of_frame
+from procc_annotator.field.model import Field
+from procc_annotator.fit import fitting
+from procc_annotator.io.annotation_files.annotation_formats import find_annotations
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.collections import CAMERA_PREFIX
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.session.dataset.dataset_field import field_of_dataset
+from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.frames import list_frames
+from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
+
+OnDamaged = Callable[[ProccError], None]
+_ANNOTATIONS = (".json", ".xml")
+
+
+@dataclass(frozen=True)
+class Dataset:
+    """What lies in a dataset's folder.
+
+    Attributes:
+        path: the folder, archive or file.
+        field: the one that the dataset says it shows, with its dimensions and landmarks; metres.
+        annotations: frame name -> what is annotated in it, of the frames that have a file, in
+            natural order.
+        pictures: frame name -> its picture's file, of the frames that have one, in natural order.
+    """
+
+    path: Path
+    field: Field
+    annotations: Mapping[str, FrameAnnotation]
+    pictures: Mapping[str, Path]
+
+    def field_of(self, frame: str) -> Field:
+        """The field with its landmarks where they are in a frame; metres.
+
+        Args:
+            frame: its name.
+        """
+        return field_of_frame(self.field, frame)
+
+
+def load_dataset(
+    path: str | Path,
+    field: Field | str | None = None,
+    *,
+    on_damaged: OnDamaged | None = None,
+) -> Dataset:
+    """Read a dataset as the window and the commands see it.
+
+    Args:
+        path: its folder, of pictures, annotations or both; an archive or file of annotations.
+        field: its elements, metres; or a field's name, see `load_field`; if None the one that the
+            dataset says it shows, and the usual one (SoccerNet's classes) where it does not say.
+        on_damaged: told of each annotation that cannot be used, which is then left out; None: the
+            first one is raised.
+
+    Returns:
+        Annotations, pictures and the field. Pictures are not opened.
+
+    Raises:
+        UsageError: there is nothing at the path, or neither annotation nor picture.
+        InputError: a file cannot be used.
+    """
+    place = as_path(path, "a dataset")
+    known = field_of_dataset(place).field if field is None else as_field(field)
+    known = field_of_dataset_with_landmarks(known, place)
+    pictures: dict[str, Path] = {}
+    if place.is_dir():
+        pictures = {frame.name: frame.image_path for frame in list_frames(place)[1]}
+    annotations: dict[str, FrameAnnotation] = {}
+    with open_source(_annotations_of(place)) as source:
+        if not pictures or any(name.lower().endswith(_ANNOTATIONS) for name in source.files()):
+            annotations = {
+                frame.name: frame.annotation for frame in _frames(source, known, on_damaged)
+            }
+    return Dataset(place, known, MappingProxyType(annotations), MappingProxyType(pictures))
+
+
+def load_annotations(
+    path: str | Path,
+    field: Field | str | None = None,
+    *,
+    on_damaged: OnDamaged | None = None,
+) -> dict[str, FrameAnnotation]:
+    """Read what is annotated in the frames of a set.
+
+    Args:
+        path: a folder or zip archive of annotations, or a file of many frames, of any format the
+            program reads; or a dataset's folder with its annotations in ``annotations/``.
+        field: knows the official spellings of the classes; or its name, see `load_field`; the
+            usual one if None.
+        on_damaged: told of each frame or file that cannot be used, which is then left out; None:
+            the first one is raised.
+
+    Returns:
+        Frame name -> its annotation, see `load_annotation`, in natural order.
+
+    Raises:
+        InputError: a file cannot be used; the message names it, the place and what was expected.
+        UsageError: there is nothing at the path, no annotation, or annotations of several formats.
+    """
+    place = as_path(path, "annotations")
+    known = as_field(field)
+    with open_source(_annotations_of(place)) as source:
+        return {f.name: f.annotation for f in _frames(source, known, on_damaged)}
+
+
+def load_annotation(path: str | Path, field: Field | str | None = None) -> FrameAnnotation:
+    """Read what is annotated in one frame.
+
+    Args:
+        path: a file of any annotation format the program reads, or a folder or zip archive with
+            one such file; it must hold exactly one frame.
+        field: knows the official spellings of the classes; or its name, see `load_field`; the
+            usual one if None.
+
+    Returns:
+        The polylines by class, in the order of the file. Points are normalised: (0, 0) is the
+        centre of the picture's first pixel, (1, 1) that of its last one (pixel = u * (width - 1)).
+        Whatever the numbers are, they are kept; a `UserWarning` tells if they look like pixels.
+
+    Raises:
+        InputError: the file cannot be read; the message names it, the place and what was expected.
+        UsageError: there is nothing at the path, no annotation, or more than one frame.
+    """
+    place = as_path(path, "an annotation")
+    if place.name.startswith(CAMERA_PREFIX) and place.is_file():
+        raise UsageError(
+            f"{place}: is a camera file ({CAMERA_PREFIX}*), expected an annotation"
+            " (those are named after their frame: 00037.json)"
+        )
+    known = as_field(field)
+    with open_source(place) as source:
+        frames = _frames(source, known, None)
+    if len(frames) == 1:
+        strange = pixel_like(frames[0].annotation)
+        if strange is not None:
+            warnings.warn(f"{place}: {fitting.pixels_words(strange)}", stacklevel=2)
+        return frames[0].annotation
+    names = ", ".join(frame.name for frame in frames[:3])
+    more = ", ..." if len(frames) > 3 else ""
+    raise UsageError(
+        f"{place}: holds {len(frames)} frames ({names}{more}), one is needed"
+        if frames
+        else f"{place}: holds no frame"
+    )
+
+
+def load_cameras(
+    path: str | Path,
+    *,
+    format: str = "auto",
+    on_damaged: OnDamaged | None = None,
+) -> dict[str, LoadedCamera]:
+    """Read the cameras of a method.
+
+    Args:
+        path: a folder or zip archive of camera files, or a file of many cameras, of any format the
+            program reads.
+        format: what the files are, as ``--camera-format`` names it; ``auto`` to look into them.
+        on_damaged: told of each camera that cannot be used, which is then left out; None: the first
+            one is raised.
+
+    Returns:
+        Frame name -> its camera with the picture size (px) that it belongs to, in natural order.
+
+    Raises:
+        CameraError: a file cannot be used.
+        UsageError: there is nothing at the path, no camera, or no such format.
+    """
+    found: dict[str, LoadedCamera] = {}
+    with CameraCollection.open(as_path(path, "cameras"), format) as cameras:
+        for frame in cameras.frames:
+            try:
+                found[frame] = cameras.read(frame)
+            except InputError as error:
+                if on_damaged is None:
+                    raise
+                on_damaged(error)
+        if not cameras.frames:
+            raise UsageError(f"{cameras.path}: holds no camera (format {format})")
+    return found
+
+
+def load_camera(path: str | Path, *, format: str = "auto") -> LoadedCamera:
+    """Read one camera.
+
+    Args:
+        path: its file, of any format the program reads.
+        format: what it is, as ``--camera-format`` names it; ``auto`` to look into it.
+
+    Returns:
+        The camera with the picture size (px) that it belongs to, where the file says it, and what
+        else the file says.
+
+    Raises:
+        CameraError: the file cannot be read, or is no camera.
+        UsageError: no such format, or the file holds several cameras.
+    """
+    found = load_cameras(path, format=format)
+    if len(found) > 1:
+        names = ", ".join(list(found)[:3])
+        raise UsageError(f"{path}: holds {len(found)} cameras ({names}, ...), one is needed")
+    return next(iter(found.values()))
+
+
+class _Strict(Reading):
+    """Of a set a reader skips what is damaged; here a caller says what becomes of it."""
+
+    on_damaged: OnDamaged | None = None
+
+    @contextmanager
+    def going_on(self) -> Iterator[None]:
+        try:
+            yield
+        except InputError as error:
+            if self.on_damaged is None:
+                raise
+            self.on_damaged(error)
+
+
+def _annotations_of(place: Path) -> Path:
+    return annotations_of(place) if place.is_dir() else place
+
+
+def _frames(source: FileSource, field: Field, on_damaged: OnDamaged | None) -> list[ExchangedFrame]:
+    reading = _Strict(field)
+    reading.on_damaged = on_damaged
+    known, files = find_annotations(source)
+    if known.read is None:
+        raise UsageError(f"{source.path}: {known.title} cannot be read")
+    frames = list(known.read(source, files, reading))
+    for problem in reading.problems:
+        if on_damaged is None:
+            raise AnnotationError(str(source.path), problem)
+        on_damaged(AnnotationError(str(source.path), problem))
+    return frames

@@ -1,0 +1,270 @@
+"""The score of a set: its figures, those of its frames, tables of both, and what chance leaves."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import islice
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from natsort import natsorted
+from numpy.typing import NDArray
+
+from procc_annotator.annotation import FrameAnnotation, pixel_like
+from procc_annotator.api.given import CameraAt
+from procc_annotator.errors import UsageError
+from procc_annotator.metric.chance.intervals import Interval, Method
+from procc_annotator.metric.chance.paired import PairedDifference
+from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.measure import Measurement, measure, measure_frames
+from procc_annotator.metric.score import FrameScore, score
+from procc_annotator.metric.sets import SetAccumulator, SetSummary
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.scores.score_columns import FRAME_COLUMNS, frame_values
+from procc_annotator.session.runs.audit import TAU_GRID
+from procc_annotator.session.runs.certainty import Certainty, same_frames
+from procc_annotator.session.runs.clusters import NONE, SHOT, clusters_of
+from procc_annotator.session.runs.evaluation_run import CHUNK, in_pixels_words
+from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
+from procc_annotator.session.runs.score_chunk import AT_ONCE, Evaluated, FrameResult
+
+if TYPE_CHECKING:
+    import pandas
+
+FloatArray = NDArray[np.float64]
+Given = tuple[FrameAnnotation, CameraAt | None]
+Clustering = str | Mapping[str, str] | None
+
+
+@dataclass(frozen=True, eq=False)
+class SetScore:
+    """What `evaluate_set` found.
+
+    Attributes:
+        described: protocol, size and options in words, to stand beside every number.
+        summaries: threshold (px) -> the figures of the set, as ``evaluate`` tells them.
+        frames: frame name -> threshold (px) -> its score; nothing for a frame without a camera.
+    """
+
+    described: str
+    summaries: Mapping[float, SetSummary]
+    frames: Mapping[str, Mapping[float, FrameScore]]
+    _models: Mapping[str, str] = field(repr=False)
+    _sums: SourceSums = field(repr=False)
+
+    def rows(self) -> list[dict[str, Any]]:
+        """A row a frame and threshold.
+
+        Returns:
+            ``frame``, ``threshold`` (px), ``model`` of the camera, and the columns of score files:
+            ``jac``, ``tp``, ``fp``, ``fn``, ``mirrored``, ``precision``, ``recall``, and mean
+            errors (px). None where a figure is undefined, all of them without a camera.
+        """
+        names = [column.key for column in FRAME_COLUMNS]
+        return [
+            {"frame": frame, "threshold": tau, "model": self._models.get(frame)}
+            | dict(zip(names, map(_plain, frame_values(scores.get(tau))), strict=True))
+            for frame, scores in self.frames.items()
+            for tau in self.summaries
+        ]
+
+    def class_rows(self) -> list[dict[str, Any]]:
+        """A row a class and threshold.
+
+        Returns:
+            ``class``, ``threshold`` (px), ``tp``, ``fp``, ``fn`` in points, as the official
+            evaluation counts classes, and ``jac``, ``precision``, ``recall`` of those (None where
+            undefined).
+        """
+        return [
+            {"class": name, "threshold": tau, "tp": of.tp, "fp": of.fp, "fn": of.fn}
+            | {"jac": of.jac, "precision": of.precision, "recall": of.recall}
+            for tau, summary in self.summaries.items()
+            for name, of in summary.per_class.items()
+        ]
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """The rows of `rows` as a pandas DataFrame.
+
+        Raises:
+            UsageError: pandas is not installed.
+        """
+        try:
+            import pandas
+        except ImportError:
+            raise UsageError("pandas is not installed; rows() gives the same as dicts") from None
+        return pandas.DataFrame(self.rows())
+
+    def mean_curve(self) -> tuple[FloatArray, FloatArray]:
+        """The mean JaC of the frames that have a camera, as a function of the threshold.
+
+        Returns:
+            (T,) thresholds from 0.5 to 30 px, and (T,) JaC in [0, 1]; NaN without any camera.
+        """
+        curves = self._sums.curves()
+        wholes = np.maximum(curves.wholes.sum(axis=0), 1.0)
+        there = curves.wholes.sum(axis=0) > 0
+        return TAU_GRID.copy(), np.where(there, curves.parts.sum(axis=0) / wholes, np.nan)
+
+    def intervals(
+        self,
+        cluster: Clustering = None,
+        *,
+        method: Method = "t",
+        draws: int = 10_000,
+        seed: int = 1,
+        level: float = 0.95,
+    ) -> dict[float, dict[str, Interval | None]]:
+        """Between which values the figures of the set lie, chance considered.
+
+        Frames that are alike (of one match, one shot) tell less than as many of several: whole
+        clusters are drawn.
+
+        Args:
+            cluster: frame name -> what it belongs to; ``"shot"`` for shots as the frames' names
+                tell them, ``"none"`` for every frame for itself; None for shots if there are any.
+            method: ``t`` (jackknife of clusters), ``percentile`` or ``bca``.
+            draws: how many sets are drawn. seed: the same one draws the same sets.
+            level: the share of sets in which the truth lies within, 0 to 1.
+
+        Returns:
+            Threshold (px) -> key of `SetSummary` (``mean_jac``, ``completeness``, ``final_score``,
+            ``mean_precision``, ``mean_recall``, ``mean_error``) -> its interval, in the figure's
+            unit; None with fewer than two clusters.
+
+        Raises:
+            UsageError: frames cannot be clustered as asked, or there is no such method.
+        """
+        certainty = _certainty((self._sums,), cluster, method, Draws(draws, seed, level))
+        found: dict[float, dict[str, Interval | None]] = {tau: {} for tau in self.summaries}
+        for (key, tau), interval in certainty.intervals[0].items():
+            found[tau][key] = interval
+        return found
+
+    def differences(
+        self,
+        other: SetScore,
+        cluster: Clustering = None,
+        *,
+        method: Method = "t",
+        draws: int = 10_000,
+        seed: int = 1,
+        level: float = 0.95,
+    ) -> dict[float, dict[str, PairedDifference]]:
+        """The figures of this method less those of another one, on the frames both have.
+
+        Args:
+            other: of the same annotations and thresholds.
+            cluster, method, draws, seed, level: as of `intervals`.
+
+        Returns:
+            Threshold (px) -> key (``mean_jac``, ``final_score``, ``mean_error``, ``completeness``)
+            -> the difference in the figure's unit, its interval, the p of a permutation test, and
+            whether it is beyond chance.
+
+        Raises:
+            UsageError: the two were scored differently, or as of `intervals`.
+        """
+        if other.described != self.described:
+            raise UsageError(f"scored differently: {self.described} and {other.described}")
+        both = same_frames((self._sums, other._sums))
+        certainty = _certainty(both, cluster, method, Draws(draws, seed, level))
+        found: dict[float, dict[str, PairedDifference]] = {tau: {} for tau in self.summaries}
+        for (key, tau), difference in certainty.pairs[0].differences.items():
+            found[tau][key] = difference
+        return found
+
+
+def score_set(
+    frames: Mapping[str, Given], setup: EvaluationSetup, thresholds: tuple[float, ...]
+) -> SetScore:
+    """Score frames whose annotations and cameras are at hand.
+
+    The sums are made in the same order and parts as by ``evaluate``, so that they are the same to
+    the last digit.
+
+    Args:
+        frames: name -> annotation and camera, px of the evaluation size; None without one.
+        setup: field, size, protocol.
+        thresholds: px.
+
+    Raises:
+        UsageError: there is no frame, or none with a camera.
+    """
+    if not any(camera is not None for _, camera in frames.values()):
+        what = "no frame that is annotated has a camera" if frames else "no annotated frame"
+        raise UsageError(f"nothing to score: {what}")
+    in_pixels = [name for name, (own, _) in frames.items() if pixel_like(own) is not None]
+    if in_pixels:
+        warnings.warn(in_pixels_words(in_pixels), stacklevel=3)
+    total = SetAccumulator(setup, thresholds)
+    sums: list[FrameSums | None] = []
+    found: dict[str, Mapping[float, FrameScore]] = {}
+    ground_only = False
+    for chunk in _parts(natsorted(frames), CHUNK):
+        of_chunk = SetAccumulator(setup, thresholds)
+        for names in _parts(chunk, AT_ONCE):
+            measured = _measured({name: frames[name] for name in names}, setup)
+            for name in names:
+                measurement, (annotation, camera) = measured.get(name), frames[name]
+                scores = {}
+                if measurement is None or camera is None:
+                    of_chunk.add_missing_camera(name)
+                else:
+                    scores = {tau: score(measurement, tau) for tau in thresholds}
+                    of_chunk.add(name, measurement, scores)
+                    ground_only |= measurement.projected.ground_only
+                found[name] = scores
+                result = FrameResult(name, None, None, (), scores)
+                shown = None if camera is None else camera.camera
+                evaluated = Evaluated(result, shown, "", measurement, annotation)
+                sums.append(frame_sums(evaluated, thresholds))
+        total.merge(of_chunk)
+    models = {name: camera.model for name, (_, camera) in frames.items() if camera is not None}
+    source = SourceSums.of("this", thresholds, sums)
+    return SetScore(setup.describe(ground_only), total.summary(), found, models, source)
+
+
+def _measured(frames: Mapping[str, Given], setup: EvaluationSetup) -> dict[str, Measurement]:
+    """Of the frames that have a camera; those where nothing moves at once."""
+    there = {
+        name: (annotation, camera.camera)
+        for name, (annotation, camera) in frames.items()
+        if camera is not None
+    }
+    own = {name: setup.of_frame(name) for name in there}
+    alike = [name for name in there if own[name] is setup]
+    found = {name: measure(*there[name], own[name]) for name in there if own[name] is not setup}
+    if alike:
+        annotations, cameras = zip(*(there[name] for name in alike), strict=True)
+        found.update(zip(alike, measure_frames(annotations, cameras, setup), strict=True))
+    return found
+
+
+def _parts(names: Iterable[str], size: int) -> Iterable[list[str]]:
+    rest = iter(names)
+    while part := list(islice(rest, size)):
+        yield part
+
+
+def _certainty(
+    sources: Sequence[SourceSums], cluster: Clustering, method: Method, draws: Draws
+) -> Certainty:
+    if method not in ("t", "percentile", "bca"):
+        raise UsageError(f"unknown method {method!r}; choose one of t, percentile, bca")
+    if draws.count < 1 or not 0 < draws.level < 1:
+        raise UsageError("draws must be at least 1, and a level between 0 and 1")
+    names = sources[0].names
+    if isinstance(cluster, Mapping):
+        clusters = clusters_of(names, "cluster", cluster)
+    elif cluster in (None, SHOT, NONE):
+        clusters = clusters_of(names, cluster, {})
+    else:
+        raise UsageError(f"unknown clusters {cluster!r}; give shot, none, or one a frame by name")
+    return Certainty(tuple(sources), clusters, draws, method)
+
+
+def _plain(value: Any) -> Any:
+    return None if value != value else value  # NaN is undefined

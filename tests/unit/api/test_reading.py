@@ -1,0 +1,115 @@
+"""Datasets, annotations and cameras as values, and what becomes of damaged files."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+from procc_annotator import (
+    AnnotationError,
+    CameraError,
+    FrameAnnotation,
+    PinholeCamera,
+    UsageError,
+    load_annotation,
+    load_annotations,
+    load_camera,
+    load_cameras,
+    load_dataset,
+)
+
+
+def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data: Path) -> None:
+    dataset = load_dataset(sample_data)
+    assert dataset.field.name == "soccer"
+    assert list(dataset.pictures) == [f"{n:05}" for n in range(1, 15)]
+    assert list(dataset.annotations) == sorted(p.stem for p in sample_data.glob("*.json"))
+    assert dataset.annotations["00002"] == load_annotation(sample_data / "00002.json")
+    assert all(path.is_file() for path in dataset.pictures.values())
+    assert dataset.field_of("00002") is dataset.field
+    ice = load_dataset(str(sample_data / "ice_hockey"))
+    assert ice.field.name == "ice_hockey_iihf"
+    assert load_dataset(sample_data / "ice_hockey", "soccer").field.name == "soccer"
+
+
+def test_annotations_may_lie_in_a_folder_of_their_own(sample_data: Path, tmp_path: Path) -> None:
+    inner = tmp_path / "annotations"
+    inner.mkdir()
+    shutil.copy(sample_data / "00002.json", inner)
+    shutil.copy(sample_data / "00001.jpg", tmp_path)
+    assert list(load_annotations(tmp_path)) == ["00002"]
+    dataset = load_dataset(tmp_path)
+    assert (list(dataset.annotations), list(dataset.pictures)) == (["00002"], ["00001"])
+    (inner / "00002.json").unlink()
+    assert not load_dataset(tmp_path).annotations
+    (tmp_path / "00001.jpg").unlink()
+    with pytest.raises(UsageError, match="no annotation"):
+        load_dataset(tmp_path)
+
+
+def test_damaged_annotations_are_raised_or_told(sample_data: Path, tmp_path: Path) -> None:
+    shutil.copy(sample_data / "00002.json", tmp_path)
+    (tmp_path / "00003.json").write_text('{"Middle line": [{"x": 0.5}]}')
+    with pytest.raises(AnnotationError, match=r"00003.json: Middle line\[0\]"):
+        load_annotations(tmp_path)
+    told: list[Exception] = []
+    assert list(load_annotations(tmp_path, on_damaged=told.append)) == ["00002"]
+    (problem,) = told
+    assert isinstance(problem, AnnotationError)
+    assert "the coordinate 'y'" in str(problem)
+
+
+def test_cameras_know_the_picture_size_of_their_files(sample_data: Path, tmp_path: Path) -> None:
+    cameras = load_cameras(sample_data / "cameras" / "homography")
+    assert {camera.model for camera in cameras.values()} == {"homography"}
+    assert {camera.size for camera in cameras.values()} == {(1280, 720)}
+    file = next((sample_data / "cameras" / "pinhole").iterdir())
+    assert isinstance(load_camera(file).camera, PinholeCamera)
+    with pytest.raises(UsageError, match=r"no such format|unknown|camera format"):
+        load_camera(file, format="nonsense")
+    (tmp_path / "camera_1.json").write_text("{}")
+    with pytest.raises(CameraError, match=r"camera_1\.json"):
+        load_cameras(tmp_path)
+    told: list[Exception] = []
+    assert load_cameras(tmp_path, on_damaged=told.append) == {}
+    assert len(told) == 1
+    (tmp_path / "camera_1.json").unlink()
+    with pytest.raises(UsageError, match="holds no camera"):
+        load_cameras(tmp_path)
+    with pytest.raises(UsageError, match=r"holds \d+ cameras .* one is needed"):
+        load_camera(sample_data / "cameras" / "homography")
+
+
+def test_an_annotation_from_and_to_plain_values(sample_data: Path) -> None:
+    content = json.loads((sample_data / "00002.json").read_text())
+    annotation = FrameAnnotation.from_dict(content)
+    assert annotation == load_annotation(sample_data / "00002.json")
+    assert annotation.to_dict() == content
+    assert list(annotation.to_dict()) == list(content)
+    line = {"Middle line": [(0.0, 0.5), (1.0, 1.0)]}
+    normalised = FrameAnnotation.from_dict(line)
+    px = normalised.to_dict(size=(961, 541))
+    assert px == {"Middle line": [{"x": 0.0, "y": 270.0}, {"x": 960.0, "y": 540.0}]}
+    assert FrameAnnotation.from_dict(px, size=(961, 541)) == normalised
+    kept = {"Middle line": [{"x": 0.25, "y": 0.5, "visible": True}], "Circle left": []}
+    assert FrameAnnotation.from_dict(kept).to_dict() == kept
+
+
+@pytest.mark.parametrize(
+    ("wrong", "says"),
+    [
+        ([("Middle line", [])], "points by class name, found list"),
+        ({"Middle line": 3}, "Middle line: expected a list of points, found int"),
+        ({"Middle line": [0.5, 0.5]}, r"Middle line\[0\]: expected a point"),
+        ({"Middle line": [(0.5, 0.5), (1, 2, 3)]}, r"Middle line\[1\]: expected a point"),
+        ({"Middle line": [{"x": 0.5}]}, r"Middle line\[0\]: expected a point"),
+        ({"Middle line": [(0.5, float("nan"))]}, r"Middle line\[0\]: expected finite"),
+        ({"Middle line": "abc"}, "expected a list of points, found str"),
+    ],
+)
+def test_plain_values_that_are_no_annotation(wrong, says) -> None:
+    with pytest.raises(UsageError, match=says):
+        FrameAnnotation.from_dict(wrong)

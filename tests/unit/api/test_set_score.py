@@ -1,0 +1,151 @@
+"""Scores of sets: the figures of the command, tables, and what chance leaves."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator import (
+    FrameAnnotation,
+    UsageError,
+    evaluate,
+    evaluate_set,
+    fit_camera,
+    jac_curve,
+    load_annotations,
+    load_cameras,
+    load_dataset,
+    load_field,
+)
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.source import open_source
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.runs.evaluation_run import run_evaluation
+
+
+@pytest.mark.parametrize("method", ["true", "bad", "homography", "pinhole"])
+@pytest.mark.parametrize("protocol", ["soccernet", "procc"])
+def test_the_figures_are_those_of_the_command(sample_data: Path, method, protocol) -> None:
+    taus = (2.0, 5.0)
+    cameras = sample_data / "cameras" / method
+    setup = EvaluationSetup(load_field(), (960, 540), protocol)
+    with open_source(sample_data) as source, CameraCollection.open(cameras) as collection:
+        run = run_evaluation(source, collection, setup, taus)
+        results = {result.name: result for result in run}
+    found = evaluate_set(sample_data, cameras, thresholds=taus, protocol=protocol)
+    assert found.summaries == run.summary()
+    assert found.described == run.describe()
+    assert list(found.frames) == list(results)
+    for name, result in results.items():
+        assert {t: s.tp for t, s in found.frames[name].items()} == {
+            t: s.tp for t, s in result.scores.items()
+        }
+
+
+def test_annotations_and_cameras_may_be_values(sample_data: Path) -> None:
+    dataset = load_dataset(sample_data)
+    cameras = load_cameras(sample_data / "cameras" / "bad")
+    score = evaluate_set(dataset, cameras)
+    assert score.summaries == evaluate_set(dataset.annotations, cameras).summaries
+    fits = {name: fit_camera(a) for name, a in list(dataset.annotations.items())[:3]}
+    fits["00004"] = fit_camera(FrameAnnotation())  # failed: as if there were none
+    some = evaluate_set(dataset, fits)
+    assert some.summaries[5.0].evaluated == sum(fit.camera is not None for fit in fits.values())
+    assert some.summaries[5.0].images == len(dataset.annotations)
+    assert some.frames["00004"] == {}
+    larger = {name: fit_camera(dataset.annotations[name], size=(1920, 1080)) for name in ("00002",)}
+    assert evaluate_set(dataset, larger).summaries[5.0].mean_jac > 0.9
+
+
+def test_rows_and_classes(sample_data: Path) -> None:
+    annotations = load_annotations(sample_data)
+    cameras = dict(list(load_cameras(sample_data / "cameras" / "true").items())[:4])
+    score = evaluate_set(annotations, cameras, thresholds=(2.0, 5.0))
+    rows = score.rows()
+    assert len(rows) == 2 * len(annotations)
+    for row in rows:
+        of = score.frames[row["frame"]].get(row["threshold"])
+        told = evaluate(
+            annotations[row["frame"]], cameras[row["frame"]], tau=row["threshold"]
+        ) if of else None  # fmt: skip
+        assert row["jac"] == (told.jac if told else None)
+        assert (row["tp"] is None) == (row["model"] is None) == (of is None)
+        assert set(row) >= {"tp", "fp", "fn", "mirrored", "precision", "recall", "mean_error"}
+    summary = score.summaries[5.0]
+    classes = [row for row in score.class_rows() if row["threshold"] == 5.0]
+    assert {row["class"] for row in classes} == set(summary.per_class)
+    assert classes[0]["jac"] == summary.per_class[classes[0]["class"]].jac
+
+
+def test_a_dataframe_where_there_is_pandas(sample_data: Path, monkeypatch) -> None:
+    cameras = sample_data / "cameras" / "true"
+    score = evaluate_set(sample_data, cameras)
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(UsageError, match="pandas is not installed"):
+        score.to_dataframe()
+    monkeypatch.undo()
+    pandas = pytest.importorskip("pandas", reason="pandas is not installed")
+    frame = score.to_dataframe()
+    assert isinstance(frame, pandas.DataFrame)
+    assert frame.to_dict("records") == score.rows()
+    assert frame["jac"].mean() == pytest.approx(score.summaries[5.0].mean_jac)
+
+
+def test_the_curve_goes_through_the_figures(sample_data: Path) -> None:
+    annotations = load_annotations(sample_data)
+    cameras = load_cameras(sample_data / "cameras" / "bad")
+    score = evaluate_set(annotations, cameras, thresholds=(2.0, 5.0))
+    taus, values = score.mean_curve()
+    assert (taus[0], taus[-1], len(taus)) == (0.5, 30.0, 296)
+    for tau, summary in score.summaries.items():
+        assert values[taus == tau] == pytest.approx(summary.mean_jac, abs=1e-6)
+    name = next(iter(cameras))
+    one = jac_curve(annotations[name], cameras[name], [5.0, 2.0])
+    assert one.tolist() == [score.frames[name][5.0].jac, score.frames[name][2.0].jac]
+
+
+def test_intervals_and_differences(sample_data: Path) -> None:
+    dataset = load_dataset(sample_data)
+    good, bad = (evaluate_set(dataset, sample_data / "cameras" / m) for m in ("true", "bad"))
+    match = {name: str(int(name) // 3) for name in dataset.annotations}
+    for cluster in (None, "none", match):
+        interval = bad.intervals(cluster)[5.0]["mean_jac"]
+        assert interval.low <= bad.summaries[5.0].mean_jac <= interval.high
+    assert set(bad.intervals(match, method="bca", draws=500)[5.0]) >= {"mean_jac", "mean_error"}
+    found = good.differences(bad, match)[5.0]["mean_jac"]
+    assert found.value > 0
+    assert found.interval.low <= found.value <= found.interval.high
+    for wrong in ({"cluster": "matches"}, {"method": "normal"}, {"draws": 0}, {"level": 95}):
+        with pytest.raises(UsageError):
+            bad.intervals(**wrong)
+    with pytest.raises(UsageError, match="scored differently"):
+        good.differences(evaluate_set(dataset, sample_data / "cameras" / "bad", protocol="procc"))
+
+
+def test_what_cannot_be_scored(sample_data: Path) -> None:
+    annotations = load_annotations(sample_data)
+    with pytest.raises(UsageError, match="no frame that is annotated has a camera"):
+        evaluate_set(annotations, {"other": None})
+    with pytest.raises(UsageError, match="no annotated frame"):
+        evaluate_set({}, {})
+    with pytest.raises(UsageError, match="cameras: expected values by frame name"):
+        evaluate_set(annotations, [1, 2])
+    with pytest.raises(UsageError, match="annotations: expected values by frame name"):
+        evaluate_set(None, {})
+    with pytest.raises(UsageError, match="camera of 00002: expected a camera"):
+        evaluate_set(annotations, {"00002": np.eye(3)})
+    with pytest.raises(UsageError, match="expected an annotation"):
+        evaluate_set({"00002": {"Middle line": []}}, {"00002": fit_camera(annotations["00002"])})
+    with pytest.raises(UsageError, match="at least one threshold"):
+        evaluate_set(annotations, {}, thresholds=())
+
+
+def test_annotations_in_pixels_are_told(sample_data: Path) -> None:
+    annotations = load_annotations(sample_data)
+    name = "00002"
+    px = FrameAnnotation.from_dict(annotations[name].to_dict(size=(960, 540)))
+    with pytest.warns(UserWarning, match=r"look like pixels, expected 0 to 1, in .*00002"):
+        evaluate_set({name: px}, {name: fit_camera(annotations[name])})
