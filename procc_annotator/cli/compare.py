@@ -22,7 +22,7 @@ from procc_annotator.cli.painters import pair_painter
 from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.source import open_source
 from procc_annotator.report import comparison
 from procc_annotator.report.comparison import (
@@ -32,7 +32,6 @@ from procc_annotator.report.comparison import (
     write_comparison,
 )
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.comparison_run import ComparisonRun

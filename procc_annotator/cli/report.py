@@ -20,7 +20,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
@@ -40,7 +40,6 @@ from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.report.sheet.as_latex import ARTICLE_PT
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor

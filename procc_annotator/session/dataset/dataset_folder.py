@@ -10,12 +10,11 @@ from natsort import natsort_keygen
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
-from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER, CAMERA_PREFIX, list_annotations
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import open_source
 from procc_annotator.session.database.file import FOLDER as WORKSPACE_FOLDER
 
-ANNOTATIONS_FOLDER = "annotations"
 FIELD_FILE = "field.toml"
 VIEWS_FILE = "views.csv"
 FRAMES_FILE = "frames.csv"
