@@ -34,7 +34,8 @@ IN is a dataset, a folder or zip of files, or one file. OUT is a folder, an arch
 .zip, or the file itself for formats that keep a whole set in one. Nothing that is read is ever
 changed, and files that are there stay unless --overwrite is given.
 
-Annotations: soccernet, soccernet-v3, soccernet-gsr, labelme, cvat, coco; masks are only written.
+Annotations: soccernet, soccernet-v3, soccernet-gsr, labelme, cvat, cvat-video, coco; yolo-pose and
+masks are only written.
 Cameras, by --to: soccernet-camera, opencv, krt, wc14, carwc, world, submission; polylines is a
 submission of where any camera model shows the elements, for --protocol at --size, of the frames
 that --frames names.
@@ -48,7 +49,7 @@ EXAMPLE = """
 Examples:
 
 \b
-  procc-annotator convert match/ cvat.zip --to cvat
+  procc-annotator convert match/ cvat.zip --to cvat --pictures
   procc-annotator convert task/annotations.xml back/ --to soccernet
   procc-annotator convert match/ masks/ --to masks --line-width 6
   procc-annotator convert cameras/ submission.zip --to submission --split test
@@ -85,7 +86,8 @@ Split = Annotated[
     typer.Option(
         "--split",
         metavar="NAME",
-        help="Folder inside OUT that files of single frames go to.  [submission: test]",
+        help="Folder inside OUT that files of single frames go to; the subset of coco, yolo-pose."
+        "  [submission: test, coco: default, yolo-pose: train]",
     ),
 ]
 Into = Annotated[
@@ -98,6 +100,12 @@ Into = Annotated[
 ]
 
 
+Pictures = Annotated[
+    bool,
+    typer.Option(
+        "--pictures", help="Copy the pictures as well, to where readers of the format look."
+    ),
+]
 Frames = Annotated[
     Path | None,
     typer.Option(
@@ -135,6 +143,7 @@ def convert(
     method: Method = None,
     overwrite: options.Overwrite = False,
     keep_optional: options.KeepOptional = False,
+    pictures: Pictures = False,
 ) -> None:
     shown = options.shown_size(size)
     if to == POLYLINES:
@@ -154,7 +163,7 @@ def convert(
     if to not in NAMES:
         known_names = ", ".join((*NAMES, *CAMERA_TARGETS, POLYLINES))
         raise UsageError(f"no format {to!r}; there are {known_names}")
-    wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
+    wanted = Wanted(to, line_width, split, into, overwrite, keep_optional, pictures)
     known = chosen_field(field, source)
     with _progress() as progress:
         done = convert_annotations(

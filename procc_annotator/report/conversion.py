@@ -72,7 +72,8 @@ def convert_annotations(
     keep_apart(path, out)
     with open_source(folder) as source:
         sizes = PictureSizes(picture_folders(path, folder), size)
-        reader = SetReader(source, field, names, fmt=fmt, size_of=sizes.size)
+        pictures = sorted(path.name for path in sizes.files())
+        reader = SetReader(source, field, names, fmt=fmt, size_of=sizes.size, pictures=pictures)
         complete = (
             replace(f, size=f.size or sizes.size(f.name), picture=f.picture or sizes.name(f.name))
             for f in reader.frames(progress)
@@ -80,7 +81,10 @@ def convert_annotations(
         inputs = _input_files(source) | {os.path.realpath(path) for path in sizes.files()}
         if wanted.into is not None:
             inputs.add(os.path.realpath(wanted.into))
-        done = write_converted(complete, out, target, wanted, field, inputs)
+        done = write_converted(
+            complete, out, target, wanted, field, inputs,
+            lambda frame: sizes.path(Path(frame.picture or "").stem) or sizes.path(frame.name),
+        )  # fmt: skip
     done.source = reader.format.title
     done.problems = [*reader.reading.problems, *done.problems]
     done.losses = [*reader.losses, *done.losses]
@@ -113,7 +117,10 @@ def export_as(
     inputs = {os.path.realpath(f.annotation_path) for f in workspace.frames}
     sized = target.in_pixels or bool(target.one_file)
     frames = _frames_of(workspace, reading, set(drafts), progress, sized=sized)
-    done = write_converted(frames, out, target, wanted, workspace.field, inputs)
+    done = write_converted(
+        frames, out, target, wanted, workspace.field, inputs,
+        lambda frame: _picture_in(workspace, frame.name),
+    )  # fmt: skip
     done.source = "the dataset"
     done.problems = [*reading.problems, *done.problems]
     done.losses = [*reading.remarks.lines(), *done.losses]
@@ -140,6 +147,7 @@ def read_annotations(
             names,
             fmt=fmt,
             size_of=lambda name: _size_in(workspace, name),
+            pictures=sorted(frame.image_file for frame in workspace.frames),
             progress=progress,
         )
 
@@ -177,6 +185,12 @@ def _size_in(workspace: Workspace, name: str) -> Size | None:
         return None if index is None else picture_size(workspace.frames[index].image_path)
     except ImageError:
         return None
+
+
+def _picture_in(workspace: Workspace, name: str) -> Path | None:
+    """The file of a frame's picture; None for frames of a video, which have none."""
+    path = workspace.frames[workspace.index[name]].image_path
+    return path if path.is_file() else None
 
 
 def _annotation_folder(path: Path) -> Path:

@@ -12,9 +12,13 @@ from pathlib import Path, PurePath
 from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import AnnotationError, UsageError
+from procc_annotator.errors import AnnotationError, ImageError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.annotation_formats import FORMATS, AnnotationFormat
+from procc_annotator.io.annotation_files.annotation_formats import (
+    FORMATS,
+    LABELME,
+    AnnotationFormat,
+)
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Writing
 from procc_annotator.io.annotation_files.masks import check_line_width
 from procc_annotator.io.annotation_files.soccernet_classes import (
@@ -34,7 +38,8 @@ class Wanted:
     Attributes:
         to: name of the format.
         line_width: of masks, px.
-        folder: a folder inside the output for files of single frames; may be empty.
+        folder: the split: a folder inside the output for files of single frames, or part of a
+            file's name; may be empty.
         into: an existing file of the format whose other content is kept; it is not changed itself.
         overwrite: whether files that are there are replaced (never those that are read).
         keep_optional: whether formats of SoccerNet get a field's optional elements as well, which
@@ -47,6 +52,7 @@ class Wanted:
     into: Path | None = None
     overwrite: bool = False
     keep_optional: bool = False
+    pictures: bool = False
 
 
 @dataclass
@@ -92,6 +98,7 @@ def write_converted(
     wanted: Wanted,
     field: Field,
     inputs: set[str],
+    picture_of: Callable[[ExchangedFrame], Path | None] = lambda _: None,
 ) -> Converted:
     """Write frames in a format.
 
@@ -102,6 +109,7 @@ def write_converted(
         wanted: its options.
         field: names, order and colours of the elements.
         inputs: real paths of the files that are read.
+        picture_of: where a frame's picture is; None if nowhere.
 
     Raises:
         UsageError: a place or an option that makes no sense, an output that is an input, a format
@@ -119,7 +127,7 @@ def write_converted(
         lambda name, data: False,
         file_name=out.name if one_file else None,
         line_width=wanted.line_width,
-        folder=_folder_name(wanted.folder),
+        folder=_folder_name(wanted.folder) or target.split,
         into=_existing(wanted.into, target),
     )
     classes, frames = _looked_into(frames)
@@ -127,6 +135,8 @@ def write_converted(
         _require_classes(classes, field, target)
     if target.classes != "any" and not wanted.keep_optional:
         frames = official_frames(frames, field, writing.remarks)
+    if wanted.pictures:
+        frames = _with_pictures(frames, target, writing, picture_of)
     done = Converted(out, "", target.title, classes=classes)
     with suppress(_NothingWrittenError):
         if is_archive(out):
@@ -170,6 +180,34 @@ def _looked_into(
             yield lambda: ahead[-1].annotation
 
     return classes_in(read()), chain(ahead, rest)
+
+
+def _with_pictures(
+    frames: Iterable[ExchangedFrame],
+    target: AnnotationFormat,
+    writing: Writing,
+    picture_of: Callable[[ExchangedFrame], Path | None],
+) -> Iterator[ExchangedFrame]:
+    """The frames; the picture of each that the writer takes is copied into the output.
+
+    Raises:
+        UsageError: the format goes without pictures.
+    """
+    if target.pictures is None:
+        raise UsageError(f"{target.title} goes without pictures")
+    folder = target.pictures.format(split=writing.folder)
+    for frame in frames:
+        before = len(writing.problems)
+        yield frame
+        if len(writing.problems) > before:  # it was not written
+            continue
+        path = picture_of(frame)
+        if path is None:
+            writing.remarks.add("pictures were not found and are not copied", frame.name)
+            continue
+        # labelme reads the very name; the others know a picture by its frame.
+        name = (writing.picture if target.name == LABELME else writing.picture_of_frame)(frame)
+        writing.put(f"{folder}/{name}".lstrip("/"), read_file(path, ImageError))
 
 
 def _require_classes(classes: Collection[str], field: Field, target: AnnotationFormat) -> None:

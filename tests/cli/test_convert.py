@@ -40,6 +40,50 @@ def test_there_and_back(cli, dataset, tmp_path: Path, to: str) -> None:
     assert contents(dataset.root) == before
 
 
+@pytest.mark.parametrize(
+    ("to", "folder"),
+    [
+        ("cvat", "images"),
+        ("cvat-video", "images"),
+        ("coco", "images/default"),
+        ("yolo-pose", "images/train"),
+        ("labelme", ""),
+        ("soccernet-v3", "v3_frames"),
+        ("soccernet-gsr", "img1"),
+    ],
+)
+def test_pictures_go_along_where_readers_look_for_them(
+    cli, dataset, tmp_path: Path, to: str, folder: str
+) -> None:
+    out = tmp_path / "out"
+    done = cli("convert", dataset.root, out, "--to", to, "--pictures")
+    assert done.exit_code == 0, done.output
+    for picture in dataset.root.glob("*.jpg"):
+        assert (out / folder / picture.name).read_bytes() == picture.read_bytes()
+    assert cli("convert", dataset.root, tmp_path / "a.zip", "--to", to, "--pictures").exit_code == 0
+    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
+        names = {p.relative_to(out).as_posix() for p in out.rglob("*") if p.is_file()}
+        assert set(archive.namelist()) == names
+    if to != "yolo-pose":
+        back = cli("convert", out, tmp_path / "back", "--to", "soccernet")
+        assert back.exit_code == 0, back.output
+        for path in dataset.annotations.iterdir():
+            there = json.loads((tmp_path / "back" / path.name).read_text())
+            assert there == json.loads(path.read_text())
+
+
+def test_pictures_that_are_not_there_are_told(cli, dataset, tmp_path: Path) -> None:
+    (dataset.root / "3.jpg").unlink()
+    out = tmp_path / "out"
+    done = cli("convert", dataset.root, out, "--to", "cvat", "--pictures", "--size", "960x540")
+    assert done.exit_code == 0, done.output
+    assert "pictures were not found and are not copied (1 frame: 3)" in done.stderr
+    refused = cli("convert", dataset.root, tmp_path / "m", "--to", "masks", "--pictures")
+    assert refused.exit_code == 2
+    assert "goes without pictures" in refused.stderr
+    assert not (tmp_path / "m").exists()
+
+
 def test_sizes_and_names_are_those_of_the_pictures(cli, dataset, tmp_path: Path) -> None:
     for source in (dataset.root, dataset.annotations):
         out = tmp_path / "out" / source.name

@@ -111,8 +111,9 @@ def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(
         assert element.title in text
 
 
-@pytest.mark.parametrize("name", ["map.pdf", "map", "none/map.png"])
+@pytest.mark.parametrize("name", ["map.pdf", "map", "file/map.png"])
 def test_show_refuses_what_it_cannot_write(cli: Any, tmp_path: Path, name: str) -> None:
+    (tmp_path / "file").write_text("", encoding="utf-8")
     done = cli("field", "show", "soccer", "--output", str(tmp_path / name))
     assert done.exit_code == 2
     assert (

@@ -12,11 +12,13 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.annotation_files import (
     coco,
     cvat,
+    cvat_tracks,
     labelme,
     masks,
     soccernet_files,
     soccernet_gsr,
     soccernet_v3,
+    yolo_pose,
 )
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
 from procc_annotator.io.collections import (
@@ -55,6 +57,9 @@ class AnnotationFormat:
         classes: whose classes it is for: ``any`` field's, ``soccernet`` for SoccerNet's alone, or
             ``leaning`` where optional elements beside SoccerNet's classes are left out unless they
             are asked for.
+        pictures: the folder of the output that pictures go to when they are asked for, with the
+            split's place in it; None for formats that go without.
+        split: what is written when nobody names a split.
     """
 
     name: str
@@ -69,7 +74,12 @@ class AnnotationFormat:
     sniff: Callable[[bytes], bool] | None = None
     decode_existing: Callable[[bytes, str], Any] | None = None
     classes: Classes = "any"
+    pictures: str | None = "{split}"
+    split: str = ""
 
+
+LABELME = "labelme"
+PLAIN = "soccernet"  # what this program works on
 
 FORMATS: tuple[AnnotationFormat, ...] = (
     AnnotationFormat(
@@ -84,7 +94,7 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "further keys of points; optional elements, unless they are asked for",
         soccernet_v3.write_many, soccernet_v3.read_many,
         sniff_json=soccernet_v3.sniff, decode_existing=soccernet_v3.decode_existing,
-        classes="soccernet",
+        classes="soccernet", pictures="v3_frames",
     ),
     AnnotationFormat(
         "soccernet-gsr", "SoccerNet game state (Labels-GameState.json)",
@@ -92,10 +102,10 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "everything", "optional elements, unless they are asked for",
         soccernet_gsr.write_many, soccernet_gsr.read_many,
         sniff_json=soccernet_gsr.sniff, decode_existing=soccernet_gsr.decode_existing,
-        classes="soccernet",
+        classes="soccernet", pictures="img1",
     ),
     AnnotationFormat(
-        "labelme", "labelme JSON", "", True,
+        LABELME, "labelme JSON", "", True,
         "order, unknown and repeated classes",
         "classes without a point, further keys of points",
         labelme.write_many, labelme.read_many, sniff_json=labelme.sniff,
@@ -104,22 +114,33 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "cvat", "CVAT for images 1.1 XML", cvat.FILE_NAME, True,
         "order, unknown and repeated classes",
         "classes without a point, further keys of points and frames, frames without an element",
-        cvat.write_many, cvat.read_many, sniff=cvat.sniff,
+        cvat.write_many, cvat.read_many, sniff=cvat.sniff, pictures="images",
+    ),
+    AnnotationFormat(
+        "cvat-video", "CVAT for video 1.1 XML (tracks)", cvat_tracks.FILE_NAME, True,
+        "unknown and repeated classes; the order of those of a first frame",
+        "classes without a point, further keys of points and frames, frames without an element",
+        cvat_tracks.write_many, cvat.read_many, pictures="images",
     ),
     AnnotationFormat(
         "coco", "COCO keypoints JSON", coco.FILE_NAME, True,
         "order, unknown and repeated classes, classes without a point",
         "further keys of points, frames without an element",
         coco.write_many, coco.read_many, sniff_json=coco.sniff,
+        pictures="images/{split}", split=coco.DEFAULT_SPLIT,
+    ),
+    AnnotationFormat(
+        "yolo-pose", "YOLO pose (text files)", "", True,
+        "the order of points inside the picture", "the rest: the files are not read back",
+        yolo_pose.write_many, pictures="images/{split}", split=yolo_pose.DEFAULT_SPLIT,
     ),
     AnnotationFormat(
         "masks", "segmentation masks (PNG)", "", True,
         "pictures of the lines", "the clicks: masks are not read back",
-        masks.write_many,
+        masks.write_many, pictures=None,
     ),
 )  # fmt: skip
 
-PLAIN = "soccernet"  # what this program works on
 
 NAMES: tuple[str, ...] = tuple(f.name for f in FORMATS)
 READABLE: tuple[str, ...] = tuple(f.name for f in FORMATS if f.read is not None)

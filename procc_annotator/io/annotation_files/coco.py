@@ -5,7 +5,8 @@ Facts: https://cocodataset.org/#format-data. Keypoints are [x, y, v, ...] with v
 
 The layout here: a category a class, its keypoints named "1", "2", ... up to the longest polyline
 of the class in the set; the points of a polyline in order, then as many unlabelled ones as are
-left. A point outside the picture has v = 1.
+left. A point outside the picture has v = 1. There is no ``segmentation``: readers take a list of
+none for a mask that is damaged.
 """
 
 from __future__ import annotations
@@ -31,7 +32,10 @@ from procc_annotator.io.annotation_files.px_numbers import json_text, parse_numb
 from procc_annotator.io.json_text import decode_strict, kind_of, spelled
 from procc_annotator.io.source import FileSource
 
-FILE_NAME = "keypoints.json"
+DEFAULT_SPLIT = "default"
+# As COCO calls the files of its own sets: other programs know the kind of annotation by it.
+_FILE = "annotations/person_keypoints_{}.json"
+FILE_NAME = _FILE.format(DEFAULT_SPLIT)
 _TITLE = "COCO"
 _LISTS = ("images", "annotations", "categories")
 
@@ -213,7 +217,9 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
         "annotations": entries,
         "categories": [_category(name, i, longest[name], writing) for name, i in ids.items()],
     }
-    writing.put_only_file(FILE_NAME, f"{json_text(content)}\n".encode())
+    writing.put_only_file(
+        _FILE.format(writing.folder or DEFAULT_SPLIT), f"{json_text(content)}\n".encode()
+    )
 
 
 def _entry(polyline: Polyline, label: str, size: Size, number: int, image: int) -> dict[str, Any]:
@@ -234,7 +240,6 @@ def _entry(polyline: Polyline, label: str, size: Size, number: int, image: int) 
         "bbox": box,
         "area": box[2] * box[3],
         "iscrowd": 0,
-        "segmentation": [],
     }
 
 

@@ -84,6 +84,8 @@ class Reading:
         names: which classes the labels of the files stand for; None: they are classes.
         in_tree: whether the files lie in a tree of folders, so that frames are called by their
             paths.
+        pictures: file names of the pictures around the files in the order of their names, for files
+            that count them.
         problems: one line for each frame or file that could not be used.
         unread: the same by the name of the frame, or of the file where no frame is known yet.
         remarks: what was left out or changed.
@@ -94,6 +96,7 @@ class Reading:
     size_of: Callable[[str], Size | None] = lambda _: None
     names: LabelMap | None = None
     in_tree: bool = False
+    pictures: Sequence[str] = ()
     problems: list[str] = attribute(default_factory=list)
     unread: dict[str, InputError] = attribute(default_factory=dict)
     remarks: Remarks = attribute(default_factory=Remarks)
@@ -181,7 +184,8 @@ class Writing:
         put: writes one file of the output by its name; False if it may not (and says so).
         file_name: the name of the only file, when the output is a file; else None.
         line_width: of masks, px.
-        folder: a folder inside the output that files of single frames go to; may be empty.
+        folder: the split that is written: a folder inside the output that files of single frames
+            go to, or part of a file's name; may be empty.
         into: content of an existing file whose other entries are to be kept; None without.
         problems: one line for each frame that could not be written.
         remarks: what the format cannot hold.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from dataclasses import field as attribute
 
@@ -69,6 +69,7 @@ class SetReader:
         *,
         fmt: str = "auto",
         size_of: Callable[[str], Size | None] = _nobody_knows,
+        pictures: Sequence[str] = (),
     ) -> None:
         """Look what there is to read.
 
@@ -78,6 +79,7 @@ class SetReader:
             names: which classes the labels of the files stand for.
             fmt: a name of `READABLE`, or ``auto`` to look into the files.
             size_of: the size in px of a frame's picture, for files that do not say it.
+            pictures: names of the pictures around the files, as of `Reading`.
 
         Raises:
             UsageError: no annotation, annotations of several formats, or of another sport.
@@ -89,7 +91,7 @@ class SetReader:
             require_soccernet(field, self.format.title)
         self._source = source
         in_tree = not set(self.files) <= set(source.files())
-        self.reading = Reading(field, size_of, names, in_tree=in_tree)
+        self.reading = Reading(field, size_of, names, in_tree, pictures)
         self._strays = list_annotations(source).notices if self.format.name == PLAIN else ()
 
     def frames(self, progress: Progress | None = None) -> Iterator[ExchangedFrame]:
@@ -133,6 +135,7 @@ def read_set(
     *,
     fmt: str = "auto",
     size_of: Callable[[str], Size | None] = _nobody_knows,
+    pictures: Sequence[str] = (),
     progress: Progress | None = None,
 ) -> ReadSet:
     """All annotations of a source, of any format.
@@ -143,7 +146,7 @@ def read_set(
         UsageError: no annotation, annotations of several formats, or of another sport.
         InputError: the source cannot be listed.
     """
-    reader = SetReader(source, field, names, fmt=fmt, size_of=size_of)
+    reader = SetReader(source, field, names, fmt=fmt, size_of=size_of, pictures=pictures)
     found = ReadSet(reader.format.title, files=tuple(reader.files))
     for frame in reader.frames(progress):
         found.frames[frame.name] = frame

@@ -202,6 +202,8 @@ def _start(writing: Writing) -> dict[str, Any]:
     if type(content["GameMetadata"]) is not dict:
         content["GameMetadata"] = {}
     content["GameMetadata"].setdefault("list_actions", [])
+    # SoccerNet's loader joins it to its folder and v3_frames/: pictures lie beside the file.
+    content["GameMetadata"].setdefault("UrlLocal", "")
     return content
 
 

@@ -47,7 +47,8 @@ def open_annotations(
             return source
         place = path if base is None else base / path
         sizes = PictureSizes(picture_folders(place, place))
-        found = read_set(source, field, names, size_of=sizes.size)
+        pictures = sorted(picture.name for picture in sizes.files())
+        found = read_set(source, field, names, size_of=sizes.size, pictures=pictures)
     except BaseException:
         source.__exit__()
         raise

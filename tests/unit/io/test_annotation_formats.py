@@ -36,7 +36,9 @@ from procc_annotator.io.source import open_source
 
 SOCCER = load_field("soccer")
 SIZE = (1280, 720)
-TWO_WAY = pytest.mark.parametrize("name", READABLE)
+COCO_FILE = "annotations/person_keypoints_default.json"
+TRACKS = "cvat-video"  # knows neither an order of a frame's classes nor what pictures are called
+TWO_WAY = pytest.mark.parametrize("name", [name for name in READABLE if name != TRACKS])
 
 
 def write(name: str, frames: list[ExchangedFrame], folder: Path) -> Writing:
@@ -44,6 +46,7 @@ def write(name: str, frames: list[ExchangedFrame], folder: Path) -> Writing:
     folder.mkdir()
 
     def put(file: str, data: bytes) -> bool:
+        (folder / file).parent.mkdir(parents=True, exist_ok=True)
         (folder / file).write_bytes(data)
         return True
 
@@ -225,7 +228,9 @@ def test_what_a_format_cannot_hold_is_told(
     assert back.get("Middle line") == RICH.polylines[2]
 
 
-@pytest.mark.parametrize("name", ["soccernet-v3", "labelme", "cvat", "coco", "masks"])
+@pytest.mark.parametrize(
+    "name", ["soccernet-v3", "labelme", "cvat", TRACKS, "coco", "yolo-pose", "masks"]
+)
 def test_a_frame_without_a_size_is_left_out_and_told(name: str, tmp_path: Path) -> None:
     frames = [ExchangedFrame("1", RICH), ExchangedFrame("2", RICH, SIZE)]
     writing = write(name, frames, tmp_path / "set")
@@ -274,7 +279,7 @@ def test_masks_are_not_read(tmp_path: Path) -> None:
 
 
 def test_every_format_says_what_it_keeps() -> None:
-    assert len({f.name for f in FORMATS}) == len(FORMATS) == 7
+    assert len({f.name for f in FORMATS}) == len(FORMATS) == 9
     assert all(f.title and f.holds and f.loses for f in FORMATS)
 
 
@@ -286,7 +291,7 @@ def test_coco_is_what_its_readers_expect(tmp_path: Path) -> None:
     more = FrameAnnotation((Polyline("Middle line", (Point(0.5, 0.5), Point(0.5, 1.5))),))
     frames = [ExchangedFrame("1", RICH, SIZE, "1.jpg"), ExchangedFrame("2", more, SIZE, "2.jpg")]
     write("coco", frames, tmp_path / "set")
-    content = json.loads((tmp_path / "set" / "keypoints.json").read_text())
+    content = json.loads((tmp_path / "set" / COCO_FILE).read_text())
     categories = {c["id"]: c for c in content["categories"]}
     images = {i["id"]: i for i in content["images"]}
     assert len(categories) == len(content["categories"]) == len(SOCCER.elements)
@@ -301,6 +306,7 @@ def test_coco_is_what_its_readers_expect(tmp_path: Path) -> None:
         assert all(
             entry["keypoints"][3 * i : 3 * i + 2] == [0, 0] for i, v in enumerate(visible) if not v
         )
+        assert "segmentation" not in entry
         assert entry["area"] == entry["bbox"][2] * entry["bbox"][3]
     number = SOCCER.index["Middle line"] + 1
     middle = [a for a in content["annotations"] if a["category_id"] == number]
@@ -337,3 +343,127 @@ def test_cvat_labels_have_names_a_server_keeps_and_colours(tmp_path: Path) -> No
     assert [(r["name"], r["color"]) for r in raw] == [
         (label.findtext("name"), label.findtext("color")) for label in labels.values()
     ]
+
+
+def test_soccernets_loader_finds_its_keys(tmp_path: Path) -> None:
+    """``dataloader.py`` joins UrlLocal to its folder, and walks list_actions and their replays."""
+    write("soccernet-v3", [ExchangedFrame("1", RICH, SIZE, "1.jpg")], tmp_path / "set")
+    content = json.loads((tmp_path / "set" / "Labels-v3.json").read_text())
+    assert content["GameMetadata"] == {"list_actions": ["1.jpg"], "UrlLocal": ""}
+    assert content["actions"]["1.jpg"]["linked_replays"] == []
+
+
+# ------------------------------------------------------------------------------------- tracks
+
+
+def of_frame(*names: str) -> FrameAnnotation:
+    return FrameAnnotation(tuple(Polyline(name, PLAIN_POINTS) for name in names))
+
+
+def test_frames_of_a_video_come_back_from_tracks(tmp_path: Path) -> None:
+    """What is annotated in one frame is not seen in the next, unless it is annotated there."""
+    point = FrameAnnotation((Polyline("Middle line", PLAIN_POINTS[:1]),))
+    annotations = {
+        "match_000007": of_frame("Goal left post left ", "Middle line"),
+        "match_000008": of_frame("Middle line", "Side line top"),
+        "match_000100": point,
+    }
+    frames = [ExchangedFrame(n, a, SIZE, f"{n}.png") for n, a in annotations.items()]
+    writing = write(TRACKS, frames, tmp_path / "set")
+    assert writing.remarks.lines() == []
+    text = (tmp_path / "set" / "annotations.xml").read_text()
+    assert "<source>match.mp4</source>" in text
+    root = ElementTree.fromstring(text)
+    assert [(t.get("label"), [s.get("frame") for s in t]) for t in root.iterfind("track")] == [
+        ("Goal left post left", ["7", "8"]),
+        ("Middle line", ["7", "8", "9"]),
+        ("Side line top", ["8", "9"]),
+        ("Middle line", ["100", "101"]),
+    ]
+    assert [s.get("outside") for s in root.findall("track")[1]] == ["0", "0", "1"]
+    back, reading = read(tmp_path / "set")
+    assert reading.problems == reading.remarks.lines() == []
+    assert {name: frame.annotation for name, frame in back.items()} == annotations
+
+
+def test_pictures_of_a_task_are_counted_in_the_order_of_their_names(tmp_path: Path) -> None:
+    annotations = {name: of_frame("Middle line", klass) for name, klass in (
+        ("2", "Side line top"), ("10", "Side line left"), ("b", "Circle left"),
+    )}  # fmt: skip
+    frames = [ExchangedFrame(n, a, SIZE, f"{n}.jpg") for n, a in annotations.items()]
+    writing = write(TRACKS, frames, tmp_path / "set")
+    assert "numbered in the order of their names" in writing.remarks.lines()[0]
+    with open_source(tmp_path / "set") as source:
+        known, files = find_annotations(source)
+        assert known.read is not None
+        reading = Reading(SOCCER, pictures=["10.jpg", "2.jpg", "b.jpg"])
+        back = {f.name: f.annotation for f in known.read(source, files, reading)}
+        assert back == annotations
+        nameless = [f.name for f in known.read(source, files, Reading(SOCCER))]
+        assert nameless == ["frame_000000", "frame_000001", "frame_000002"]
+        few = Reading(SOCCER, pictures=["10.jpg"])
+        assert len(list(known.read(source, files, few))) == 1
+        assert "there are 1 pictures" in few.problems[0]
+
+
+def test_what_cvat_interpolated_counts_where_a_person_set_something(tmp_path: Path) -> None:
+    shapes = {
+        "Middle line": [(0, 1), (1, 0), (2, 0), (3, 1)],
+        "Side line top": [(0, 1), (1, 0), (2, 1), (3, 0)],
+    }
+    tracks = "".join(
+        f'<track id="0" label="{name}">'
+        + "".join(
+            f'<polyline frame="{frame}" keyframe="{key}" outside="0" points="1,1;5,{frame}"/>'
+            for frame, key in of_track
+        )
+        + "</track>"
+        for name, of_track in shapes.items()
+    )
+    meta = (
+        "<meta><task><original_size><width>64</width><height>36</height></original_size></task>"
+        "<source>a.mov</source></meta>"
+    )
+    (tmp_path / "a.xml").write_text(f"<annotations>{meta}{tracks}</annotations>")
+    back, reading = read(tmp_path)
+    assert list(back) == ["a_000000", "a_000002", "a_000003"]
+    assert all(len(frame.annotation.polylines) == 2 for frame in back.values())
+    told = " ".join(reading.remarks.lines())
+    assert "interpolated from end to end are left out" in told
+    assert "taken as they are (2 frames: a_000002, a_000003)" in told
+
+
+def test_a_video_has_pictures_of_one_size(tmp_path: Path) -> None:
+    frames = [ExchangedFrame("1", RICH, SIZE), ExchangedFrame("2", RICH, (64, 36))]
+    writing = write(TRACKS, frames, tmp_path / "set")
+    assert writing.frames == 1
+    assert "pictures of one size" in writing.problems[0]
+
+
+# ------------------------------------------------------------------------------------- YOLO
+
+
+def test_yolo_pose_is_what_its_readers_ask_for(tmp_path: Path) -> None:
+    """As many columns in every line, and nothing outside 0..1."""
+    outside = FrameAnnotation((
+        Polyline("Middle line", (Point(-0.2, 0.5), Point(0.25, 0.5), Point(1, 1))),
+        Polyline("Circle left", (Point(2, 2),)),
+    ))  # fmt: skip
+    frames = [ExchangedFrame("1", RICH, SIZE), ExchangedFrame("2", outside, SIZE)]
+    writing = write("yolo-pose", frames, tmp_path / "set")
+    assert "YOLO has no points outside the picture (1 frame: 2)" in writing.remarks.lines()
+    labels = tmp_path / "set" / "labels" / "train"
+    assert sorted(p.name for p in labels.iterdir()) == ["1.txt", "2.txt"]
+    lines = [line.split() for file in labels.iterdir() for line in file.read_text().splitlines()]
+    assert {len(line) for line in lines} == {5 + 3 * 2}
+    assert all(0 <= float(value) <= 1 for line in lines for value in line[1:5])
+    (line,) = (labels / "2.txt").read_text().splitlines()
+    number, x, y, width, height, *points = map(float, line.split())
+    assert number == SOCCER.index["Middle line"]
+    assert points[0] * 1280 == pytest.approx(0.25 * 1279, abs=1e-3)
+    assert points[3] * 1280 == pytest.approx(1279, abs=1e-3)
+    assert points[2::3] == [2, 2]
+    assert (x - width / 2, y + height / 2) == pytest.approx((points[0], points[4]), abs=1e-6)
+    data = (tmp_path / "set" / "data.yaml").read_text()
+    assert "kpt_shape: [2, 3]" in data
+    assert f'  {SOCCER.index["Middle line"]}: "Middle line"' in data

@@ -426,6 +426,7 @@ def test_frames_keep_their_names_whatever_their_pictures_are_called(
     out.mkdir()
 
     def keep(name: str, data: bytes) -> bool:
+        (out / name).parent.mkdir(exist_ok=True)
         (out / name).write_bytes(data)
         return True
 
@@ -451,6 +452,10 @@ def changed(content: Any, place: tuple[Any, ...], value: Any) -> Any:
 
 LINE = ("actions", "0.png", "lines", 0)
 PITCH = ("annotations", 1, "lines", "Side line top")
+TRACK = (
+    "<annotations><meta><task><original_size><width>64</width><height>36</height></original_size>"
+    '</task></meta><track id="0" label="Middle line"><polyline {}/></track></annotations>'
+)
 DAMAGE: list[tuple[str, Any, str]] = [
     ("labelme", changed(LABELME, ("shapes", 0, "points", 1), [1, "2"]), "shapes[0].points[1]"),
     ("labelme", changed(LABELME, ("shapes", 0, "points", 1), [1]), "shapes[0].points[1]"),
@@ -500,7 +505,9 @@ DAMAGE: list[tuple[str, Any, str]] = [
     ("cvat", CVAT.replace('width="640"', "").replace('height="360"', ""), "image 1 (a)"),
     ("cvat", CVAT.replace('name="day one/a.jpg"', ""), "image 1.name"),
     ("cvat", CVAT[:-40], "line "),
-    ("cvat", CVAT.replace("<annotations>", "<annotations><track></track>"), "<track>"),
+    ("cvat", TRACK.format('frame="x" points="1,1"'), "track 1, shape 1.frame"),
+    ("cvat", TRACK.format('frame="1" points="1"'), "track 1, shape 1, point 1"),
+    ("cvat", TRACK.format('frame="1" points="1,1"').replace("64", "w"), "original_size"),
     ("cvat", CVAT.replace("utf-8", "utf-99"), "not readable XML"),
 ]  # fmt: skip
 

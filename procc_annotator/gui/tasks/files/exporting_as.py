@@ -53,6 +53,7 @@ class ExportAs(DialogTask):
             dialog.line_width.value(),
             overwrite=dialog.overwrite.isChecked(),
             keep_optional=dialog.keep_optional.isChecked(),
+            pictures=dialog.pictures.isChecked() and dialog.format.pictures is not None,
         )
         dialog.set_running(True)
 
