@@ -22,7 +22,6 @@ from procc_annotator.interact.palette import SOURCE_COLOURS
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.frame_names import ByFrame
-from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.page.audit_report import AuditReport, NamedCameras, Work, gather_report
 from procc_annotator.report.page.report_pairs import PairPainters
@@ -39,6 +38,7 @@ from procc_annotator.report.scenes import OverlayLook
 from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.report.sheet.as_latex import ARTICLE_PT
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
@@ -257,7 +257,7 @@ def _make(
 ) -> tuple[AuditReport, list[str]]:
     """Score, draw and write; returns the figures, and what went wrong while drawing."""
     with ExitStack() as opened:
-        source = opened.enter_context(open_source(folder))
+        source = opened.enter_context(open_annotations(folder, call.setup.field))
         collections = [opened.enter_context(_open(spec)) for spec in call.specs]
         datasets.report_mismatch(source, call.setup.field)
         named = list(zip(call.specs, collections, strict=True))

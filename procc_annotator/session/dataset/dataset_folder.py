@@ -20,7 +20,7 @@ VIEWS_FILE = "views.csv"
 FRAMES_FILE = "frames.csv"
 
 _ARCHIVES = frozenset({".zip"})
-_ANNOTATION_SUFFIXES = (".zip", ".json")
+_ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
 _OWN_THINGS = (FIELD_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE)
 
 
@@ -152,7 +152,14 @@ def annotations_of(dataset: Path) -> Path:
     if found:
         return found[0]
     inner = dataset / ANNOTATIONS_FOLDER
-    return inner if holds_annotations(inner) else dataset
+    return inner if holds_annotations(inner) or _holds_xml(inner) else dataset
+
+
+def _holds_xml(folder: Path) -> bool:
+    try:
+        return any(_suffix(name) == ".xml" for name in os.listdir(folder))
+    except OSError:  # usually: no such folder
+        return False
 
 
 def _annotations_of_file(dataset: Path) -> Path:
