@@ -13,11 +13,11 @@ from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
 from procc_annotator.errors import UsageError
 from procc_annotator.fit.determined import LIMITS
 from procc_annotator.fit.fitting import check_model
+from procc_annotator.io.camera_files.fitted_on import TABLE_FILE
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report import calibration, together
 from procc_annotator.report.calibration import (
-    TABLE_FILE,
     CalibrationReport,
     calibrate_set,
 )
@@ -223,7 +223,7 @@ def _print_report(report: CalibrationReport, out: Path) -> None:
     if report.failures:
         console.print(calibration.failures_table(report))
     cameras = count_of(report.cameras, "camera")
-    typer.echo(f"written: {cameras} and {calibration.TABLE_FILE} to {out}")
+    typer.echo(f"written: {cameras} and {TABLE_FILE} to {out}")
 
 
 def _report_problems(report: CalibrationReport, out: Path) -> int:

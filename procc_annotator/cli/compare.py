@@ -22,6 +22,8 @@ from procc_annotator.cli.painters import pair_painter
 from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.source import open_source
 from procc_annotator.report import comparison
@@ -132,6 +134,7 @@ def compare(
     with make_executor(workers, dask, frames=count, worth_from=_WORTH_WORKERS) as executor:
         comparison.executor = executor
         compared = compare_sources(comparison, with_progress)
+    compared.fitted = _fitted_on((source_a, source_b), dataset, shown_field)
     _print_comparison(compared, worst or count)
     for path in written_to:
         write_comparison(compared, comparison, path)
@@ -187,6 +190,30 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     if not annotated:
         raise UsageError(f"nothing to do: no picture and no annotation (*.json) in {dataset}")
     return annotated, {}
+
+
+def _fitted_on(
+    sources: tuple[CameraSet, CameraSet], dataset: Path | None, field: Field
+) -> tuple[bool, bool]:
+    """Whether a camera of each was fitted to the dataset's annotation of its frame."""
+    if dataset is None:
+        return False, False
+    with open_source(_annotation_folder(dataset)) as annotations:
+        files = list_annotations(annotations)
+
+        def of_these(source: CameraSet, frame: str) -> bool:
+            digest = source.fitted_on(frame)
+            if digest is None:
+                return False
+            try:
+                data = annotations.read(files[frame])
+                found = read_annotation(data, path=annotations.display(files[frame]), field=field)
+            except InputError:  # nothing is told of what cannot be read
+                return False
+            return is_fitted_on(digest, found)
+
+        a, b = (any(of_these(s, frame) for frame in s.frames if frame in files) for s in sources)
+    return a, b
 
 
 def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:

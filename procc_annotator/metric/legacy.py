@@ -145,7 +145,7 @@ def _iou_part(
     centres = _ground_cells(rectangle, RASTER_M)
     masks = [_shows(camera, centres, size) for camera in cameras]
     either = np.count_nonzero(masks[0] | masks[1])
-    return np.count_nonzero(masks[0] & masks[1]) / either if either else None
+    return float(np.count_nonzero(masks[0] & masks[1]) / either) if either else None
 
 
 def _iou(a: FloatArray, b: FloatArray) -> float:

@@ -9,6 +9,7 @@ from typing import Protocol
 
 import numpy as np
 
+from procc_annotator.io.camera_files.fitted_on import DIGEST, TABLE_FILE
 from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
@@ -21,7 +22,6 @@ from procc_annotator.session.dataset.fit_sizes import SizesUsed
 from procc_annotator.session.runs.calibration_run import Calibrated
 from procc_annotator.words import count_of
 
-TABLE_FILE = "calibration.csv"
 _FAILURES_SHOWN = 20
 
 Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
@@ -150,7 +150,7 @@ def _columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:
         *(of(JAC, key=f"jac_{threshold:g}") for threshold in thresholds),
         of(FRAME_ERROR_COUNTED), of(FRAME_ERROR), *DEVIATION_COLUMNS, Column("camera"),
         Column("failure"), Column("position"), whole("width"), whole("height"),
-        Column("hardly_determined"),
+        Column("hardly_determined"), Column(DIGEST),
     )  # fmt: skip
 
 
@@ -160,13 +160,13 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> Row:
     if not result.has_camera:
         why = result.error or result.failure
         empty = (None,) * (len(thresholds) + 4)
-        return (result.name, result.model, *empty, *deviations, None, why, None, *size, None)
+        return (result.name, result.model, *empty, *deviations, None, why, None, *size, None, None)
     scores = [result.scores[threshold] for threshold in thresholds]
     jacs = (score.jac for score in scores)
     return (
         result.name, result.model, result.elements, "; ".join(result.left_out), *jacs,
         scores[0].mean_reprojection_error, scores[0].mean_error, *deviations, result.file_name,
-        None, result.place, *size, result.open,
+        None, result.place, *size, result.open, result.digest,
     )  # fmt: skip
 
 

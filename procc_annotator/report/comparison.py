@@ -11,6 +11,7 @@ from typing import Any
 from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.camera_files.fitted_on import marked
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import Disagreement
 from procc_annotator.metric.legacy import Average, LegacyMetrics
@@ -74,6 +75,14 @@ class ComparisonReport:
     errors: list[str] = field(default_factory=list)
     notices: Counter[str] = field(default_factory=Counter)
     pictures: list[Path] = field(default_factory=list)
+    fitted: tuple[bool, bool] = (False, False)
+
+    @property
+    def marked_names(self) -> tuple[str, str]:
+        """The names as tables tell them, with the mark of one that was fitted to the dataset's
+        annotations."""
+        (a, b), (of_a, of_b) = self.names, self.fitted
+        return marked(a, of_a), marked(b, of_b)
 
 
 def _no_progress(
@@ -167,7 +176,7 @@ def paint_frames(
 def disagreement_table(compared: ComparisonReport) -> Sheet:
     """Metres and pixels over the set."""
     summary = compared.summary
-    a, b = compared.names
+    a, b = compared.marked_names
     headings = ("min", "median of frames", "max")
     columns = (Column("where"), *(Column(h, h, "number") for h in headings), of(WITHIN))
     rows = (
@@ -181,7 +190,7 @@ def disagreement_table(compared: ComparisonReport) -> Sheet:
 
 def legacy_table(compared: ComparisonReport) -> Sheet:
     """The metrics of earlier papers over the set."""
-    a, b = compared.names
+    a, b = compared.marked_names
     columns = (
         Column("metric", "metric"), Column("mean", "mean", "number"),
         Column("median", "median", "number"), whole("frames"),
@@ -236,8 +245,8 @@ def _json(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
     content = {
         **field_terms(comparison.field),
         "size": list(comparison.size),
-        "a": {"name": compared.names[0], "path": str(comparison.a.path)},
-        "b": {"name": compared.names[1], "path": str(comparison.b.path)},
+        "a": _source_entry(compared, 0, comparison.a.path),
+        "b": _source_entry(compared, 1, comparison.b.path),
         "offside_accuracy_m": OFFSIDE_ACCURACY_M,
         "images": [_entry(frame) for frame in compared.frames],
         "only_a": list(comparison.only_a),
@@ -253,6 +262,11 @@ def _json(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
         },
     }
     return json_bytes(content)
+
+
+def _source_entry(compared: ComparisonReport, which: int, path: Path) -> dict[str, Any]:
+    mark = {"fitted_on_these_clicks": True} if compared.fitted[which] else {}
+    return {"name": compared.names[which], "path": str(path), **mark}
 
 
 def _entry(frame: ComparedFrame) -> dict[str, Any]:

@@ -22,11 +22,13 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.plots.sources import PlotSources
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state import live_fit
 from procc_annotator.io.camera_files.soccernet_camera import read_camera
 from procc_annotator.session.clicks.insight import Insight, gain_insight
 from procc_annotator.session.dataset.edits import delete_point
+from procc_annotator.session.runs.saved_fit import save_fit
 from tests.gui.conftest import Hand, MakeWindow, all_done, let_work_end, settle
 
 # The offscreen platform has no window manager to pass these on to.
@@ -310,6 +312,31 @@ class TestSource:
         document.set_active_camera(0)
         assert document.score.jac > 0.9
         assert fitted.toolbar.jac.text().endswith("of the fit")
+
+    def test_it_says_that_it_is_of_these_clicks(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        document = fitted.document
+        folder = annotated / "cameras" / "kept"
+        name = document.frame.name
+        fit = document.live_fit.insight.fit
+        save_fit(folder, name, document.annotation, fit, field=document.field.name)
+        document.load_cameras(folder)
+        fitted.show_panel("cameras")
+        settle(fitted, qtbot)
+        mark = "fitted on these clicks"
+        assert [(s.name, s.fitted) for s in document.sources] == [("kept", True), ("fit", True)]
+        for row in (0, 1):
+            label = fitted.findChild(QLabel, f"cameras_model_{row}")
+            qtbot.waitUntil(lambda label=label: mark in label.toolTip())
+        request, _ = PlotSources(document).request("set", None)
+        assert all(source.fitted for source in request.sources)
+        document.commit_edit("nudge", nudged(document.annotation, 0.05))
+        arrive(fitted, qtbot)
+        settle(fitted, qtbot)
+        assert [s.fitted for s in document.sources] == [False, True]
+        label = fitted.findChild(QLabel, "cameras_model_0")
+        qtbot.waitUntil(lambda: mark not in label.toolTip())
 
     def test_three_elements_show_the_field(self, fitted: MainWindow, qtbot: QtBot) -> None:
         document, whole = fitted.document, fitted.document.annotation

@@ -545,6 +545,12 @@ class TestWithoutColour:
             places.append(set(x))
         assert not places[0] & places[1]
 
+    def test_the_legend_marks_a_fit_to_these_clicks(self, plotted: MainWindow) -> None:
+        legend = plotted.plots.legend
+        source = PlottedSource("fit", "#ff0000", 0, {}, fitted=True)
+        legend.show_sources([(source, "(3 of 14)")])
+        assert legend.text == "fit (fitted on these clicks) (3 of 14)"
+
     def test_the_legend_shows_the_symbol(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, TimelinePage)
         legend = plotted.plots.legend

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from procc_annotator.gui.plots.looks import source_pen, symbol_of
 from procc_annotator.gui.plots.request import PlottedSource
+from procc_annotator.io.camera_files.fitted_on import marked
 
 _SYMBOL = 8.0  # logical px
 
@@ -114,4 +115,4 @@ def _paint_symbol(painter: QPainter, source: PlottedSource, at: QPointF) -> None
 
 
 def _entry(source: PlottedSource, more: str) -> str:
-    return f"{source.name} {more}".strip()
+    return f"{marked(source.name, source.fitted)} {more}".strip()

@@ -23,6 +23,7 @@ class PlottedSource:
         audits: by frame name; only of frames that may be shown.
         active: whether it is the one that is judged.
         cameras: of all its frames, annotated or not.
+        fitted: whether they were fitted to the clicks they are judged by.
     """
 
     name: str
@@ -31,6 +32,7 @@ class PlottedSource:
     audits: Mapping[str, FrameAudit]
     active: bool = False
     cameras: FrameCameras | None = None
+    fitted: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -54,6 +54,7 @@ class PlotSources:
                 self._of_frame(source) if scope == "frame" else dict(source.audits),
                 source.camera_set is document.active_camera,
                 source.camera_set,
+                source.fitted,
             )
             for number, source in enumerate(document.sources)
             if source.visible or source.camera_set is document.active_camera

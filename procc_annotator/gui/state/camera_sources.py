@@ -12,7 +12,7 @@ import numpy as np
 
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from procc_annotator.session.dataset.camera_set import CameraSet, FrameCameras
-from procc_annotator.session.dataset.fitted_cameras import FIT_NAME
+from procc_annotator.session.dataset.fitted_cameras import FIT_NAME, FittedCameras
 from procc_annotator.session.dataset.tracked_cameras import TRACK_NAME
 from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit
 
@@ -38,6 +38,7 @@ class CameraSource:
         self._seen: set[str] = set()
         self._jac_sums = np.zeros(len(TAU_GRID))
         self._models: Counter[str] = Counter()
+        self._fitted = 0  # of the audited frames
 
     @property
     def name(self) -> str:
@@ -52,6 +53,11 @@ class CameraSource:
         know them by, and a score of their own: a fit is judged by the clicks it was made from.
         """
         return self.camera_set if isinstance(self.camera_set, CameraSet) else None
+
+    @property
+    def fitted(self) -> bool:
+        """Whether cameras of it, of those seen, were fitted to the clicks they are judged by."""
+        return isinstance(self.camera_set, FittedCameras) or self._fitted > 0
 
     @property
     def look(self) -> SourceLook:
@@ -70,6 +76,7 @@ class CameraSource:
         self.problems.clear()
         self._seen.clear()
         self._models.clear()
+        self._fitted = 0
         self._jac_sums[:] = 0.0
 
     def take(self, frame: str, audit: FrameAudit | None, problem: str = "") -> None:
@@ -79,10 +86,12 @@ class CameraSource:
         if before is not None:
             self._jac_sums -= before.jac
             self._models[before.model] -= 1
+            self._fitted -= before.fitted
         if audit is not None:
             self.audits[frame] = audit
             self._jac_sums += audit.jac
             self._models[audit.model] += 1
+            self._fitted += audit.fitted
         self.problems.pop(frame, None)
         if problem:
             self.problems[frame] = problem

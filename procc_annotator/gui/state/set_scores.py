@@ -16,6 +16,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.source_frames import SourceFrame
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
@@ -168,14 +169,18 @@ class SetScores(QObject):
 
     def put(
         self, source: CameraSource, frame: str, shown: SourceFrame, measurement: Measurement | None,
-        tau: float,
+        tau: float, fitted: bool = False,
     ) -> None:  # fmt: skip
-        """Take over how a source does in the frame on screen after an edit."""
+        """Take over how a source does in the frame on screen after an edit.
+
+        Args:
+            fitted: whether its camera was fitted to these very clicks.
+        """
         self._touched.add((source, frame))
         known, problem = frame in source.audits, source.problems.get(frame, "")
         audit = None
         if measurement is not None and shown.camera is not None:
-            audit = audit_frame(frame, shown.camera, shown.model, measurement, tau)
+            audit = audit_frame(frame, shown.camera, shown.model, measurement, tau, fitted=fitted)
         source.take(frame, audit, shown.error)
         if known or audit is not None or shown.error != problem:
             self.changed.emit(source, frame)
@@ -284,4 +289,6 @@ def _audit(
     if projected is None:
         projected = project_field(found.camera, setup)
     measurement = measure_projected(annotation, projected, setup)
-    return audit_frame(frame, found.camera, found.model, measurement, tau), ""
+    fitted = is_fitted_on(found.fitted_on, annotation)
+    audit = audit_frame(frame, found.camera, found.model, measurement, tau, fitted=fitted)
+    return audit, ""

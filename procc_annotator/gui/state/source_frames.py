@@ -27,6 +27,7 @@ class SourceFrame:
         projected: what the camera shows of the field.
         notice: what to know about it (scaled from another size, missing).
         error: why it cannot be used.
+        fitted_on: what it was fitted to, see `LoadedCamera`.
     """
 
     camera: CameraOrProjections | None = None
@@ -34,6 +35,7 @@ class SourceFrame:
     projected: ProjectedField | None = None
     notice: str = ""
     error: str = ""
+    fitted_on: str | None = None
 
 
 NO_CAMERA = SourceFrame()
@@ -48,7 +50,9 @@ def look_up(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> Sou
     if found is None:
         return SourceFrame(notice=camera_set.why_none(frame))
     projected = project_field(found.camera, setup.of_frame(frame))
-    return SourceFrame(found.camera, found.model, projected, found.notice or "")
+    return SourceFrame(
+        found.camera, found.model, projected, found.notice or "", fitted_on=found.fitted_on
+    )
 
 
 _Key = tuple[FrameCameras, str]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from typing import Self
 
@@ -11,6 +12,7 @@ from natsort import natsorted
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.cameras import read_camera_file
+from procc_annotator.io.camera_files.fitted_on import FittedOn
 from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.registry import CameraFormat, format_of, plugin_problems
@@ -47,6 +49,7 @@ class CameraCollection:
         self.path: Path = source.path
         self.format = fmt
         self._source = source
+        self._fitted_on = FittedOn(source)
         self._records: dict[str, CameraRecords] = {}
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
@@ -72,9 +75,10 @@ class CameraCollection:
         file = self.frames[frame]
         if file in self._records:
             return self._records[file].read(self.frames.name_there(frame) or frame)
-        return read_camera_file(
-            self._read_file(file), path=self._source.display(file), fmt=self.format
-        )
+        shown = self._source.display(file)
+        loaded = read_camera_file(self._read_file(file), path=shown, fmt=self.format)
+        own = self.frames.name_there(frame) or frame
+        return replace(loaded, fitted_on=self._fitted_on.of(own, file, loaded.extra))
 
     def display(self, frame: str) -> str:
         """How to name the camera of a frame to a person: its file, and the place in it."""

@@ -23,6 +23,7 @@ class LoadedCamera:
         extra: keys of the file that are not part of the model, written back on saving.
         notices: remarks a person should see.
         content: all of the file's keys and values, so that saving spells unchanged numbers alike.
+        fitted_on: `annotation_digest` of the annotation it was fitted to, where that is told.
     """
 
     camera: CameraOrProjections
@@ -31,3 +32,4 @@ class LoadedCamera:
     extra: Mapping[str, Any] = field(default_factory=dict)
     notices: tuple[str, ...] = ()
     content: Mapping[str, Any] = field(default_factory=dict)
+    fitted_on: str | None = None

@@ -11,6 +11,7 @@ from typing import Any
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.fitted_on import marked
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.sets import SetSummary
@@ -103,6 +104,7 @@ class ReportedSource:
         notices: remark -> number of cameras it is about; 0 where it is about annotations.
         in_pixels: frames whose annotations look like pixels.
         failure: why nothing could be evaluated; empty when something was.
+        fitted: how many of its cameras were fitted to the annotations they are judged by.
     """
 
     name: str
@@ -116,6 +118,12 @@ class ReportedSource:
     unmatched: tuple[str, ...] = ()
     failure: str = ""
     in_pixels: tuple[str, ...] = ()
+    fitted: int = 0
+
+    @property
+    def marked_name(self) -> str:
+        """Its name as tables and charts tell it beside others."""
+        return marked(self.name, self.fitted)
 
     @cached_property
     def audits(self) -> dict[str, FrameAudit]:
@@ -271,7 +279,12 @@ def reported_frame(
     audit = None
     if evaluated.camera is not None and evaluated.measurement is not None:
         audit = audit_frame(
-            result.name, evaluated.camera, evaluated.model, evaluated.measurement, thresholds[0]
+            result.name,
+            evaluated.camera,
+            evaluated.model,
+            evaluated.measurement,
+            thresholds[0],
+            fitted=result.fitted,
         )
     return ReportedFrame(
         result.name,
@@ -335,6 +348,7 @@ def _gather(
         notices,
         run.unmatched_cameras,
         in_pixels=run.in_pixels,
+        fitted=run.fitted,
     )
 
 

@@ -163,7 +163,7 @@ def _directions(report: AuditReport, charted: list[Charted]) -> Chart:
                 width=0.0035,
             )
             axes.set(xlim=(-0.5, size[0] - 0.5), ylim=(size[1] - 0.5, -0.5), aspect="equal")
-            axes.set_title(f"{chart_label(one.source.name)}: median residual of each cell", y=1.0)
+            axes.set_title(f"{chart_label(one.look.name)}: median residual of each cell", y=1.0)
             axes.tick_params(labelsize=6.5)
             axes.grid(visible=False)
 
@@ -202,7 +202,7 @@ def _rose(axes: Axes, one: Charted) -> None:
         across, along = lean
         sides = (f"{abs(across):.2f} {'right' if across >= 0 else 'left'}",
                  f"{abs(along):.2f} {'down' if along >= 0 else 'up'}")  # fmt: skip
-        axes.set_title(f"{chart_label(one.source.name)}: bias {', '.join(sides)} px", fontsize=7.5)
+        axes.set_title(f"{chart_label(one.look.name)}: bias {', '.join(sides)} px", fontsize=7.5)
 
 
 def _short(title: str) -> str:

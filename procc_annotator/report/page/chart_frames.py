@@ -45,7 +45,7 @@ def _distribution(report: AuditReport, charted: list[Charted], jacs: list[Floats
             )
             share = 100 * (np.arange(len(values)) + 0.5) / len(values)
             curves.plot(share, np.sort(values), **line_style(one.look))
-        names = [chart_label(one.source.name) for one in charted]
+        names = [chart_label(one.look.name) for one in charted]
         violins.set_xticks(range(len(charted)), names, fontsize=7)
         violins.set(ylabel=f"JaC@{report.tau:g}, %", ylim=(-2, 102))
         curves.set(xlabel="frames, %, in the order of their JaC", xlim=(0, 100), ylim=(-2, 102))
@@ -67,7 +67,10 @@ def _pairs(report: AuditReport, charted: list[Charted], jacs: list[Floats]) -> C
 
     def draw(figure: Figure) -> None:
         for row, (i, j) in enumerate(pairs):
-            names = chart_label(charted[i].source.name), chart_label(charted[j].source.name)
+            names = (
+                chart_label(charted[i].source.marked_name),
+                chart_label(charted[j].source.marked_name),
+            )
             both = ~np.isnan(jacs[i]) & ~np.isnan(jacs[j])
             a, b = jacs[i][both], jacs[j][both]
             scatter = figure.add_subplot(len(pairs), 2, 2 * row + 1)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.field.colours import hex_of, linear_rgb
+from procc_annotator.io.camera_files.fitted_on import FITTED
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.session.runs.audit_figures import Points, gather
 
@@ -51,7 +52,7 @@ def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[Charted
         Charted(
             source,
             SourceStyle(
-                source.name,
+                source.marked_name,
                 on_either_page(colours[i % len(colours)]),
                 _DASHES[i % len(_DASHES)],
                 _MARKERS[i % len(_MARKERS)],
@@ -129,5 +130,8 @@ def line_style(look: SourceStyle) -> dict[str, Any]:
 
 def chart_label(name: str) -> str:
     """A name as a label; matplotlib leaves out labels that begin with an underscore."""
-    name = name if len(name) <= 40 else f"{name[:38]}…"
+    if len(name) > 40:
+        mark = f" ({FITTED})"
+        end = mark if name.endswith(mark) else ""
+        name = f"{name[: 38 - len(end)]}…{end}"
     return f" {name}" if name.startswith("_") else name

@@ -98,7 +98,7 @@ def _curves(report: AuditReport, charted: list[Charted]) -> Chart:
 
 def _differences(report: AuditReport, colours: Sequence[str]) -> Chart:
     """JaC of every two sources, one less the other, over tau."""
-    names = [source.name for source in report.evaluated]
+    names = [source.marked_name for source in report.evaluated]
     pairs = report.certainty.pairs[:_MOST_PAIRS]
     shown = _LARGEST_TAU >= TAU_GRID
 
@@ -151,7 +151,7 @@ def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
             )
             (missing,) = np.nonzero(np.isnan(jac))
             axes.plot(missing + 1, np.zeros(len(missing)), "x", color=INK, ms=4, mew=1)
-            axes.set_title(chart_label(one.source.name), y=1.0)
+            axes.set_title(chart_label(one.look.name), y=1.0)
             axes.set(
                 ylabel=f"JaC@{report.tau:g}, %",
                 ylim=(-4, 104),

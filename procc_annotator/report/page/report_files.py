@@ -28,6 +28,7 @@ _COLUMNS = (
     *(whole(count.key) for count in COUNTS), Column("field"),
     *(end for figure in WITH_INTERVAL for end in interval_columns(figure)), whole("rank"),
     Column("clusters"),
+    whole("fitted_on_these_clicks"),  # of the cameras: so many
 )  # fmt: skip
 
 
@@ -59,6 +60,7 @@ def _source_entry(source: ReportedSource) -> dict[str, Any]:
         "folder": source.folder,
         "model": source.model or None,
         "described": source.described,
+        **({"fitted_on_these_clicks": source.fitted} if source.fitted else {}),
         "failure": source.failure or None,
         "summary": {shortest(t): summary_entry(s) for t, s in source.summaries.items()},
         "unmatched_cameras": list(source.unmatched),
@@ -91,10 +93,11 @@ def report_csv(report: AuditReport) -> bytes:
         ends = report.certainty.intervals[place]
         for tau, summary in source.summaries.items():
             within = [end for f in WITH_INTERVAL for end in ends_of(ends[f.key, tau])]
-            known = (*within, ranks[tau][place], report.certainty.clusters.described)
+            clusters = report.certainty.clusters.described
+            known = (*within, ranks[tau][place], clusters, source.fitted)
             rows.append((*_row(report, source, tau, summary), *known))
             for name, found in summary.per_class.items():
-                rows.append((*_row(report, source, tau, found, name), *unknown))
+                rows.append((*_row(report, source, tau, found, name), *unknown, source.fitted))
     return csv_bytes(Sheet("report", "", _COLUMNS, tuple(rows)))
 
 

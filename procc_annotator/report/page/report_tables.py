@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from procc_annotator.field.landmarks import titles_of_all_frames
+from procc_annotator.io.camera_files.fitted_on import FITTED
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.sheet.figure import shortest
 from procc_annotator.report.sheet.figures import (
@@ -36,7 +37,9 @@ def comparison_table(report: AuditReport) -> Sheet:
         of(COMPLETENESS),
         of(FINAL_SCORE, f"@{report.tau:g}"),
     )
-    rows = tuple((s.name, s.model or None, *_figures(s, taus, report.tau)) for s in report.sources)
+    rows = tuple(
+        (s.marked_name, s.model or None, *_figures(s, taus, report.tau)) for s in report.sources
+    )
     return Sheet(
         "comparison", "Comparison of camera sources", columns, rows, terms(report),
         (_rests_on(report),), _best_beyond_chance(report, taus),
@@ -80,6 +83,8 @@ def _rests_on(report: AuditReport) -> str:
     rests = f"JaC and mean error are means over the frames with a camera ({own} of {first.images})."
     if len(counts) < 2:
         return rests
+    if any(source.fitted for source in report.evaluated):
+        rests += f" A source {FITTED} explains them and is no method: it is never bold."
     return (
         f"{rests} Bold is what is better than every other source beyond chance, on the frames both"
         " have; completeness and final score over all frames."
@@ -107,7 +112,7 @@ def frames_table(report: AuditReport) -> Sheet:
             )
             missing = figures.images - figures.evaluated
             counts = (figures.images, figures.evaluated, missing, mirrored)
-        rows.append((source.name, source.folder, *counts, len(source.unmatched)))
+        rows.append((source.marked_name, source.folder, *counts, len(source.unmatched)))
     return Sheet("frames", "Frames behind the figures", columns, tuple(rows))
 
 
@@ -116,8 +121,8 @@ def classes_section(report: AuditReport) -> Sheet:
     sources = report.evaluated
     columns = [Column("class", "Class")]
     for source in sources:
-        jac = of(JAC, f"@{report.tau:g}", key=f"jac:{source.name}", group=source.name)
-        columns += [jac, of(MEDIAN_PX, key=f"median:{source.name}", group=source.name)]
+        jac = of(JAC, f"@{report.tau:g}", key=f"jac:{source.name}", group=source.marked_name)
+        columns += [jac, of(MEDIAN_PX, key=f"median:{source.name}", group=source.marked_name)]
     titles = titles_of_all_frames(report.setup.field)
     medians = [_class_medians(source) for source in sources]
     figures = [source.summaries[report.tau].per_class for source in sources]
@@ -156,7 +161,7 @@ def errors_table(report: AuditReport) -> Sheet:
         spread: tuple[float | None, ...] = (None,) * 3
         if len(errors):
             spread = (*np.percentile(errors, (50, 95)).tolist(), float(errors.max()))
-        row = (source.name, len(errors), points.undefined, *spread, *(lean or (None, None)))
+        row = (source.marked_name, len(errors), points.undefined, *spread, *(lean or (None, None)))
         rows.append(row)
     return Sheet("errors", "Reprojection errors", columns, tuple(rows), terms(report))
 
@@ -166,7 +171,7 @@ def every_frame_table(report: AuditReport) -> Sheet:
     sources = report.evaluated
     columns = (
         Column("frame", "Frame"),
-        *(of(JAC, key=f"jac:{source.name}", heading=source.name) for source in sources),
+        *(of(JAC, key=f"jac:{source.name}", heading=source.marked_name) for source in sources),
     )
     rows = []
     for name in report.frames:

@@ -73,7 +73,7 @@ def intervals_sheet(
         certainty.sources, certainty.intervals, summaries, strict=True
     ):
         for tau in certainty.thresholds:
-            row: list[Value] = [source.name, tau]
+            row: list[Value] = [source.marked_name, tau]
             for figure in WITH_INTERVAL:
                 row += [figure.of(summary[tau]), *ends_of(found[figure.key, tau])]
             rows.append(tuple(row))
@@ -103,12 +103,12 @@ def differences_sheet(certainty: Certainty, described: str) -> Sheet:
     for tau in certainty.thresholds:
         for pair in certainty.pairs:
             row: list[Value] = [
-                tau, certainty.sources[pair.a].name, certainty.sources[pair.b].name,
+                tau, certainty.sources[pair.a].marked_name, certainty.sources[pair.b].marked_name,
                 pair.shared, len(pair.only_a), len(pair.only_b),
             ]  # fmt: skip
             for _, key in _DIFFERENCES:
                 found = pair.differences[key, tau]
-                if found.beyond_chance:
+                if found.beyond_chance and certainty.may_be_bold(pair.a, pair.b, key):
                     bold.add((len(rows), len(row)))
                 row += [found.value, *ends_of(found.interval)]
             jac = pair.differences["mean_jac", tau]
@@ -116,7 +116,8 @@ def differences_sheet(certainty: Certainty, described: str) -> Sheet:
     notes = (
         f"In brackets {certainty.described}.",
         "JaC and mean error are compared on the frames both sources have; frames that only one has"
-        " count for completeness and the final score. Bold: beyond chance.",
+        " count for completeness and the final score. Bold: beyond chance, between methods"
+        " whose errors are of the same points.",
     )
     return Sheet(
         "differences", "Is the difference real", tuple(columns), tuple(rows), described, notes,
@@ -141,7 +142,10 @@ def ranks_sheet(certainty: Certainty, described: str) -> Sheet:
     places = {tau: certainty.ranks("mean_jac", tau) for tau in certainty.thresholds}
     chances = certainty.chances_of_being_best
     rows = tuple(
-        (source.name, *(v for t in certainty.thresholds for v in (places[t][n], chances[t][n])))
+        (
+            source.marked_name,
+            *(v for t in certainty.thresholds for v in (places[t][n], chances[t][n])),
+        )
         for n, source in enumerate(certainty.sources)
     )
     note = (
@@ -159,7 +163,7 @@ def power_sheet(certainty: Certainty, described: str) -> Sheet:
     columns += [
         whole(f"frames_for_{100 * p:g}", f"{100 * p:g}", group="frames for points") for p in POINTS
     ]
-    names = [source.name for source in certainty.sources]
+    names = [source.marked_name for source in certainty.sources]
     rows: list[tuple[Value, ...]] = []
     for at, tau in enumerate(certainty.thresholds):
         for pair in certainty.pairs:
@@ -200,7 +204,7 @@ def curves_sheet(certainty: Certainty, described: str) -> Sheet:
     rows: list[tuple[Value, ...]] = []
     for pair in certainty.pairs:
         band = certainty.curve_of_difference(pair.a, pair.b)
-        names = certainty.sources[pair.a].name, certainty.sources[pair.b].name
+        names = certainty.sources[pair.a].marked_name, certainty.sources[pair.b].marked_name
         for at in range(0, len(TAU_GRID), _CURVE_STEP):
             ends = (float(side[at]) for side in (band.values, band.low, band.high))
             known = (v if np.isfinite(v) else None for v in ends)

@@ -28,7 +28,7 @@ def clicks_sheets(certainty: Certainty, noise: ClickNoise, described: str) -> li
         spread, own = spread_of(certainty, place), source.ratios("mean_jac")
         for at, tau in enumerate(certainty.thresholds):
             jac = _known(own.parts[:, at].sum() / max(own.wholes[:, at].sum(), 1.0))
-            rows.append((source.name, tau, jac, *_of_clicks(spread, at)))
+            rows.append((source.marked_name, tau, jac, *_of_clicks(spread, at)))
     note = (
         f"Every point moved by {noise.px:g} px (standard deviation along x and y), {noise.repeats}"
         f" times, seed {noise.seed}. {CLICK_SHARE.definition}"
@@ -54,7 +54,7 @@ def _clicked_pairs_sheet(certainty: Certainty, note: str, described: str) -> She
     every = pairs_under_clicks(certainty)
     for at, tau in enumerate(certainty.thresholds):
         for pair, clicked in zip(certainty.pairs, every, strict=True):
-            names = certainty.sources[pair.a].name, certainty.sources[pair.b].name
+            names = certainty.sources[pair.a].marked_name, certainty.sources[pair.b].marked_name
             value = pair.differences["mean_jac", tau].value
             rows.append(
                 (tau, *names, value, *_of_clicks(clicked.spread, at), clicked.told_apart_from)

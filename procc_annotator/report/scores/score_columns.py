@@ -18,6 +18,9 @@ FRAME_COLUMNS = (
     *map(of, OF_FRAME),
 )  # fmt: skip
 
+# Whether the camera was fitted to the annotation it is judged by.
+FITTED_COLUMN = Column("fitted_on_these_clicks", kind="yes_no")
+
 
 def frame_values(score: FrameScore | None) -> tuple[Value, ...]:
     """A frame's figures at a threshold, a value for each of `FRAME_COLUMNS`."""
@@ -37,7 +40,7 @@ _KEY_COLUMNS = (
 )  # fmt: skip
 COLUMNS = (
     *_KEY_COLUMNS, _required("counted", "yes_no"), Column("model"), *FRAME_COLUMNS,
-    whole("points"), Column("camera"), Column("error"), _required("version"),
+    whole("points"), Column("camera"), Column("error"), _required("version"), FITTED_COLUMN,
 )  # fmt: skip
 NAMES = tuple(column.key for column in COLUMNS)
 KEYS = len(_KEY_COLUMNS)  # they come first

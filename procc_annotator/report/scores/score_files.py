@@ -68,6 +68,8 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
         }
     image: dict[str, Any] = {"name": result.name, "camera": result.camera, "error": result.error}
     image["results"] = entries
+    if result.fitted:
+        image["fitted_on_these_clicks"] = True
     if by:
         image["groups"] = dict(zip(by, result.groups, strict=True))
     return msgspec.json.encode(image)

@@ -35,7 +35,9 @@ def figures_of(result: FrameResult, thresholds: Sequence[float]) -> tuple[Figure
         figures = [None if v != v else v for v in frame_values(score)]  # NaN is undefined
         said = error or "no camera" if score is None else error
         points = None if score is None else len(score.labelling.all_distances)
-        rows.append((name, threshold, result.counted, model, *figures, points, camera, said))
+        rows.append(
+            (name, threshold, result.counted, model, *figures, points, camera, said, result.fitted)
+        )
     return tuple(rows)
 
 
@@ -50,8 +52,8 @@ def whole_rows(
     )  # fmt: skip
     names = _text(set_name), _text(method)
     return [
-        (*names, frame, threshold, *terms, *rest, __version__)
-        for frame, threshold, *rest in figures
+        (*names, frame, threshold, *terms, *rest, __version__, fitted)
+        for frame, threshold, *rest, fitted in figures
     ]
 
 

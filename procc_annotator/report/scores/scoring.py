@@ -108,6 +108,7 @@ class Scored:
     rows: list[Row] = field(default_factory=list)
     in_pixels: tuple[str, ...] = ()
     sums: SourceSums | None = None
+    fitted: int = 0
 
     @property
     def first_threshold(self) -> float:
@@ -362,6 +363,7 @@ class _Scoring:
             self._rows,
             run.in_pixels,
             SourceSums.of(self._asked.method, self._thresholds, self._sums),
+            run.fitted,
         )
 
     def write_end(self, more: Mapping[str, Any]) -> None:

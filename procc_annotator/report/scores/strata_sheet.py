@@ -32,8 +32,8 @@ def strata_sheet(
             count = float(own.wholes[:, at].sum())
             row += [float(own.parts[:, at].sum()) / count if count else None]
             row += ends_of(ends["mean_jac", tau])
-        for found in part.differences.values():
-            if found.beyond_chance:
+        for (a, b), found in part.differences.items():
+            if found.beyond_chance and certainty.may_be_bold(a, b, "mean_jac"):
                 bold.add((len(rows), len(row)))
             row += [found.value, *ends_of(found.interval), found.corrected]
         rows.append(tuple(row))
@@ -48,7 +48,7 @@ def strata_sheet(
 
 
 def _columns(certainty: Certainty, by: str, tau: float) -> tuple[Column, ...]:
-    names = [source.name for source in certainty.sources]
+    names = [source.marked_name for source in certainty.sources]
     columns = [Column("value", by), whole("frames", "frames")]
     for name in names:
         columns += _with_interval(MEAN_JAC, f"JaC@{tau:g} %", name)

@@ -13,6 +13,7 @@ from typing import Protocol
 
 from procc_annotator.camera.model_name import model_name
 from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.session.dataset.file_stamps import FileStamps, stamp_of
@@ -22,11 +23,13 @@ _KEPT = 64
 
 @dataclass(frozen=True, eq=False)
 class CameraForFrame:
-    """A frame's camera in pixels of the evaluation size, its model, and a remark for the user."""
+    """A frame's camera in pixels of the evaluation size, its model, a remark for the user, and what
+    it was fitted to (see `LoadedCamera`)."""
 
     camera: CameraOrProjections
     model: str
     notice: str | None
+    fitted_on: str | None = None
 
 
 class FrameCameras(Protocol):
@@ -174,6 +177,13 @@ class CameraSet:
             self._recent.move_to_end(key)
             return found
 
+    def fitted_on(self, frame_name: str) -> str | None:
+        """What a frame's camera was fitted to, see `LoadedCamera`; None of one that is damaged."""
+        try:
+            return self._cameras.read(frame_name).fitted_on
+        except CameraError:
+            return None
+
     def why_none(self, frame_name: str) -> str:
         """Why a frame has no camera, for people."""
         return f"{self.name} has no camera for {frame_name}"
@@ -188,7 +198,7 @@ class CameraSet:
         camera, notice = fit_to_size(loaded, size, self.camera_size)
         remarks = [*loaded.notices, *([notice] if notice else [])]
         model = model_name(camera, loaded.model, size)
-        return CameraForFrame(camera, model, "; ".join(remarks) or None)
+        return CameraForFrame(camera, model, "; ".join(remarks) or None, loaded.fitted_on)
 
 
 def _name_of(path: Path) -> str:

@@ -185,17 +185,20 @@ def annotated_videos(folder: Path) -> list[Path]:
     except OSError:  # usually: no such folder
         return []
     found = [f for f in (frames_folder(folder / name) for name in names) if holds_annotations(f)]
-    if not found or holds_annotations(folder / ANNOTATIONS_FOLDER) or holds_annotations(folder):
+    if not found or holds_annotations(folder / ANNOTATIONS_FOLDER):
+        return []
+    if holds_annotations(folder, deeper=False):
         return []
     return found
 
 
-def holds_annotations(folder: Path) -> bool:
-    """Whether there is any annotation file in a folder."""
+def holds_annotations(folder: Path, *, deeper: bool = True) -> bool:
+    """Whether there is any annotation file in a folder, or deeper in it."""
     if not folder.is_dir():
         return False
     with open_source(folder) as source:
-        return bool(list_annotations(source))
+        found = list_annotations(source)
+    return bool(found) and (deeper or not found.in_tree)
 
 
 def json_stems(folder: Path) -> list[str]:

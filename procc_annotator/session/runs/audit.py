@@ -51,6 +51,7 @@ class FrameAudit:
             the protocol gives a point no distance.
         pose: None for models without one (homographies, projections alone).
         mirrored: whether the better labelling is a mirrored one; not on a tie.
+        fitted: whether the camera was fitted to the annotation it is judged by.
     """
 
     frame: str
@@ -61,6 +62,7 @@ class FrameAudit:
     residuals_px: NDArray[np.float32]
     pose: Pose | None
     mirrored: bool = False
+    fitted: bool = False
 
     @property
     def errors_px(self) -> NDArray[np.float32]:
@@ -73,7 +75,13 @@ class FrameAudit:
 
 
 def audit_frame(
-    frame: str, camera: CameraOrProjections, model: str, measurement: Measurement, tau: float
+    frame: str,
+    camera: CameraOrProjections,
+    model: str,
+    measurement: Measurement,
+    tau: float,
+    *,
+    fitted: bool = False,
 ) -> FrameAudit:
     """Keep what plots and reports need of a measured frame.
 
@@ -83,6 +91,7 @@ def audit_frame(
         model: the camera's model, for people.
         measurement: of the frame's annotation against the camera.
         tau: px, decides whether mirrored labels count; on a tie the labels as they are.
+        fitted: whether the camera was fitted to the annotation.
     """
     read = score_to_read(measurement, tau)
     labelling = read.labelling
@@ -103,6 +112,7 @@ def audit_frame(
         _joined([f - p for f, p in zip(feet, points, strict=True)]),
         pose_in_degrees(camera),
         read.mirrored,
+        fitted,
     )
 
 

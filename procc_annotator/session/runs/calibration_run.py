@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.fisheye import FisheyeCamera
@@ -15,6 +16,7 @@ from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.result import FitResult, PoseDeviations
 from procc_annotator.io.camera_files.camera_writers import encode_camera
+from procc_annotator.io.camera_files.fitted_on import DIGEST, FIT_KEY, annotation_digest
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.io.source import FileSource
@@ -51,6 +53,7 @@ class Calibrated:
         size: what it was fitted at; None if its annotation cannot be read.
         open: what the points leave open of the camera, in words; empty where they determine it.
         folds: whether the official evaluation would show what the lens folds back.
+        digest: `annotation_digest` of what was fitted; empty without a camera.
     """
 
     name: str
@@ -67,6 +70,7 @@ class Calibrated:
     size: FrameSize | None = None
     open: str = ""
     folds: bool = False
+    digest: str = ""
 
     @property
     def has_camera(self) -> bool:
@@ -121,7 +125,8 @@ def scored(
         sums.add_missing_camera(name)
         failure = fit.failure or "no camera was found"
         return Calibrated(name, fit.model, failure=failure, size=used)
-    file_name, data = camera_file(name, fit)
+    digest = annotation_digest(annotation)
+    file_name, data = camera_file(name, fit, digest)
     measurement = measure(annotation, fit.camera, sums.setup.at(fit.size).of_frame(name))
     scores = {threshold: score(measurement, threshold) for threshold in sums.thresholds}
     sums.add(name, None, scores)  # each frame at its own size
@@ -138,15 +143,19 @@ def scored(
         size=used,
         open=hardly_determined(fit),
         folds=folds_into_picture(fit.camera, sums.setup.tables, fit.size),
+        digest=digest,
     )
 
 
-def camera_file(name: str, fit: FitResult) -> tuple[str, bytes]:
+def camera_file(name: str, fit: FitResult, digest: str | None = None) -> tuple[str, bytes]:
     """File name and content of a frame's fitted camera.
 
     A pinhole becomes a SoccerNet camera that names the picture size its pixels belong to; a
     fisheye, which these cannot hold, a file of `cv::FileStorage`; a homography a .npy in the
     convention that this suffix stands for (yards, picture of 1280 x 720).
+
+    Args:
+        digest: of the annotation that was fitted; a SoccerNet camera then names model and digest.
     """
     if isinstance(fit.camera, HomographyCamera):
         data, _ = encode_camera(LoadedCamera(fit.camera, "homography", fit.size), "carwc")
@@ -156,8 +165,10 @@ def camera_file(name: str, fit: FitResult) -> tuple[str, bytes]:
         return f"{name}.yml", data
     if fit.camera is None:
         raise ValueError("a failed fit has no camera")
-    size = {"image_width": fit.size[0], "image_height": fit.size[1]}
-    return f"camera_{name}.json", write_camera(fit.camera, size)
+    more: dict[str, Any] = {"image_width": fit.size[0], "image_height": fit.size[1]}
+    if digest is not None:
+        more[FIT_KEY] = {"model": fit.model, DIGEST: digest}
+    return f"camera_{name}.json", write_camera(fit.camera, more)
 
 
 class CalibrationRun(SetRun[FrameFile, Calibrated, SetAccumulator]):

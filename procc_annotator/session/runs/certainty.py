@@ -128,26 +128,56 @@ class Certainty:
         """Of every two sources, by their places."""
         return {(pair.a, pair.b): pair.differences[key, tau] for pair in self.pairs}
 
-    def ranks(self, key: str, tau: float) -> list[int]:
+    @cached_property
+    def methods(self) -> list[int]:
+        """The sources that are ranked: not those fitted to the clicks they are judged by."""
+        return [at for at, source in enumerate(self.sources) if not source.fitted]
+
+    def ranks(self, key: str, tau: float) -> list[int | None]:
         """The place of each source; those that the data cannot tell apart share it."""
-        return ranks(len(self.sources), self.differences(key, tau), BETTER[key])
+        found: list[int | None] = [None] * len(self.sources)
+        places = ranks(len(self.methods), self._among_methods(key, tau), BETTER[key])
+        for at, place in zip(self.methods, places, strict=True):
+            found[at] = place
+        return found
 
     def best(self, key: str, tau: float) -> int | None:
-        """The place of the source that is better than all others beyond chance."""
-        return sole_best(len(self.sources), self.differences(key, tau), BETTER[key])
+        """Which source is better than all others beyond chance."""
+        best = sole_best(len(self.methods), self._among_methods(key, tau), BETTER[key])
+        return None if best is None else self.methods[best]
+
+    def may_be_bold(self, a: int, b: int, key: str) -> bool:
+        """Whether a difference of two sources may be told as one between methods: none of them was
+        fitted to the clicks, and their errors are of the same points."""
+        if not {a, b} <= set(self.methods):
+            return False
+        return key != "mean_error" or self.sources[a].ground_only == self.sources[b].ground_only
+
+    def _among_methods(self, key: str, tau: float) -> dict[tuple[int, int], PairedDifference]:
+        """`differences` of those that are ranked, by their places among these."""
+        at = {source: place for place, source in enumerate(self.methods)}
+        every = self.differences(key, tau).items()
+        return {(at[a], at[b]): d for (a, b), d in every if a in at and b in at}
 
     @cached_property
-    def chances_of_being_best(self) -> dict[float, list[float]]:
-        """Threshold -> in which share of the sets drawn each source has the highest mean JaC, on
-        the frames that all have."""
-        everywhere = np.logical_and.reduce([source.with_camera for source in self.sources])
-        ratios = [source.ratios("mean_jac").of(everywhere) for source in self.sources]
+    def chances_of_being_best(self) -> dict[float, list[float | None]]:
+        """Threshold -> in which share of the sets drawn each source that is ranked has the highest
+        mean JaC, on the frames that all of these have."""
+        ranked = [self.sources[at] for at in self.methods]
+        found: dict[float, list[float | None]] = {
+            tau: [None] * len(self.sources) for tau in self.thresholds
+        }
+        if not ranked:
+            return found
+        everywhere = np.logical_and.reduce([source.with_camera for source in ranked])
+        ratios = [source.ratios("mean_jac").of(everywhere) for source in ranked]
         drawn = sample(Ratios.beside(ratios), self.clusters.numbers, self.draws).drawn
         count = len(self.thresholds)
-        return {
-            tau: chances_of_being_best(list(drawn[:, at::count].T), +1)
-            for at, tau in enumerate(self.thresholds)
-        }
+        for at, tau in enumerate(self.thresholds):
+            chances = chances_of_being_best(list(drawn[:, at::count].T), +1)
+            for place, chance in zip(self.methods, chances, strict=True):
+                found[tau][place] = chance
+        return found
 
     def jac_alone(self, source: int) -> tuple[Sampled, int]:
         """The mean JaC of a source at each threshold, and its frames with a camera."""

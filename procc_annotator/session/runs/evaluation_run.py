@@ -12,6 +12,7 @@ from typing import TypeVar
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.fitted_on import fitted_words
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
@@ -77,6 +78,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         notices: remarks on the cameras.
         counted, with_camera: frames so far that count, and those of them that were scored.
         ground_only: whether one of the cameras so far knows only the ground.
+        fitted: how many of the cameras so far were fitted to the annotations they are judged by.
     """
 
     task: ScoreChunk[T]
@@ -102,7 +104,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         self.tagged = sum(frame.name in tags.values for frame in frames)
         self.unmatched_cameras = tuple(name for name in with_camera if name not in annotated)
         self.notices = cameras.notices
-        self.counted = self.with_camera = 0
+        self.counted = self.with_camera = self.fitted = 0
         self.ground_only = False
         self._sums = task.new_tally()
         self._require_cameras(annotations, cameras)
@@ -136,6 +138,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         self.counted += sums.counted
         self.with_camera += sums.with_camera
         self.ground_only |= sums.ground_only
+        self.fitted += sums.fitted
 
     @property
     def in_pixels(self) -> tuple[str, ...]:
@@ -157,7 +160,9 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
 
     def describe(self) -> str:
         """Protocol, size and what else the numbers depend on, in words."""
-        return self.setup.describe(self.ground_only)
+        described = self.setup.describe(self.ground_only)
+        mark = fitted_words(self.fitted, self.with_camera)
+        return f"{described}, {mark}" if mark else described
 
 
 def in_pixels_words(frames: Sequence[str]) -> str:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.io.camera_files.fitted_on import marked
 from procc_annotator.metric.chance.sampling import Ratios
 from procc_annotator.metric.polylines import BoolArray, FloatArray
 from procc_annotator.metric.score import FrameScore, jac_curve
@@ -35,6 +36,8 @@ class FrameSums:
         model: of the camera; empty without one.
         moved: (R, T + S) JaC with all points moved R times, at each threshold and each of
             `SPARSE_TAUS`; None unless it was asked for.
+        fitted: whether the camera was fitted to the annotation it is judged by.
+        ground_only: whether the camera knows only the ground.
     """
 
     frame: str
@@ -44,6 +47,8 @@ class FrameSums:
     pose: Pose | None = None
     model: str = ""
     moved: NDArray[np.float32] | None = None
+    fitted: bool = False
+    ground_only: bool = False
 
 
 def frame_sums(
@@ -69,6 +74,8 @@ def frame_sums(
         pose_in_degrees(evaluated.camera),
         evaluated.model,
         moved,
+        result.fitted,
+        result.ground_only,
     )
 
 
@@ -113,6 +120,22 @@ class SourceSums:
     def with_camera(self) -> BoolArray:
         """(F,) whether the source has a camera."""
         return np.array([frame.curve is not None for frame in self.frames], dtype=bool)
+
+    @property
+    def fitted(self) -> bool:
+        """Whether some of its cameras were fitted to the annotations they are judged by: no method
+        among methods, and never the best of them."""
+        return any(frame.fitted for frame in self.frames)
+
+    @property
+    def ground_only(self) -> bool:
+        """Whether some of its cameras know only the ground: their errors are of fewer points."""
+        return any(frame.ground_only for frame in self.frames)
+
+    @property
+    def marked_name(self) -> str:
+        """Its name as tables tell it beside others."""
+        return marked(self.name, self.fitted)
 
     def ratios(self, key: str) -> Ratios:
         """A figure of the set at each threshold, by its key in `SetSummary`."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from contextlib import suppress
 from pathlib import Path
@@ -13,14 +12,12 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import SaveError
 from procc_annotator.fit.result import FitResult
-from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.camera_files.fitted_on import BESIDE, DIGEST, FIT_KEY, annotation_digest
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.session.runs.calibration_run import camera_file
 
 FOLDER = Path("cameras") / "fitted"  # in the dataset's folder
-_KEY = "fit"  # of a camera file, what it was fitted from
-_BESIDE = ".fit"  # of a file that says it for a homography, whose own file holds numbers only
 
 
 def fitted_folder(dataset: Path) -> Path:
@@ -50,7 +47,7 @@ def save_fit(
     """
     name, data = camera_file(frame, fit)
     path = folder / name
-    beside = folder / f"{frame}{_BESIDE}"
+    beside = folder / f"{frame}{BESIDE}"
     others = _cameras_of(folder, frame)
     for there in others:
         if not _is_saved_fit(there, beside):
@@ -65,7 +62,7 @@ def save_fit(
         raise SaveError(f"{path}: could not be saved: {reason}") from error
     if isinstance(fit.camera, PinholeCamera):
         size = {"image_width": fit.size[0], "image_height": fit.size[1]}
-        write_atomic(path, write_camera(fit.camera, {**size, _KEY: what}))
+        write_atomic(path, write_camera(fit.camera, {**size, FIT_KEY: what}))
         others = [*others, beside]
     else:
         # First what it was fitted from: without it the camera could not be replaced later.
@@ -85,7 +82,7 @@ def _fitted_from(annotation: FrameAnnotation, fit: FitResult, field: str) -> dic
         "model": fit.model,
         "chosen_because": fit.chosen_because,
         "field": field,
-        "annotation_sha256": hashlib.sha256(write_annotation(annotation)).hexdigest(),
+        DIGEST: annotation_digest(annotation),
         "image_size": list(fit.size),
         "elements": [element.name for element in fit.elements if not element.left_out],
         "left_out": list(fit.left_out),
@@ -117,5 +114,5 @@ def _is_saved_fit(path: Path, beside: Path) -> bool:
         content = json.loads(path.read_bytes())
     except (OSError, ValueError):
         return False
-    found = content.get(_KEY) if isinstance(content, dict) else None
+    found = content.get(FIT_KEY) if isinstance(content, dict) else None
     return isinstance(found, dict) and str(found.get("program", "")).startswith("procc-annotator ")

@@ -14,6 +14,7 @@ from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.metric.measure import Measurement, measure, measure_frames
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
@@ -34,7 +35,8 @@ class FrameResult:
     ``counted`` is False for an unreadable annotation: it is listed but belongs to no figure of the
     set, for nobody knows what a camera should have agreed with. A frame whose camera is missing or
     unreadable is counted (it lowers the completeness) and has no scores. ``groups`` are its values
-    of what the set is grouped by, None where it has none; ``model`` is empty without a camera.
+    of what the set is grouped by, None where it has none; ``model`` is empty without a camera;
+    ``fitted`` says that the camera was fitted to this very annotation.
     """
 
     name: str
@@ -46,6 +48,7 @@ class FrameResult:
     ground_only: bool = False
     model: str = ""
     groups: tuple[str | None, ...] = ()
+    fitted: bool = False
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -81,6 +84,7 @@ class Tally:
     counted: int = 0
     with_camera: int = 0
     ground_only: bool = False
+    fitted: int = 0  # cameras fitted to the annotations they are judged by
     in_pixels: list[str] = field(default_factory=list)  # frames whose coordinates look like that
 
     def of_frame(self, by: tuple[str, ...], groups: tuple[str | None, ...]) -> list[SetAccumulator]:
@@ -143,6 +147,7 @@ class _Read(NamedTuple):
     camera: CameraOrProjections | None = None
     model: str = ""
     notices: tuple[str, ...] = ()
+    fitted: bool = False
     error: str | None = None
 
 
@@ -154,7 +159,8 @@ def _read(frame: FrameFiles, task: ScoreChunk[Any]) -> _Read:
     if not frame.has_camera:
         return _Read(frame, annotation)
     try:
-        return _Read(frame, annotation, *_load_camera(frame.name, task, task.cameras.opened))
+        found = _load_camera(frame.name, annotation, task, task.cameras.opened)
+        return _Read(frame, annotation, *found)
     except InputError as error:
         return _Read(frame, annotation, error=str(error))
 
@@ -215,6 +221,7 @@ def _scored(
     ground_only = measurement.projected.ground_only
     tally.with_camera += 1
     tally.ground_only |= ground_only
+    tally.fitted += read.fitted
     result = FrameResult(
         name,
         task.cameras.opened.display(name),
@@ -224,13 +231,14 @@ def _scored(
         ground_only=ground_only,
         model=read.model,
         groups=groups,
+        fitted=read.fitted,
     )
     return Evaluated(result, read.camera, read.model, measurement, read.annotation)
 
 
 def _load_camera(
-    name: str, task: ScoreChunk[Any], cameras: CameraCollection
-) -> tuple[CameraOrProjections, str, tuple[str, ...]]:
+    name: str, annotation: FrameAnnotation, task: ScoreChunk[Any], cameras: CameraCollection
+) -> tuple[CameraOrProjections, str, tuple[str, ...], bool]:
     if name not in cameras.frames:  # it was there when the set was listed, on the first machine
         raise CameraError(
             cameras.path, f"holds no camera of frame {name!r} any more", advice="try again"
@@ -238,4 +246,5 @@ def _load_camera(
     loaded = cameras.read(name)
     camera, scaled = fit_to_size(loaded, task.setup.size, task.camera_size)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
-    return camera, model_name(camera, loaded.model, task.setup.size), notices
+    model = model_name(camera, loaded.model, task.setup.size)
+    return camera, model, notices, is_fitted_on(loaded.fitted_on, annotation)

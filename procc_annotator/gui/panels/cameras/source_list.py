@@ -12,6 +12,7 @@ from procc_annotator.gui.panels.cameras.source_row import SourceRow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
+from procc_annotator.io.camera_files.fitted_on import FITTED
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.workspace import Workspace
 
@@ -138,11 +139,12 @@ class SourceList(QWidget):
         known = self._document.source_frames.of(source)
         camera = known.camera if known is not None else None
         ground = " (ground)" if camera is not None and projects_only_ground(camera) else ""
+        mark = f", {FITTED}" if source.fitted else ""
         if len(models) == 1:
-            return models[0] + ground
+            return models[0] + ground + mark
         if known is None or camera is None:
-            return "several models" if models else ""
-        return known.model + ground + (" here, several models" if models else "")
+            return f"several models{mark}" if models else ""
+        return known.model + ground + (" here, several models" if models else "") + mark
 
     def _matched(self, source: CameraSource) -> tuple[str, str]:
         """How many frames have a camera, and which of these cannot be used."""

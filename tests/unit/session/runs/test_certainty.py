@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.report.scores.chance_sheets import differences_sheet
 from procc_annotator.session.runs.audit import TAU_GRID, Pose
 from procc_annotator.session.runs.certainty import Certainty, same_frames
 from procc_annotator.session.runs.click_spreads import pairs_under_clicks, spread_of
@@ -51,6 +53,34 @@ def three() -> tuple[SourceSums, ...]:
 
 def certain(sources, by=NONE, tags=None, order=None) -> Certainty:
     return Certainty(sources, clusters_of(sources[0].names, by, tags or {}, order), DRAWS)
+
+
+def test_a_fit_to_the_clicks_is_never_the_best_and_takes_no_place(three) -> None:
+    plain, better, _ = three
+    fitted = SourceSums("fit", TAUS, tuple(replace(f, fitted=True) for f in better.frames))
+    worse = source("worse", [f.figures[1, 0] - 0.1 for f in plain.frames])
+    found = certain((plain, fitted, worse))
+    assert certain((plain, better, worse)).best("mean_jac", 5.0) == 1
+    assert found.best("mean_jac", 5.0) == 0  # of the methods
+    assert found.ranks("mean_jac", 5.0) == [1, None, 2]
+    assert found.chances_of_being_best[5.0] == [pytest.approx(1.0), None, pytest.approx(0.0)]
+    assert certain((plain, fitted)).best("mean_jac", 5.0) is None  # one method alone
+    assert certain((fitted,)).chances_of_being_best[5.0] == [None]
+    sheet = differences_sheet(found, "")
+    methods = [{row[1], row[2]} == {"plain", "worse"} for row in sheet.rows]
+    assert {row for row, _ in sheet.bold} == {row for row, those in enumerate(methods) if those}
+    assert {row[1] for row in sheet.rows} == {"plain", "fit (fitted on these clicks)"}
+
+
+def test_the_error_of_fewer_points_is_not_bold(three) -> None:
+    plain, better, _ = three
+    flat = SourceSums("flat", TAUS, tuple(replace(f, ground_only=True) for f in better.frames))
+    columns = [c.key for c in differences_sheet(certain((plain, better)), "").columns]
+    error = columns.index("mean_error_difference")
+    assert any(at == error for _, at in differences_sheet(certain((plain, better)), "").bold)
+    bold = differences_sheet(certain((plain, flat)), "").bold
+    assert bold
+    assert not any(at == error for _, at in bold)
 
 
 def test_means_are_compared_on_the_frames_both_have_and_scores_on_all(three) -> None:

@@ -1,0 +1,112 @@
+"""Cameras that were fitted to the clicks they are judged by say so beside methods."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+MARK = "fitted on these clicks"
+FEW = ("--draws", 200, "--seed", 1)
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(path.read_text())))
+
+
+def plain(text: str) -> str:
+    return " ".join(text.split())
+
+
+@pytest.fixture
+def fits(cli, dataset, tmp_path) -> Path:
+    out = tmp_path / "fits"
+    assert cli("calibrate", dataset.root, out).exit_code == 0
+    return out
+
+
+def test_evaluate_marks_them_in_every_output(cli, dataset, fits, tmp_path) -> None:
+    out, table = tmp_path / "scores.json", tmp_path / "board.csv"
+    done = cli(
+        "evaluate", dataset.annotations, "--cameras", f"theirs={dataset.cameras}",
+        "--cameras", f"ours={fits}", "-o", out, "-o", tmp_path / "scores.csv", "--table", table,
+        "--intervals", *FEW,
+    )  # fmt: skip
+    assert done.exit_code == 0, done.stderr
+    assert MARK in plain(done.stdout)
+    assert f"ours ({MARK})" in plain(done.stdout)
+    theirs, ours = json.loads(out.read_text())["evaluations"]
+    assert all(image["fitted_on_these_clicks"] for image in ours["images"])
+    assert not any("fitted_on_these_clicks" in image for image in theirs["images"])
+    for path in (tmp_path / "scores.csv", table):
+        found = {(row["method"], row["fitted_on_these_clicks"]) for row in rows(path)}
+        assert found == {("theirs", "false"), ("ours", "true")}
+
+
+def test_other_clicks_are_not_those_of_the_fit(cli, dataset, fits) -> None:
+    for name in ("1", "2"):
+        path = dataset.annotations / f"{name}.json"
+        content = json.loads(path.read_text())
+        next(iter(content.values()))[0]["x"] += 1e-6
+        path.write_text(json.dumps(content))
+    done = cli("evaluate", dataset.annotations, fits)
+    assert f"{MARK} in 3 of 5 frames" in plain(done.stdout)
+    for name in ("3", "10", "11"):
+        (dataset.annotations / f"{name}.json").unlink()
+    assert MARK not in cli("evaluate", dataset.annotations, fits).stdout
+
+
+@pytest.mark.parametrize(("model", "kept"), [("H", "calibration.csv"), ("R", "camera_*.json")])
+def test_one_of_both_places_is_enough(cli, dataset, tmp_path, model, kept) -> None:
+    """Homographies are known by the table beside them, pinholes by their own file as well."""
+    fits, moved = tmp_path / "all", tmp_path / "moved"
+    assert cli("calibrate", dataset.root, fits, "--model", model).exit_code == 0
+    moved.mkdir()
+    for path in (*fits.glob("*.npy"), *fits.glob(kept)):
+        shutil.copy(path, moved)
+    assert MARK in plain(cli("evaluate", dataset.annotations, moved).stdout)
+    archive = shutil.make_archive(str(tmp_path / "zipped"), "zip", moved)
+    assert MARK in plain(cli("evaluate", dataset.annotations, archive).stdout)
+
+
+def test_a_table_of_something_else_says_nothing(cli, dataset) -> None:
+    for text in ("name,jac\n1,2\n", "\x00\xff", 'name,annotation_sha256\n"1'):
+        (dataset.cameras / "calibration.csv").write_text(text)
+        done = cli("evaluate", dataset.annotations, dataset.cameras)
+        assert done.exit_code == 0
+        assert MARK not in done.stdout
+
+
+def test_the_report_marks_them_and_ranks_methods_only(cli, dataset, fits, tmp_path) -> None:
+    out = tmp_path / "r.html"
+    given = [f"theirs={dataset.cameras}", f"ours={fits}"]
+    done = cli(
+        "report", dataset.root, "--cameras", given[0], "--cameras", given[1], "-o", out,
+        "-o", tmp_path / "r.tex", "-o", tmp_path / "r.csv", "-o", tmp_path / "r.json",
+        "--worst", 0, "--random", 0, *FEW,
+    )  # fmt: skip
+    assert done.exit_code == 0, done.output
+    assert out.read_text().count(f"ours ({MARK})") > 5  # tables and charts
+    assert f"ours ({MARK})" in plain((tmp_path / "r.tex").read_text())
+    ranks = {row["source"]: row["rank"] for row in rows(tmp_path / "r.csv") if not row["class"]}
+    assert ranks == {"theirs": "1", "ours": ""}
+    fitted = {row["source"]: row["fitted_on_these_clicks"] for row in rows(tmp_path / "r.csv")}
+    assert fitted == {"theirs": "0", "ours": "5"}
+    theirs, ours = json.loads((tmp_path / "r.json").read_text())["sources"]
+    assert (ours["fitted_on_these_clicks"], "fitted_on_these_clicks" in theirs) == (5, False)
+
+
+def test_compare_marks_them_where_it_knows_the_dataset(cli, dataset, fits, tmp_path) -> None:
+    out = tmp_path / "compared.json"
+    done = cli("compare", f"theirs={dataset.cameras}", f"ours={fits}", dataset.root, "-o", out)
+    assert done.exit_code == 0, done.stderr
+    assert f"ours ({MARK})" in plain(done.stdout)
+    said = json.loads(out.read_text())
+    assert (said["b"]["fitted_on_these_clicks"], "fitted_on_these_clicks" in said["a"]) == (
+        True,
+        False,
+    )
