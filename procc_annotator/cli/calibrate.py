@@ -54,7 +54,9 @@ the annotated points are met a little less closely. Where a group has one positi
 enough for a camera. positions.csv tells the positions and how the frames' own ones scattered.
 
 The JaC compares the cameras with the points they were fitted to. It tells how well the model can
-explain the annotation, not how well it would show what nobody annotated.
+explain the annotation, not how well it would show what nobody annotated. --held-out tells that:
+every element is left out in turn and judged by the camera of the others, which takes some ten times
+as long.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is listed with the reason and is no error.
@@ -79,6 +81,13 @@ SharedPosition = Annotated[
         "--shared-position", help="One position for the frames that a camera took from there."
     ),
 ]
+HeldOut = Annotated[
+    bool,
+    typer.Option(
+        "--held-out",
+        help="Also leave out every element in turn, and judge it by the camera of the others.",
+    ),
+]
 Overwrite = Annotated[
     bool, typer.Option("--overwrite", help="Replace cameras of OUT that are there.")
 ]
@@ -99,11 +108,14 @@ def calibrate(
     dask: options.Dask = None,
     shared_position: SharedPosition = False,
     groups: options.Groups = None,
+    held_out: HeldOut = False,
     overwrite: Overwrite = False,
 ) -> None:
     check_model(model)
     if groups is not None and not shared_position:
         raise UsageError("--groups is for --shared-position")
+    if held_out and shared_position:
+        raise UsageError("--held-out is for cameras of their own, not for --shared-position")
     setup = options.make_setup(
         field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
     )
@@ -118,7 +130,7 @@ def calibrate(
             if shared_position:
                 run = fit_set(source, dataset, setup, sizes, model, groups, workers, dask)
                 raise typer.Exit(_share(run, setup, thresholds, out))
-            each = CalibrationRun(source, setup, sizes, thresholds, model)
+            each = CalibrationRun(source, setup, sizes, thresholds, model, hold_out=held_out)
             raise typer.Exit(_each_alone(each, out, workers, dask))
         except Interrupted as stopped:
             raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
@@ -140,8 +152,11 @@ def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str |
     """Give every frame a camera of its own, write and print everything; returns the exit code."""
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
-        report = calibrate_set(run, out, with_progress)
+        hold_out = run.task.hold_out
+        report = calibrate_set(run, out, with_progress, hold_out=hold_out)
     _print_report(report, out)
+    if hold_out:
+        stdout_console().print(calibration.held_out_table(report))
     if (out / POSITIONS_FILE).exists():
         typer.echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"

@@ -15,11 +15,18 @@ from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.figures import FRAME_ERROR, FRAME_ERROR_COUNTED, JAC
-from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
+from procc_annotator.report.sheet.figures import (
+    FRAME_ERROR,
+    FRAME_ERROR_COUNTED,
+    HELD_OUT,
+    IN_SAMPLE,
+    JAC,
+)
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
 from procc_annotator.report.targets import Interrupted, is_archive, open_target
 from procc_annotator.session.dataset.fit_sizes import SizesUsed
 from procc_annotator.session.runs.calibration_run import Calibrated
+from procc_annotator.session.runs.held_out import HeldOutElement, passed
 from procc_annotator.words import count_of
 
 _FAILURES_SHOWN = 20
@@ -58,6 +65,7 @@ class CalibrationReport:
         stale: files of earlier runs for frames that got none of this kind now.
         open: frames whose cameras the points hardly determine.
         folded: frames whose cameras the official evaluation folds into the picture.
+        held_out: elements left out in turn, of all frames.
         remarks: on the sizes of the pictures, and on these, one line each.
     """
 
@@ -74,10 +82,16 @@ class CalibrationReport:
     open: list[str] = field(default_factory=list)
     folded: list[str] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    held_out: list[HeldOutElement] = field(default_factory=list)
 
 
 def calibrate_set(
-    run: Run, out: Path, progress: Progress, more: Mapping[str, bytes] | None = None
+    run: Run,
+    out: Path,
+    progress: Progress,
+    more: Mapping[str, bytes] | None = None,
+    *,
+    hold_out: bool = False,
 ) -> CalibrationReport:
     """Calibrate a set, write its cameras and the table of figures.
 
@@ -88,6 +102,7 @@ def calibrate_set(
         out: folder, or archive if the name ends in .zip.
         progress: shows the progress of what it passes on.
         more: further files for OUT, by name.
+        hold_out: whether the table tells of elements left out.
 
     Raises:
         SaveError: writing failed.
@@ -105,11 +120,14 @@ def calibrate_set(
                     target.write(result.file_name, result.data)
                     written.add(result.file_name)
                     worst.add(FrameRow.of(result.name, result.scores[thresholds[0]]))
-                rows.append(_row(result, thresholds))
+                told = _held_out_row(result, thresholds) if hold_out else ()
+                rows.append((*_row(result, thresholds), *told))
                 _note(result, report)
         except KeyboardInterrupt:
             raise Interrupted(len(written), run.total) from None
-        table = Sheet("calibration", "", _columns(thresholds), tuple(rows))
+        columns = _columns(thresholds)
+        columns += _held_out_columns(thresholds) if hold_out else ()
+        table = Sheet("calibration", "", columns, tuple(rows))
         target.write(TABLE_FILE, csv_bytes(table))
         for file_name, data in (more or {}).items():
             target.write(file_name, data)
@@ -128,6 +146,7 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
     elif result.failure is not None:
         report.failures.append((result.name, result.failure))
     report.left_out += bool(result.left_out)
+    report.held_out += result.held_out
     if result.open:
         report.open.append(result.name)
     if result.folds:
@@ -168,6 +187,32 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> Row:
         scores[0].mean_reprojection_error, scores[0].mean_error, *deviations, result.file_name,
         None, result.place, *size, result.open, result.digest,
     )  # fmt: skip
+
+
+def _held_out_columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:
+    passed_at = (whole(f"held_out_passed_{threshold:g}") for threshold in thresholds)
+    return (whole("held_out_elements"), *passed_at)
+
+
+def _held_out_row(result: Calibrated, thresholds: tuple[float, ...]) -> Row:
+    if not result.has_camera:
+        return (None,) * (1 + len(thresholds))
+    predicted = [element.predicted_px for element in result.held_out]
+    return (len(predicted), *(passed(predicted, threshold) for threshold in thresholds))
+
+
+def held_out_table(report: CalibrationReport) -> Sheet:
+    """The share of elements that the camera of the others shows well, beside that of all."""
+    count = len(report.held_out)
+    rows = []
+    for tau in report.summaries:
+        found = (
+            passed((e.predicted_px for e in report.held_out), tau),
+            passed((e.explained_px for e in report.held_out), tau),
+        )
+        rows.append((tau, count, *(n / count if count else None for n in found)))
+    columns = (TAU, whole("elements", "elements"), of(HELD_OUT), of(IN_SAMPLE))
+    return Sheet("held_out", "Elements left out in turn", columns, tuple(rows), report.described)
 
 
 def deviations_table(report: CalibrationReport) -> Sheet:

@@ -368,3 +368,31 @@ def test_a_camera_has_one_mean_error_in_calibrate_and_in_evaluate(cli, dataset, 
         assert result["mean_error"] < 1
     results = [image["results"]["0.0001"] for image in images]
     assert any(r["mirrored"] and r["mean_reprojection_error"] > 100 for r in results)
+
+
+def test_elements_left_out_are_judged_by_the_others(cli, dataset, tmp_path) -> None:
+    path = dataset.annotations / "1.json"
+    content = json.loads(path.read_text())
+    name = next(n for n in content if n.startswith("Circle"))
+    content[name] = [{"x": p["x"], "y": p["y"] + 12 / 539} for p in content[name]]
+    path.write_text(json.dumps(content))
+    out = tmp_path / "fitted"
+    done = cli("calibrate", dataset.root, out, "-t", 2, "-t", 5, "--held-out")
+    assert done.exit_code == 0, done.stderr
+    assert "Elements left out in turn" in done.stdout
+    rows = table(out)
+    assert list(rows["1"])[-3:] == ["held_out_elements", "held_out_passed_2", "held_out_passed_5"]
+    assert rows["3"]["held_out_elements"] == "0"  # few elements: the others determine no camera
+    exact = rows["2"]
+    assert int(exact["held_out_elements"]) > 3
+    assert exact["held_out_passed_5"] == exact["held_out_elements"]
+    moved = rows["1"]
+    assert int(moved["held_out_passed_5"]) < int(moved["held_out_elements"])
+    several = cli("calibrate", dataset.root, tmp_path / "two", "--held-out", "--workers", 2)
+    assert several.exit_code == 0, several.stderr
+    assert table(tmp_path / "two")["1"]["held_out_elements"] == moved["held_out_elements"]
+    plain = tmp_path / "plain"
+    cli("calibrate", dataset.root, plain)
+    assert "held_out_elements" not in table(plain)["1"]
+    refused = cli("calibrate", dataset.root, tmp_path / "no", "--held-out", "--shared-position")
+    assert refused.exit_code == 2

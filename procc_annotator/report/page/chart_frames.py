@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.floating[Any]]
 
 _MOST_PAIRS = 3  # of sources; more would fill a page
+_ONE_FRAME, _SMALLEST_MARK, _LARGEST_MARK = 6.0, 2.0, 120.0  # areas, points squared
 
 
 def frame_charts(report: AuditReport, charted: list[Charted]) -> list[Chart]:
@@ -79,10 +80,11 @@ def _pairs(report: AuditReport, charted: list[Charted], jacs: list[Floats]) -> C
             scatter.scatter(
                 places[:, 0],
                 places[:, 1],
-                6 * counts,
+                _mark_areas(counts),
                 color=charted[i].look.colour,
                 alpha=0.55,
                 linewidths=0,
+                clip_on=False,  # most lie at the ends of the axes
             )
             scatter.set(
                 xlabel=f"{names[0]}, JaC %", ylabel=f"{names[1]}, JaC %", xlim=(-3, 103),
@@ -93,8 +95,8 @@ def _pairs(report: AuditReport, charted: list[Charted], jacs: list[Floats]) -> C
             ordered.axhline(0, color=FAINT, lw=0.8, ls=":")
             ordered.plot(share, np.sort(a - b), color=charted[i].look.colour, lw=1.2)
             ordered.set(
-                xlabel="frames, %, in this order", ylabel=f"{names[0]} less {names[1]}, points",
-                xlim=(0, 100),
+                xlabel="frames, %, in the order of the difference",
+                ylabel=f"{names[0]} less {names[1]}, points", xlim=(0, 100),
             )  # fmt: skip
 
     cut = " The first pairs of many." if len(charted) > 3 else ""
@@ -108,3 +110,9 @@ def _pairs(report: AuditReport, charted: list[Charted], jacs: list[Floats]) -> C
         2.7 * len(pairs),
         draw,
     )
+
+
+def _mark_areas(counts: NDArray[np.intp]) -> Floats:
+    """Areas of marks that stand for so many frames: of a large set they would hide each other."""
+    one = min(_ONE_FRAME, _LARGEST_MARK / counts.max(initial=1))
+    return np.asarray(np.maximum(one * counts, _SMALLEST_MARK), dtype=np.float64)

@@ -98,7 +98,7 @@ def panel_boxes(
 ) -> Floats:
     """Left, bottom, width and height (N, 4) of panels row by row; all in inches."""
     width, height = size
-    left, right, beside = 0.6, 0.1, 0.14
+    left, right, beside = 0.6, 0.18, 0.14
     high = (height - top_in - bottom_in - between_in * (rows - 1)) / rows
     wide = (width - left - right - beside * (columns - 1)) / columns
     return np.array(

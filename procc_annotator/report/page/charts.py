@@ -27,7 +27,7 @@ from procc_annotator.session.runs.audit import TAU_GRID
 from procc_annotator.session.runs.audit_figures import (
     POSE_QUANTITIES,
     POSE_UNITS,
-    envelope,
+    FloatArray,
     mean_curve,
     poses,
     timeline,
@@ -40,8 +40,8 @@ if TYPE_CHECKING:
 _LARGEST_TAU = 20.0
 _FRAMES = "frame, counted in natural order"
 _MOST_PAIRS = 6  # of sources; more would fill a page
-_MOST_IN_A_ROW = 300  # frames beside each other; of more the JaC would be a smear
-_MOST_PLACES = 1500  # of a line; more could not be told apart on paper
+_MOST_IN_A_ROW = 300  # frames beside each other; lines from frame to frame of more are a smear
+_STRETCHES = 100  # that more frames are summed up in
 _DRAWABLE = 1e6  # what a damaged camera says beyond that would leave no room for the others
 
 
@@ -145,10 +145,8 @@ def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
         rows = panels(figure, len(charted), between_in=0.26)
         for axes, one in zip(rows, charted, strict=True):
             jac = 100 * timeline(report.frames, one.source.audits, report.tau)
-            places, values = envelope(jac, 0, len(jac), _MOST_PLACES)
-            axes.plot(
-                places + 1, values, color=one.look.colour, lw=0.7, marker=one.look.marker, ms=1.8
-            )
+            places = np.arange(len(jac)) + 1
+            axes.plot(places, jac, color=one.look.colour, lw=0.7, marker=one.look.marker, ms=1.8)
             (missing,) = np.nonzero(np.isnan(jac))
             axes.plot(missing + 1, np.zeros(len(missing)), "x", color=INK, ms=4, mew=1)
             axes.set_title(chart_label(one.look.name), y=1.0)
@@ -158,6 +156,7 @@ def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
                 yticks=(0, 50, 100),
                 xlim=(0, len(report.frames) + 1),
             )
+            axes.locator_params(axis="x", integer=True)
             axes.tick_params(labelbottom=axes is rows[-1])
         rows[-1].set_xlabel(_FRAMES)
 
@@ -173,6 +172,7 @@ def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
 
 def _poses(report: AuditReport, charted: list[Charted]) -> Chart:
     found = [(c, poses(report.frames, c.source.audits)) for c in charted]
+    many = len(report.frames) > _MOST_IN_A_ROW
 
     def draw(figure: Figure) -> None:
         rows = panels(figure, len(POSE_QUANTITIES), between_in=0.12, top_in=0.35)
@@ -182,21 +182,47 @@ def _poses(report: AuditReport, charted: list[Charted]) -> Chart:
             for one, over in found:
                 values = over.values[:, column]
                 values = np.where(np.abs(values) < _DRAWABLE, values, np.nan)
-                places, shown = envelope(values, 0, len(values), _MOST_PLACES)
-                axes.plot(places + 1, shown, **{**line_style(one.look), "lw": 0.8})
+                if many:
+                    centres, low, medians, high = _stretches(values)
+                    axes.fill_between(centres, low, high, color=one.look.colour, alpha=0.25, lw=0)
+                    axes.plot(centres, medians, **{**line_style(one.look), "lw": 0.9})
+                else:
+                    places = np.arange(len(values)) + 1
+                    axes.plot(places, values, **{**line_style(one.look), "lw": 0.8})
             axes.set_ylabel(f"{quantity}, {unit}")
             axes.tick_params(labelsize=6.5, labelbottom=axes is rows[-1])
             axes.set_xlim(0, len(report.frames) + 1)
+            axes.locator_params(axis="x", integer=True)
         rows[-1].set_xlabel(_FRAMES)
         legend_above(figure, charted)
 
     without = [s.name for s in report.evaluated if not poses(report.frames, s.audits).with_pose]
     rest = f" Without a pose: {', '.join(without)}." if without else ""
+    summed = (
+        f" Lines are medians of {_STRETCHES} stretches of the set, shaded from the least to the"
+        " largest value in each."
+        if many
+        else ""
+    )
     return draw_chart(
         7,
         "Where the cameras stand and look",
         "Pose and focal length (px of the evaluation size) over the frames; in a sequence, a jump"
-        f" stands out. The height is above the ground; values over a million are left out.{rest}",
+        f" stands out.{summed} The height is above the ground; values over a million are left out."
+        f"{rest}",
         7.6,
         draw,
     )
+
+
+def _stretches(values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Middle, least, median and largest value of stretches of a row; NaN where one has none."""
+    rows = []
+    start = 1
+    for part in np.array_split(values, _STRETCHES):
+        known = part[np.isfinite(part)]
+        told = np.quantile(known, (0, 0.5, 1)) if len(known) else np.full(3, np.nan)
+        rows.append((start + (len(part) - 1) / 2, *told))
+        start += len(part)
+    centres, low, medians, high = np.array(rows).T
+    return centres, low, medians, high

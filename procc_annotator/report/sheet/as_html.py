@@ -23,7 +23,7 @@ def html_table(sheet: Sheet, *, short: bool = True, sortable: bool = False) -> s
     lines = [
         f'<div class="{classes}" tabindex="0" role="region" aria-label="{caption}">',
         '<table class="sortable">' if sortable else "<table>",
-        f"<caption>{caption}</caption>",
+        f"<caption><span>{caption}</span></caption>",
         "<thead>",
         *_groups(content.groups),
         "<tr>",
@@ -34,7 +34,8 @@ def html_table(sheet: Sheet, *, short: bool = True, sortable: bool = False) -> s
     ]
     for row in content.rows:
         cells = (_cell(c, cell) for c, cell in zip(content.columns[1:], row[1:], strict=True))
-        lines += ["<tr>", f'<th scope="row">{escape(row[0].text)}</th>', *cells, "</tr>"]
+        head = f'<th scope="row"{_side(content.columns[0])}>{escape(row[0].text)}</th>'
+        lines += ["<tr>", head, *cells, "</tr>"]
     lines += ["</tbody>", "</table>", *(f"<p>{escape(note)}</p>" for note in content.notes)]
     return "\n".join([*lines, "</div>\n"])
 
@@ -55,7 +56,7 @@ def _heading(column: ShownColumn) -> str:
     arrow = ""
     if column.better is not None:
         meaning, sign = _ARROWS[column.better]
-        arrow = f'&nbsp;<span aria-label="{meaning}">{sign}</span>'
+        arrow = f'&nbsp;<span role="img" aria-label="{meaning}">{sign}</span>'
     return f'<th scope="col"{_side(column)}>{escape(column.heading)}{arrow}</th>'
 
 

@@ -286,6 +286,14 @@ SCORE_DIFFERENCE = Figure(
     "final_score_difference", "final score, A less B", "%", signed=True,
     definition="The final score of A less that of B, over all annotated frames.",
 )  # fmt: skip
+HELD_OUT = Figure(
+    "held_out", "held out", "%", "higher",
+    definition="The share of elements that are correct under the camera of the other elements.",
+)  # fmt: skip
+IN_SAMPLE = Figure(
+    "in_sample", "in sample", "%", "higher",
+    definition="The share of the same elements that are correct under the camera of all elements.",
+)  # fmt: skip
 ERROR_DIFFERENCE = Figure(
     "mean_error_difference", "mean error, A less B", "px", signed=True,
     definition="The mean reprojection error of A less that of B, on the frames both have.",

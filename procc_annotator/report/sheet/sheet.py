@@ -26,7 +26,8 @@ class Column:
         joined: how its text follows that of the column before it in one cell, ``{}`` being the
             text: `` ± {}``; empty for a cell of its own. Files keep both columns.
         written: how its numbers are written in CSV, e.g. ``.2f``, or ``shortest`` for 5 instead of
-            5.0; otherwise with as many digits as it takes to read back the same value.
+            5.0; otherwise with as many digits as it takes to read back the same value. People see
+            them so, too, where it is no figure that has digits of its own.
         required: never None; Parquet says so.
     """
 
@@ -59,7 +60,7 @@ class Column:
         if isinstance(value, str):
             return value
         if figure is None or self.kind == "whole":
-            return f"{value:.15g}"
+            return f"{value:{'.15g' if self.written in ('', 'shortest') else self.written}}"
         return figure.text(value)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation
@@ -26,6 +26,7 @@ from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes, FrameSize, SizesUsed
+from procc_annotator.session.runs.held_out import HeldOutElement, held_out_elements
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     FrameFile,
@@ -54,6 +55,7 @@ class Calibrated:
         open: what the points leave open of the camera, in words; empty where they determine it.
         folds: whether the official evaluation would show what the lens folds back.
         digest: `annotation_digest` of what was fitted; empty without a camera.
+        held_out: its elements left out in turn, where that was asked for.
     """
 
     name: str
@@ -71,6 +73,7 @@ class Calibrated:
     open: str = ""
     folds: bool = False
     digest: str = ""
+    held_out: tuple[HeldOutElement, ...] = ()
 
     @property
     def has_camera(self) -> bool:
@@ -86,6 +89,7 @@ class CalibrateChunk(AnnotationTask):
     sizes: FitSizes
     thresholds: tuple[float, ...]
     model: str
+    hold_out: bool = False
 
     def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[Calibrated], SetAccumulator]:
         sums = SetAccumulator(self.setup, self.thresholds)
@@ -99,7 +103,11 @@ class CalibrateChunk(AnnotationTask):
         size = self.sizes.of_frame(name, annotation)
         field = field_of_frame(self.setup.field, name)
         fit = fit_camera(annotation, field, model=self.model, size=size.fitted)
-        return scored(name, annotation, fit, sums, size=size)
+        result = scored(name, annotation, fit, sums, size=size)
+        if not self.hold_out:
+            return result
+        own = self.setup.at(fit.size).of_frame(name)
+        return replace(result, held_out=held_out_elements(annotation, fit, own, self.model))
 
 
 def scored(
@@ -189,8 +197,10 @@ class CalibrationRun(SetRun[FrameFile, Calibrated, SetAccumulator]):
         sizes: FitSizes,
         thresholds: tuple[float, ...],
         model: str,
+        *,
+        hold_out: bool = False,
     ) -> None:
-        task = CalibrateChunk(source_kept_open(source), setup, sizes, thresholds, model)
+        task = CalibrateChunk(source_kept_open(source), setup, sizes, thresholds, model, hold_out)
         super().__init__(annotation_files(source), task)
         self.counted = self.with_camera = 0
         self.models = Counter[str]()

@@ -1,0 +1,140 @@
+"""Charts show the frames' own figures, and stay readable however many frames there are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from procc_annotator.field.load import load_field
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.page import chart_frames, charts
+from procc_annotator.report.page.audit_report import AuditReport, ReportedFrame, ReportedSource
+from procc_annotator.report.page.chart_parts import charted_sources
+from procc_annotator.report.page.chart_svg import Chart, draw_chart
+from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit, Pose
+from procc_annotator.session.runs.frame_sums import FrameSums
+
+COLOURS = ("#aa0000", "#0000aa")
+TAU = 5.0
+
+
+@pytest.fixture
+def drawn(monkeypatch: pytest.MonkeyPatch) -> dict[str, Figure]:
+    """The figures that were drawn, by title, as matplotlib has them."""
+    figures: dict[str, Figure] = {}
+
+    def kept(
+        number: int, title: str, text: str, height: float, draw: Callable[[Figure], None]
+    ) -> Chart:
+        chart = draw_chart(number, title, text, height, draw)
+        figures[title] = Figure()
+        draw(figures[title])
+        return chart
+
+    for module in (charts, chart_frames):
+        monkeypatch.setattr(module, "draw_chart", kept)
+    return figures
+
+
+def reported(frame: str, jac: float | None, pan: float = 0.0) -> ReportedFrame:
+    """A frame that has the same JaC at every tau; None: no camera."""
+    if jac is None:
+        return ReportedFrame(frame, {}, None, None, True, (), FrameSums(frame, _NONE, None))
+    curve = np.full(len(TAU_GRID), jac, dtype=np.float32)
+    nothing = np.empty((0, 2), np.float32)
+    pose = Pose(pan, 80.0, 0.0, 2000.0, (0.0, 70.0, -15.0))
+    audit = FrameAudit(frame, "pinhole", curve, np.empty(0, np.int16), nothing, nothing, pose)
+    sums = FrameSums(frame, np.array([[jac, jac, jac, 0.0, 0.0]]), curve, 8, pose, "pinhole")
+    return ReportedFrame(frame, {}, audit, None, True, (), sums)
+
+
+_NONE = np.full((1, 5), np.nan)
+
+
+def report_of(*sources: list[ReportedFrame]) -> AuditReport:
+    setup = EvaluationSetup(load_field("soccer"))
+    named = [
+        # Whoever has a summary has figures; what they are is of no interest here.
+        ReportedSource(f"source {at}", "folder", "auto", {TAU: None}, "", frames=tuple(frames))  # type: ignore[dict-item]
+        for at, frames in enumerate(sources)
+    ]
+    return AuditReport("set", setup, (TAU,), tuple(named))
+
+
+def several(jacs: list[float | None]) -> list[ReportedFrame]:
+    return [reported(f"{at:05d}", jac, pan=at % 7) for at, jac in enumerate(jacs)]
+
+
+A: list[float | None] = [0.5, 1.0, 0.25, None, 1.0, 0.75]
+B: list[float | None] = [0.5, 0.8, 0.75, 0.1, 1.0, None]
+BOTH = [(50, 50), (100, 80), (25, 75), (100, 100)]
+
+
+def test_the_ordered_curve_has_the_frames_values(drawn: dict[str, Figure]) -> None:
+    report = report_of(several(A), several(B))
+    chart_frames.frame_charts(report, charted_sources(report, COLOURS))
+    violins, curves = drawn["How the JaC of frames is distributed"].axes
+    for line, jacs in zip(curves.lines, (A, B), strict=True):
+        known = sorted(100 * jac for jac in jacs if jac is not None)
+        np.testing.assert_allclose(np.asarray(line.get_ydata()), known, atol=1e-4)
+        np.testing.assert_allclose(np.asarray(line.get_xdata()), [10, 30, 50, 70, 90])
+    medians = [float(np.asarray(line.get_ydata())[0]) for line in violins.lines]
+    np.testing.assert_allclose(medians, [75, 75], atol=1e-4)
+
+
+def test_the_scatter_has_the_pairs_and_the_curve_their_differences(
+    drawn: dict[str, Figure],
+) -> None:
+    report = report_of(several(A), several(B))
+    chart_frames.frame_charts(report, charted_sources(report, COLOURS))
+    scatter, ordered = drawn["Two sources, frame by frame"].axes
+    (marks,) = scatter.collections
+    shown = np.asarray(marks.get_offsets())
+    np.testing.assert_allclose(sorted(map(tuple, shown.tolist())), sorted(BOTH), atol=1e-4)
+    zero, differences = ordered.lines
+    assert set(np.asarray(zero.get_ydata()).tolist()) == {0}
+    expected = sorted(a - b for a, b in BOTH)
+    np.testing.assert_allclose(np.asarray(differences.get_ydata()), expected, atol=1e-4)
+
+
+@pytest.mark.parametrize("copies", [1, 10, 400])
+def test_marks_of_many_frames_do_not_hide_each_other(drawn: dict[str, Figure], copies: int) -> None:
+    report = report_of(several(copies * A + [0.9]), several(copies * B + [0.9]))
+    chart_frames.frame_charts(report, charted_sources(report, COLOURS))
+    (marks,) = drawn["Two sources, frame by frame"].axes[0].collections
+    areas = np.asarray(marks.get_sizes())
+    assert areas.max() <= 120
+    assert areas.min() >= 2
+    assert (areas.max() > areas.min()) == (copies > 1)  # what several frames share is larger
+
+
+@pytest.mark.parametrize(("frames", "beside_each_other"), [(300, True), (301, False)])
+def test_frames_are_beside_each_other_only_where_they_can_be_told_apart(
+    drawn: dict[str, Figure], frames: int, beside_each_other: bool
+) -> None:
+    rng = np.random.default_rng(1)
+    values = rng.integers(0, 11, frames) / 10
+    found = charts.draw_charts(report_of(several(values.tolist())), COLOURS)
+    titles = [chart.title for chart in found]
+    assert ("JaC of every frame" in titles) == beside_each_other
+    assert "How the JaC of frames is distributed" in titles
+    assert ("stretches" in found[-1].text) == (not beside_each_other)
+    if beside_each_other:
+        line: Any = drawn["JaC of every frame"].axes[0].lines[0]
+        np.testing.assert_allclose(line.get_ydata(), 100 * values, atol=1e-4)
+    pan: Any = drawn["Where the cameras stand and look"].axes[0].lines[0]
+    assert len(pan.get_xdata()) == (frames if beside_each_other else 100)
+
+
+def test_no_outlier_is_lost_in_a_stretch(drawn: dict[str, Figure]) -> None:
+    frames = several([1.0] * 1454)
+    frames[700] = reported("00700", 1.0, pan=-90.0)
+    charts.draw_charts(report_of(frames), COLOURS)
+    (band,) = drawn["Where the cameras stand and look"].axes[0].collections
+    corners: Any = band.get_paths()[0].vertices
+    assert corners[:, 1].min() == pytest.approx(-90)
+    assert corners[:, 1].max() == pytest.approx(6)
