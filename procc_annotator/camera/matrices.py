@@ -20,6 +20,8 @@ DISTORTION_LENGTHS = (0, 4, 5, 8, 12, 14)
 # A skew is left out when it moves no pixel of the picture by more than this.
 SKEW_TOLERANCE_PX = 0.01
 _LEVEL = 1e-12
+_SINGULAR = 1e15  # condition of a matrix that is not inverted any more
+_ROUNDED_SKEW = 1e-9  # of the focal length: what taking a matrix apart leaves of none
 
 
 @dataclass(frozen=True)
@@ -85,6 +87,42 @@ def intrinsics_of(k: FloatArray, size: tuple[int, int] | None = None) -> Intrins
             f"the skew in K is left out (it moves no pixel by {SKEW_TOLERANCE_PX} px)",
         )
     return Intrinsics((fx, fy), (cx, cy), notices)
+
+
+def taken_apart(projection: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """K, R and t of a projection matrix, which is K [R | t] times any number but 0.
+
+    The sign of the matrix tells nothing: R is a rotation and the focal lengths are positive.
+
+    Args:
+        projection: (3, 4), homogeneous world -> homogeneous px.
+
+    Returns:
+        (3, 3) K with K[2, 2] = 1; (3, 3) R; (3,) t, in the world's units.
+
+    Raises:
+        ValueError: not finite, or its left 3 x 3 part cannot be inverted: no camera with a place.
+    """
+    if projection.shape != (3, 4) or not np.isfinite(projection).all():
+        raise ValueError("the projection matrix is not 3 x 4 finite numbers")
+    p = projection / (np.abs(projection[:, :3]).max() or 1.0)
+    if not np.isfinite(p).all() or np.linalg.cond(p[:, :3]) > _SINGULAR:
+        raise ValueError(
+            "the projection matrix is of no camera with a place (its left 3 x 3 part"
+            " cannot be inverted)"
+        )
+    # An upper triangle times a rotation: the QR decomposition of the matrix read backwards.
+    q, r = np.linalg.qr(p[::-1, :3].T)
+    k, rotation = r.T[::-1, ::-1], q.T[::-1]
+    signs = np.where(np.diag(k) < 0, -1.0, 1.0)
+    k, rotation = np.triu(k * signs), signs[:, None] * rotation
+    t = np.linalg.solve(k, p[:, 3])
+    if np.linalg.det(rotation) < 0:
+        rotation, t = -rotation, -t
+    k = k / k[2, 2]
+    if abs(k[0, 1]) <= _ROUNDED_SKEW * abs(k[0, 0]):
+        k[0, 1] = 0.0
+    return k, rotation, t
 
 
 def pose_of(rotation: FloatArray, t: FloatArray) -> CameraPose:

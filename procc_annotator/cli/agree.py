@@ -11,10 +11,10 @@ from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
 from procc_annotator.cli.field_option import chosen_field
-from procc_annotator.io.source import open_source
 from procc_annotator.report import agreement
 from procc_annotator.report.agreement import Agreed, agree_sets
 from procc_annotator.report.scores.score_files import score_format
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.words import listed
@@ -69,10 +69,13 @@ def agree(
         score_format(output)
         outputs.check_output_folder(output)
     thresholds = options.thresholds_or_default(threshold)
-    with open_source(annotations_of(a)) as source_a, open_source(annotations_of(b)) as source_b:
+    shown = chosen_field(field, a, b)
+    with (
+        open_annotations(annotations_of(a), shown) as source_a,
+        open_annotations(annotations_of(b), shown) as source_b,
+    ):
         if output is not None:
             outputs.check_not_an_input(output, (source_a, source_b))
-        shown = chosen_field(field, a, b)
         for source, of in ((source_a, "A: "), (source_b, "B: ")):
             report_mismatch(source, shown, of)
             report_like_cameras(source, of)

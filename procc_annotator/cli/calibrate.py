@@ -14,7 +14,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.fit.determined import LIMITS
 from procc_annotator.fit.fitting import check_model
 from procc_annotator.io.camera_files.fitted_on import TABLE_FILE
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.source import FileSource
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report import calibration, together
 from procc_annotator.report.calibration import (
@@ -24,6 +24,7 @@ from procc_annotator.report.calibration import (
 from procc_annotator.report.scores import tables
 from procc_annotator.report.targets import Interrupted, is_archive
 from procc_annotator.report.together import POSITIONS_FILE
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.calibration_run import CalibrationRun
 from procc_annotator.session.runs.execution.executor import make_executor
@@ -120,7 +121,7 @@ def calibrate(
     )
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
-    with open_source(place) as source:
+    with open_annotations(place, setup.field) as source:
         _check_out(out, source, overwrite=overwrite, positions=shared_position)
         datasets.report_mismatch(source, setup.field)
         datasets.report_like_cameras(source)

@@ -20,9 +20,9 @@ from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.together import fit_sizes
 from procc_annotator.fit.fitting import check_model
 from procc_annotator.fit.labels.finding import Severity, severity_named
-from procc_annotator.io.source import open_source
 from procc_annotator.report import findings
 from procc_annotator.report.findings import CheckReport
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.check_run import CheckRun
 from procc_annotator.session.runs.execution.executor import make_executor
@@ -113,11 +113,11 @@ def check(
         findings.check_findings_suffix(path)
         outputs.check_output_folder(path)
     place = annotations_of(dataset)
-    with open_source(place) as source:
+    known = chosen_field(field, dataset, lines=lines)
+    with open_annotations(place, known) as source:
         for path in written_to:
             outputs.check_not_an_input(path, [source])
         sizes = fit_sizes(source, place, dataset, size)
-        known = chosen_field(field, dataset, lines=lines)
         mismatch = report_mismatch(source, known)
         report_like_cameras(source)
         run = CheckRun(source, known, sizes, model, looks=paint)

@@ -24,7 +24,7 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
-from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.source import open_source
 from procc_annotator.report import comparison
 from procc_annotator.report.comparison import (
@@ -34,7 +34,6 @@ from procc_annotator.report.comparison import (
     write_comparison,
 )
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.comparison_run import ComparisonRun

@@ -185,7 +185,7 @@ def evaluate(
         for text in dict.fromkeys(size or [options.DEFAULT_SIZE])
     ]
     if submission is not None:
-        require_submitted_for(submission, setups[0], plan.frames())
+        require_submitted_for(submission, setups[0], plan.frames(fields))
     thresholds = options.thresholds_or_default(threshold)
     read_tags = None if tags is None else Tags.read(tags)
     grouped, derived = chance_options.parted_by(by, read_tags, cluster)
@@ -268,8 +268,8 @@ def _tell(
     for line in said:
         typer.echo(line)
     if call.tags is not None:
-        report_remarks(_tags_of_no_frame(call.tags, call.plan))
-    report_remarks(call.plan.remarks([setup.size for setup in call.setups]))
+        report_remarks(_tags_of_no_frame(call.tags, call.plan.frames(call.fields)))
+    report_remarks(call.plan.remarks(call.fields, [setup.size for setup in call.setups]))
     return report_problems(scored)
 
 
@@ -333,9 +333,8 @@ def report_problems(scored: list[Scored]) -> int:
     return 1 if errors else 0
 
 
-def _tags_of_no_frame(tags: Tags, plan: Plan) -> list[str]:
+def _tags_of_no_frame(tags: Tags, frames: Mapping[str, tuple[str, ...]]) -> list[str]:
     """What to say of rows of the file of tags whose frame is annotated in none of the sets."""
-    frames = plan.frames()
     every = {frame for names in frames.values() for frame in names}
     strange = [
         frame for of_set, frame in tags.rows

@@ -19,9 +19,9 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.fit_sizes import pictures_of_another_shape
 from procc_annotator.session.runs.tags import Grouping, Tags
@@ -115,7 +115,7 @@ class Plan:
         own_sizes = [camera_size] + [camera_size or setups[0].size for _ in setups[1:]]
         asked: list[Asked] = []
         for set_name, path in self.sets:
-            source = files.enter_context(open_source(path))
+            source = files.enter_context(open_annotations(path, fields[set_name]))
             own_setups = [_with_field(setup, fields[set_name]) for setup in setups]
             grouping = tags.grouping(by, set_name) if tags else Grouping(by)
             for method in self.methods:
@@ -128,18 +128,18 @@ class Plan:
                 ]
         return asked
 
-    def frames(self) -> dict[str, tuple[str, ...]]:
-        """The annotated frames of each set."""
+    def frames(self, fields: Mapping[str, Field]) -> dict[str, tuple[str, ...]]:
+        """The annotated frames of each set; fields as of `open`."""
         found = {}
         for name, path in self.sets:
-            with open_source(path) as source:
+            with open_annotations(path, fields[name]) as source:
                 found[name] = tuple(list_annotations(source))
         return found
 
-    def remarks(self, sizes: Sequence[tuple[int, int]]) -> list[str]:
+    def remarks(self, fields: Mapping[str, Field], sizes: Sequence[tuple[int, int]]) -> list[str]:
         """On pictures beside the annotations that have another shape than these sizes."""
         said = []
-        frames_of = self.frames()
+        frames_of = self.frames(fields)
         for name, path in self.sets:
             frames = list(frames_of[name])
             of = f"{name}: " if len(self.sets) > 1 else ""

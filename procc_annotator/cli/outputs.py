@@ -149,8 +149,9 @@ def _files(one: Input) -> list[str]:
         return [str(path)]
     if isinstance(one, CameraCollection | CameraSet):
         return list(one.files())
-    # What is shown to a person of a file in a folder is its path.
-    return [one.display(name) for name in one.files()]
+    with open_source(path) as files:
+        names = dict.fromkeys((*files.files(), *one.decoded, *list_annotations(one).values()))
+    return [os.path.join(path, name) for name in names]
 
 
 def _folders(one: Input) -> set[str]:

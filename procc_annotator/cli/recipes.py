@@ -180,7 +180,7 @@ def hashed_input(role: str, source: FileSource | CameraCollection, root: Path) -
     if isinstance(source, CameraCollection):
         names = sorted(os.path.relpath(file, path) for file in source.files())
     else:
-        names = sorted(list_annotations(source).values())
+        names = sorted(source.decoded or list_annotations(source).values())
     files = [_hashed_file(path, Path(name).as_posix()) for name in names]
     return RecipeInput(role, relative(path, root), tuple(f for f in files if f is not None))
 

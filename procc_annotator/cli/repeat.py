@@ -15,7 +15,7 @@ from procc_annotator.cli.recipes import FieldAsked, field_again, hashed_input, m
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.source import open_source, read_file
+from procc_annotator.io.source import read_file
 from procc_annotator.report.recipe import (
     Recipe,
     RecipeEvaluation,
@@ -28,6 +28,7 @@ from procc_annotator.report.recipe import (
 )
 from procc_annotator.report.scores.scoring import Asked, Evaluations, Outcome
 from procc_annotator.report.sheet.as_json import json_bytes
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.version import __version__
 from procc_annotator.words import count_of
@@ -130,9 +131,10 @@ def _open(known: Recipe, root: Path, opened: ExitStack) -> tuple[list[Asked], li
         for path in (one.annotations, one.cameras):
             if _leads_out(path):
                 raise UsageError(f"{path}: leads out of the folder of the inputs")
-        annotations = opened.enter_context(open_source(root / one.annotations))
         cameras = opened.enter_context(CameraCollection.open(root / one.cameras, one.format))
-        shown = field_again(FieldAsked(one.field.given, one.field.lines), root, annotations.path)
+        place = root / one.annotations
+        shown = field_again(FieldAsked(one.field.given, one.field.lines), root, place)
+        annotations = opened.enter_context(open_annotations(place, shown))
         asked.append(
             Asked(
                 one.set, one.source, annotations, cameras, setup_of(one, shown),

@@ -20,9 +20,8 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.frame_names import ByFrame
-from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.page.audit_report import AuditReport, NamedCameras, Work, gather_report
 from procc_annotator.report.page.report_pairs import PairPainters
@@ -39,8 +38,8 @@ from procc_annotator.report.scenes import OverlayLook
 from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.report.sheet.as_latex import ARTICLE_PT
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
@@ -258,7 +257,7 @@ def _make(
 ) -> tuple[AuditReport, list[str]]:
     """Score, draw and write; returns the figures, and what went wrong while drawing."""
     with ExitStack() as opened:
-        source = opened.enter_context(open_source(folder))
+        source = opened.enter_context(open_annotations(folder, call.setup.field))
         collections = [opened.enter_context(_open(spec)) for spec in call.specs]
         datasets.report_mismatch(source, call.setup.field)
         named = list(zip(call.specs, collections, strict=True))

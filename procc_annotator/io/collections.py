@@ -1,12 +1,17 @@
-"""Which file belongs to which frame: ``00037.json`` and ``camera_00037.json`` are frame 00037."""
+"""Which file belongs to which frame: ``00037.json`` and ``camera_00037.json`` are frame 00037.
+
+Where the top folder holds nothing of the kind, and no folder there holds all of it, the source is a
+tree: ``game/00037.json`` and ``game/camera_00037.json`` are frame game/00037.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from pathlib import PurePosixPath
 
 from procc_annotator.errors import InputError
 from procc_annotator.io.camera_files.registry import suffixes_of
-from procc_annotator.io.frame_names import ByFrame
+from procc_annotator.io.frame_names import PICTURE_SUFFIX, ByFrame, frame_of_file
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import stray_notices, strays_among
@@ -18,6 +23,37 @@ _HOMOGRAPHY_ENDING = "_homography"
 # What this program writes beside annotations; a frame cannot have these names.
 MANIFEST_FILE = "manifest.json"
 OWN_FILES = frozenset({"jac.json", "procc.json", MANIFEST_FILE, LANDMARKS_FILE})
+
+
+# A folder with this name belongs to the one it lies in: its files are of that one's frames.
+ANNOTATIONS_FOLDER = "annotations"
+CAMERAS_FOLDER = "cameras"
+
+
+def files_of(source: FileSource, wanted: Callable[[str], bool]) -> tuple[list[str], bool]:
+    """The files of a kind in a source, in natural order, and whether it is a tree of them.
+
+    Args:
+        source: a folder, an archive or a file.
+        wanted: whether a file of this name (without folders) is of the kind.
+
+    Raises:
+        InputError: the source cannot be listed.
+    """
+    top = source.files()
+    found = [name for name in top if wanted(name.rpartition("/")[2])]
+    if found or any(map(PICTURE_SUFFIX.search, top)):  # what lies below pictures is not theirs
+        return found, False
+    return [name for name in source.tree() if wanted(name.rpartition("/")[2])], True
+
+
+def frame_in_tree(file: str, own_folder: str, prefix: str = "") -> str:
+    """The frame that a file of a tree belongs to; as `frame_of_file`, and a folder that only keeps
+    such files apart is left out: ``game/annotations/00037.json`` is of game/00037."""
+    folder, _, name = file.rpartition("/")
+    above, _, last = folder.rpartition("/")
+    kept = above if last == own_folder else folder
+    return frame_of_file(f"{kept}/{name}" if kept else name, prefix)
 
 
 class CameraFiles(ByFrame[str]):
@@ -33,9 +69,11 @@ def may_be_annotation(file_name: str) -> bool:
 
 
 class AnnotationFiles(ByFrame[str]):
-    """Frame name -> annotation file; ``notices`` are remarks a person should see."""
+    """Frame name -> annotation file; ``notices`` are remarks a person should see, ``in_tree`` says
+    whether the frames are called by their paths."""
 
     notices: tuple[str, ...] = ()
+    in_tree: bool = False
 
 
 def list_annotations(source: FileSource) -> AnnotationFiles:
@@ -50,18 +88,33 @@ def list_annotations(source: FileSource) -> AnnotationFiles:
     strays = strays_among(source, found)
     for frame in strays:
         del found[frame]
-    found.notices = stray_notices(strays)
+    if strays and not found and not found.in_tree:  # a table of the matches at the top of a tree
+        deeper = _frame_files(source, source.tree(), in_tree=True)
+        for frame in strays_among(source, deeper):
+            deeper.pop(frame)
+        found = deeper or found
+    found.notices = (*source.notices, *stray_notices(strays))
     return found
 
 
 def list_frame_files(source: FileSource) -> AnnotationFiles:
     """The same, whatever the JSON holds: annotations of other formats than SoccerNet's, too."""
+    return _frame_files(source, *files_of(source, _is_frame_file))
+
+
+def _frame_files(source: FileSource, names: Iterable[str], in_tree: bool) -> AnnotationFiles:
     found = AnnotationFiles()
-    for name in source.files():
+    found.in_tree = in_tree
+    for name in names:
         path = PurePosixPath(name)
-        if path.suffix.lower() == ".json" and may_be_annotation(path.name):
-            _add(found, path.stem, name, source)
+        if _is_frame_file(path.name):
+            frame = frame_in_tree(name, ANNOTATIONS_FOLDER) if in_tree else path.stem
+            _add(found, frame, name, source)
     return found
+
+
+def _is_frame_file(name: str) -> bool:
+    return PurePosixPath(name).suffix.lower() == ".json" and may_be_annotation(name)
 
 
 def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
@@ -75,21 +128,26 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
         InputError: two files of one kind claim to be the camera of the same frame.
     """
     suffixes = suffixes_of(fmt)
-    paths = [PurePosixPath(name) for name in source.files()]
-    paths = [p for p in paths if p.suffix.lower() in suffixes and p.name not in OWN_FILES]
+
+    def wanted(name: str) -> bool:
+        return PurePosixPath(name).suffix.lower() in suffixes and name not in OWN_FILES
+
+    names, in_tree = files_of(source, wanted)
+    frame_of = _frame_of_camera_in_tree if in_tree else _frame_of_camera
+    paths = [PurePosixPath(name) for name in names]
     named = [p for p in paths if _is_json(p) and p.name.startswith(CAMERA_PREFIX)]
     plain = [p for p in paths if _is_json(p) and not p.name.startswith(CAMERA_PREFIX)]
-    others = _by_frame([p for p in paths if not _is_json(p)], source)
+    others = _by_frame([p for p in paths if not _is_json(p)], source, frame_of)
     passed_over: list[PurePosixPath] = []
-    if named or any(camera_frame(p.name) in others for p in plain):
+    if named or any(frame_of(p) in others for p in plain):
         if named:
-            frames = {camera_frame(p.name) for p in named} | others.keys()
-            passed_over = [p for p in plain if camera_frame(p.name) not in frames]
+            frames = {frame_of(p) for p in named} | others.keys()
+            passed_over = [p for p in plain if frame_of(p) not in frames]
         plain = []
-    cameras = _by_frame([*named, *plain], source)
+    cameras = _by_frame([*named, *plain], source, frame_of)
     chosen = others | cameras
     # Both lists are in natural order; one pass over all files restores it for their union.
-    order = dict.fromkeys(camera_frame(p.name) for p in paths)
+    order = dict.fromkeys(map(frame_of, paths))
     found = CameraFiles((frame, chosen[frame]) for frame in order if frame in chosen)
     if passed_over:
         count = len(passed_over)
@@ -115,6 +173,15 @@ def camera_frame(file_name: str) -> str:
     return stem.removeprefix(CAMERA_PREFIX).removesuffix(_HOMOGRAPHY_ENDING)
 
 
+def _frame_of_camera(path: PurePosixPath) -> str:
+    return camera_frame(path.name)
+
+
+def _frame_of_camera_in_tree(path: PurePosixPath) -> str:
+    frame = frame_in_tree(str(path), CAMERAS_FOLDER, CAMERA_PREFIX)
+    return frame.removesuffix(_HOMOGRAPHY_ENDING)
+
+
 def _kind(files: dict[str, str]) -> str:
     storage = any(PurePosixPath(name).suffix.lower() in _STORAGE for name in files.values())
     return "another camera file" if storage else "a homography"
@@ -124,10 +191,12 @@ def _is_json(path: PurePosixPath) -> bool:
     return path.suffix.lower() in _JSON
 
 
-def _by_frame(paths: list[PurePosixPath], source: FileSource) -> dict[str, str]:
+def _by_frame(
+    paths: list[PurePosixPath], source: FileSource, frame_of: Callable[[PurePosixPath], str]
+) -> dict[str, str]:
     found: dict[str, str] = {}
     for path in paths:
-        _add(found, camera_frame(path.name), str(path), source)
+        _add(found, frame_of(path), str(path), source)
     return found
 
 

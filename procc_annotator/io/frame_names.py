@@ -1,4 +1,7 @@
-"""Things by the name of their frame, however its letters are composed.
+"""The names of frames: from the path of a file and back, and things by the name of their frame.
+
+In a flat dataset a frame is called like its picture, ``00037``; in a tree of folders by its path
+below the dataset, ``league/game/00037``.
 
 ``é`` is one character to most programs and ``e`` with an accent to a Mac's file system; both look
 the same, and files of one frame may be named in both ways.
@@ -6,8 +9,57 @@ the same, and files of one frame may be named in both ways.
 
 from __future__ import annotations
 
+import re
 import unicodedata
+from pathlib import PurePosixPath
 from typing import TypeVar, overload
+
+from procc_annotator.errors import UsageError
+
+PICTURE_SUFFIX = re.compile(
+    r"\.(jpe?g|jfif|png|bmp|webp|tiff?|gif|avif|heic|ppm|pgm)$", re.IGNORECASE
+)
+_DRIVE = re.compile(r"[A-Za-z]:")
+
+
+def leads_out(path: str) -> bool:
+    """Whether a path with slashes, as a file tells it, may lead out of the folder it belongs in."""
+    return (
+        path.startswith("/")
+        or "\\" in path
+        or "\0" in path
+        or _DRIVE.match(path) is not None
+        or ".." in path.split("/")
+    )
+
+
+def frame_of_file(path: str, prefix: str = "") -> str:
+    """The frame that a file below a tree belongs to; `file_of_frame` is the way back.
+
+    Args:
+        path: below the dataset, with slashes: ``game/camera_00037.json``.
+        prefix: what the file's own name begins with beside the frame: ``camera_``.
+    """
+    folder, slash, name = path.rpartition("/")
+    return folder + slash + PurePosixPath(name).stem.removeprefix(prefix)
+
+
+def file_of_frame(frame: str, suffix: str, prefix: str = "") -> str:
+    """The path of a frame's file below a folder of such files, with slashes.
+
+    Args:
+        frame: its name: ``00037``, or ``game/00037`` in a tree.
+        suffix: of the file: ``.json``.
+        prefix: what the file's own name begins with beside the frame: ``camera_``.
+
+    Raises:
+        UsageError: the name leads out of that folder.
+    """
+    if leads_out(frame):
+        raise UsageError(f"the frame {frame!r} leads out of the folder its file belongs in")
+    folder, slash, name = frame.rpartition("/")
+    return f"{folder}{slash}{prefix}{name}{suffix}"
+
 
 T = TypeVar("T")
 D = TypeVar("D")

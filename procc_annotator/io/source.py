@@ -1,32 +1,39 @@
 """A folder, a single file or a zip archive, read alike.
 
 Data sets are published as files in the top folder or all inside one split folder (``test/``); both
-look the same here. Deeper files, hidden ones and macOS's resource forks do not count.
+look the same here. Deeper files are a tree, which is listed by itself; hidden ones and macOS's
+resource forks do not count.
 """
 
 from __future__ import annotations
 
 import os
-import re
 import stat
 import struct
 import zipfile
 import zlib
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import Protocol, Self
 
-from natsort import natsorted
+from natsort import natsort_keygen, natsorted
 
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.io.frame_names import leads_out
 from procc_annotator.io.json_text import printable
 
 # A folder with such a name stands where a file was expected; any other may be a split (``v1.2``).
-_FILE_SUFFIXES = frozenset({".json", ".npy", ".txt", ".homographymatrix", ".yml", ".yaml", ".xml"})
+_FILE_SUFFIXES = frozenset(
+    {".json", ".npy", ".npz", ".mat", ".txt", ".homographymatrix", ".yml", ".yaml", ".xml"}
+)
 _LONGEST_NAME = 255  # of what a file system takes; an archive may hold any
 # Annotations and cameras have a few kilobytes. A larger file is another one, or a zip bomb.
 LARGEST_FILE = 50 * 1024 * 1024
+# Deeper folders, or more files than any set has, are a whole disk or a trap.
+_DEEPEST = 24
+_MOST_ENTRIES = 1_000_000
 _METHODS = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
-_DRIVE = re.compile(r"[A-Za-z]:")
 # What zipfile raises for damage in one place or another; RuntimeError is an encrypted member.
 _ZIP_ERRORS = (
     zipfile.BadZipFile,
@@ -47,9 +54,19 @@ class FileSource(Protocol):
     """Files by relative name (``00037.json``, ``test/00037.json``); never extracted, only read."""
 
     path: Path
+    notices: tuple[str, ...]  # what a person should know of it
+    decoded: tuple[str, ...]  # the files that these are made from, where they are no real ones
 
     def files(self) -> list[str]:
-        """Names of the files, in natural order."""
+        """Names of the files at the top, or in the only folder there, in natural order."""
+
+    def tree(self) -> list[str]:
+        """Names of all files, however deep, folder after folder in natural order.
+
+        Raises:
+            InputError: a folder cannot be listed, or there are more, or deeper ones, than any set
+                has.
+        """
 
     def folders(self) -> list[str]:
         """Names of the folders at the top, in natural order."""
@@ -59,6 +76,9 @@ class FileSource(Protocol):
 
     def display(self, name: str) -> str:
         """How to name a file to a person."""
+
+    def opener(self, base: Path) -> Callable[[], FileSource]:
+        """Opens the same once more, in another process; base as of `open_source`."""
 
     def __enter__(self) -> Self: ...
 
@@ -97,8 +117,15 @@ def _from(base: Path | None, path: Path) -> Path:
     return path if base is None else base / path
 
 
-class _NothingHeld:
-    """Sources that open each file anew have nothing to close."""
+class _Opened:
+    """A source of files as they are; those that open each file anew have nothing to close."""
+
+    path: Path
+    notices: tuple[str, ...] = ()
+    decoded: tuple[str, ...] = ()
+
+    def opener(self, base: Path) -> Callable[[], FileSource]:
+        return partial(open_source, self.path, base)
 
     def __enter__(self) -> Self:
         return self
@@ -107,7 +134,7 @@ class _NothingHeld:
         return None
 
 
-class FolderSource(_NothingHeld):
+class FolderSource(_Opened):
     """Files of a folder."""
 
     def __init__(self, path: Path, base: Path | None = None) -> None:
@@ -122,6 +149,12 @@ class FolderSource(_NothingHeld):
             names = [f"{folders[0]}/{name}" for name in inner]
         return natsorted(names)
 
+    def tree(self) -> list[str]:
+        found: list[str] = []
+        for folder, names in walk(Path(self._place)):
+            found += (f"{folder}{name}" for name in natsorted(names))
+        return found
+
     def folders(self) -> list[str]:
         return natsorted(_entries(Path(self._place))[1])
 
@@ -133,7 +166,7 @@ class FolderSource(_NothingHeld):
         return os.path.join(self._folder, name)
 
 
-class SingleFileSource(_NothingHeld):
+class SingleFileSource(_Opened):
     """One file, as a source that holds nothing else."""
 
     def __init__(self, path: Path, base: Path | None = None) -> None:
@@ -142,6 +175,9 @@ class SingleFileSource(_NothingHeld):
 
     def files(self) -> list[str]:
         return [self.path.name]
+
+    def tree(self) -> list[str]:
+        return self.files()
 
     def folders(self) -> list[str]:
         return []
@@ -153,7 +189,7 @@ class SingleFileSource(_NothingHeld):
         return str(self.path)
 
 
-class ZipSource:
+class ZipSource(_Opened):
     """Files of a zip archive; the archive stays open until the source is closed.
 
     Nothing is ever unpacked to disk, and yet an archive is refused as a whole when it holds a name
@@ -172,7 +208,7 @@ class ZipSource:
             ) from error
         for member in self._archive.infolist():
             name = member.orig_filename  # as stored; zipfile may cut or translate the other one
-            if _leads_out(name):
+            if leads_out(name):
                 self._archive.close()
                 raise InputError(
                     path,
@@ -181,14 +217,29 @@ class ZipSource:
                 )
 
     def files(self) -> list[str]:
-        # A member that was replaced by appending is listed twice; the later one counts.
-        members = dict.fromkeys(self._archive.namelist())
-        names = [n for n in members if not n.endswith("/") and _counts(n)]
+        names = self._members()
         top = [n for n in names if "/" not in n]
         if not top:
             folders = {n.split("/", 1)[0] for n in names}
             top = [n for n in names if n.count("/") == 1] if len(folders) == 1 else []
         return natsorted(top)
+
+    def tree(self) -> list[str]:
+        names = self._members()
+        if any(name.count("/") > _DEEPEST for name in names):
+            raise _too_deep(self.path)
+        by_folder: dict[str, list[str]] = {}
+        for name in names:
+            by_folder.setdefault(name.rpartition("/")[0], []).append(name)
+        natural = natsort_keygen()
+        # As `walk` gives them: a folder's own files before those of the folders in it.
+        order = sorted(by_folder, key=lambda folder: [natural(part) for part in folder.split("/")])
+        return [name for folder in order for name in natsorted(by_folder[folder])]
+
+    def _members(self) -> list[str]:
+        # A member that was replaced by appending is listed twice; the later one counts.
+        members = dict.fromkeys(self._archive.namelist())
+        return [n for n in members if not n.endswith("/") and _counts(n)]
 
     def names(self) -> list[str]:
         """Every name in the archive as stored, however deep, hidden or repeated."""
@@ -231,6 +282,43 @@ class ZipSource:
 
     def __exit__(self, *failure: object) -> None:
         self._archive.close()
+
+
+def walk(root: Path) -> Iterator[tuple[str, list[str]]]:
+    """Every folder below a place with the names in it that are not folders: the place itself
+    first, then each folder before those in it, in natural order.
+
+    A folder that is a link is not gone into: it may lead out, or in a circle.
+
+    Yields:
+        The folder below the place with a slash at its end (``game/img1/``; empty for the place
+        itself), and its files' names in no order.
+
+    Raises:
+        InputError: a folder cannot be listed, or there are more, or deeper ones, than any set has.
+    """
+    waiting, met = [""], 0
+    while waiting:
+        folder = waiting.pop()
+        if folder.count("/") > _DEEPEST:
+            raise _too_deep(root)
+        names, folders = _entries(root / folder)
+        met += len(names) + len(folders)
+        if met > _MOST_ENTRIES:
+            raise InputError(
+                root,
+                f"holds more than {_MOST_ENTRIES} files and folders",
+                advice="name a folder further down",
+            )
+        yield folder, names
+        inner = [f"{folder}{name}/" for name in natsorted(folders, reverse=True)]
+        waiting += (name for name in inner if not os.path.islink(root / name.rstrip("/")))
+
+
+def _too_deep(path: Path) -> InputError:
+    return InputError(
+        path, f"holds folders more than {_DEEPEST} deep", advice="name a folder further down"
+    )
 
 
 def _entries(folder: Path) -> tuple[list[str], list[str]]:
@@ -316,14 +404,4 @@ def _too_large(path: Path | str, size: int, error: type[InputError] = InputError
         f"holds {size / 1e6:.0f} MB, expected an annotation or a camera of at most"
         f" {LARGEST_FILE / 1e6:.0f} MB",
         advice="is it this file?",
-    )
-
-
-def _leads_out(name: str) -> bool:
-    return (
-        name.startswith("/")
-        or "\\" in name
-        or "\0" in name
-        or _DRIVE.match(name) is not None
-        or ".." in name.split("/")
     )

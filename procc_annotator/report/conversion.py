@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterable, Iterator
-from dataclasses import dataclass, replace
-from dataclasses import field as attribute
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
-from procc_annotator.io.annotation_files.annotation_formats import (
-    PLAIN,
-    AnnotationFormat,
-    find_annotations,
-    format_named,
+from procc_annotator.io.annotation_files.annotation_formats import format_named
+from procc_annotator.io.annotation_files.exchange import (
+    ExchangedFrame,
+    LabelMap,
+    Reading,
+    Size,
 )
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Size
-from procc_annotator.io.annotation_files.soccernet_classes import require_soccernet
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.json_text import printable
+from procc_annotator.io.annotation_files.read_set import ReadSet, SetReader, read_set
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.report.conversion_output import (
     Converted,
@@ -28,7 +26,6 @@ from procc_annotator.report.conversion_output import (
     keep_apart,
     write_converted,
 )
-from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
     picture_folders,
@@ -39,22 +36,6 @@ from procc_annotator.session.dataset.workspace import Workspace
 Progress = Callable[[int, int], None]
 
 
-@dataclass
-class Imported:
-    """What was read to be taken into a dataset.
-
-    Attributes:
-        title: of the format.
-        frames: frame -> what is annotated in it.
-        problems, losses: as of `Converted`.
-    """
-
-    title: str
-    frames: dict[str, ExchangedFrame] = attribute(default_factory=dict)
-    problems: list[str] = attribute(default_factory=list)
-    losses: list[str] = attribute(default_factory=list)
-
-
 def convert_annotations(
     path: Path,
     out: Path,
@@ -62,6 +43,7 @@ def convert_annotations(
     field: Field,
     *,
     fmt: str = "auto",
+    names: LabelMap | None = None,
     size: Size | None = None,
     progress: Progress | None = None,
 ) -> Converted:
@@ -73,6 +55,7 @@ def convert_annotations(
         wanted: the format and its options.
         field: knows the official names.
         fmt: format of what is read, or ``auto``.
+        names: which classes the labels of the files stand for.
         size: of pictures that are not there and whose size no file tells.
         progress: called with frames done and frames in all.
 
@@ -88,15 +71,12 @@ def convert_annotations(
     folder = _annotation_folder(path)
     keep_apart(path, out)
     with open_source(folder) as source:
-        known, files, strays = _found(source, fmt, field)
         sizes = PictureSizes(picture_folders(path, folder), size)
         pictures = sorted(path.name for path in sizes.files())
-        reading = Reading(field, sizes.size, pictures)
-        assert known.read is not None
-        frames = _once(known.read(source, files, reading), reading, progress)
+        reader = SetReader(source, field, names, fmt=fmt, size_of=sizes.size, pictures=pictures)
         complete = (
             replace(f, size=f.size or sizes.size(f.name), picture=f.picture or sizes.name(f.name))
-            for f in frames
+            for f in reader.frames(progress)
         )
         inputs = _input_files(source) | {os.path.realpath(path) for path in sizes.files()}
         if wanted.into is not None:
@@ -105,9 +85,9 @@ def convert_annotations(
             complete, out, target, wanted, field, inputs,
             lambda frame: sizes.path(Path(frame.picture or "").stem) or sizes.path(frame.name),
         )  # fmt: skip
-    done.source = known.title
-    done = _with_reading(done, reading)
-    done.losses = [*strays, *done.losses]
+    done.source = reader.format.title
+    done.problems = [*reader.reading.problems, *done.problems]
+    done.losses = [*reader.losses, *done.losses]
     return done
 
 
@@ -142,7 +122,9 @@ def export_as(
         lambda frame: _picture_in(workspace, frame.name),
     )  # fmt: skip
     done.source = "the dataset"
-    return _with_reading(done, reading)
+    done.problems = [*reading.problems, *done.problems]
+    done.losses = [*reading.remarks.lines(), *done.losses]
+    return done
 
 
 def read_annotations(
@@ -150,57 +132,27 @@ def read_annotations(
     workspace: Workspace,
     *,
     fmt: str = "auto",
+    names: LabelMap | None = None,
     progress: Progress | None = None,
-) -> Imported:
+) -> ReadSet:
     """Annotations of any format, to be taken into a dataset whose pictures tell their sizes.
 
     Raises:
         UsageError, InputError: as for `convert_annotations`.
     """
     with open_source(_annotation_folder(path)) as source:
-        known, files, strays = _found(source, fmt, workspace.field)
-        pictures = sorted(frame.image_file for frame in workspace.frames)
-        reading = Reading(workspace.field, lambda name: _size_in(workspace, name), pictures)
-        assert known.read is not None
-        done = Imported(known.title)
-        for frame in _once(known.read(source, files, reading), reading, progress):
-            done.frames[frame.name] = frame
-    done.problems, done.losses = reading.problems, [*strays, *reading.remarks.lines()]
-    return done
+        return read_set(
+            source,
+            workspace.field,
+            names,
+            fmt=fmt,
+            size_of=lambda name: _size_in(workspace, name),
+            pictures=sorted(frame.image_file for frame in workspace.frames),
+            progress=progress,
+        )
 
 
 # ------------------------------------------------------------------------------------- reading
-
-
-def _found(
-    source: FileSource, fmt: str, field: Field
-) -> tuple[AnnotationFormat, list[str], tuple[str, ...]]:
-    """The format, its files, and what is to be said of other files beside them."""
-    known, files = find_annotations(source, fmt)
-    if known.classes == "soccernet":
-        require_soccernet(field, known.title)
-    strays = list_annotations(source).notices if known.name == PLAIN else ()
-    return known, files, strays
-
-
-def _once(
-    frames: Iterable[ExchangedFrame], reading: Reading, progress: Progress | None
-) -> Iterator[ExchangedFrame]:
-    """The frames, each name once; the first one stays."""
-    seen: dict[str, str | None] = {}
-    for done, frame in enumerate(frames, start=1):
-        if progress is not None:
-            progress(done, max(done, reading.total or 0))
-        if frame.name in seen:
-            both = (frame.picture, seen[frame.name])
-            of = f", of {' beside '.join(map(printable, filter(None, both)))}" if all(both) else ""
-            reading.problems.append(
-                f"{printable(frame.name)}: a second annotation of this frame{of}"
-                " (rename one of the pictures)"
-            )
-            continue
-        seen[frame.name] = frame.picture
-        yield frame
 
 
 def _frames_of(
@@ -254,9 +206,3 @@ def _annotation_folder(path: Path) -> Path:
 def _input_files(source: FileSource) -> set[str]:
     files = {os.path.realpath(source.display(name)) for name in source.files()}
     return files | {os.path.realpath(source.path)}
-
-
-def _with_reading(done: Converted, reading: Reading) -> Converted:
-    done.problems = [*reading.problems, *done.problems]
-    done.losses = [*reading.remarks.lines(), *done.losses]
-    return done

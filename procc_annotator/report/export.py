@@ -18,6 +18,7 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.annotation_files.soccernet_classes import left_out_words, official_only
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
@@ -32,7 +33,6 @@ from procc_annotator.report.scores.score_files import (
 )
 from procc_annotator.report.targets import Target, open_target
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import FrameResult
 

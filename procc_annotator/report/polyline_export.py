@@ -67,7 +67,8 @@ def export_polylines(
             if frame not in cameras.frames:
                 continue
             try:
-                camera, _ = fit_to_size(cameras.read(frame), setup.size, camera_size)
+                loaded = cameras.read(frame, setup.field)
+                camera, _ = fit_to_size(loaded, setup.size, camera_size)
             except CameraError as error:
                 done.problems.append(str(error))
                 continue

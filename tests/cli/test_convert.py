@@ -297,10 +297,22 @@ def test_the_file_written_into_tells_the_sizes(cli, dataset, tmp_path: Path) -> 
     assert line["points"][:2] == pytest.approx([1919 * points[0]["x"], 1079 * points[0]["y"]])
 
 
-def test_two_pictures_of_one_name_are_told(cli, dataset, tmp_path: Path) -> None:
+def test_pictures_in_several_folders_are_frames_by_their_paths(
+    cli, dataset, tmp_path: Path
+) -> None:
     out = tmp_path / "annotations.xml"
     assert cli("convert", dataset.root, out, "--to", "cvat").exit_code == 0
     out.write_text(out.read_text().replace('name="2.jpg"', 'name="other/1.png"'))
+    done = cli("convert", out, tmp_path / "back", "--to", "soccernet")
+    assert done.exit_code == 0, done.stderr
+    assert (tmp_path / "back" / "other" / "1.json").is_file()
+    assert (tmp_path / "back" / "1.json").is_file()
+
+
+def test_two_pictures_of_one_name_are_told(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "annotations.xml"
+    assert cli("convert", dataset.root, out, "--to", "cvat").exit_code == 0
+    out.write_text(out.read_text().replace('name="2.jpg"', 'name="1.png"'))
     done = cli("convert", out, tmp_path / "back", "--to", "soccernet")
     assert done.exit_code == 1
     assert "1: a second annotation of this frame, of 1.png beside 1.jpg" in done.stderr

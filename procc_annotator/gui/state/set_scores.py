@@ -16,6 +16,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.source_frames import SourceFrame
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.project import project_field
@@ -280,6 +281,8 @@ def _audit(
         return None, str(error)
     if found is None:
         return None, ""
+    if problem := of_another_field(found.assumed_field, setup.field):
+        return None, f"{frame}: {problem} ({NAME_THE_FORMAT})"
     try:
         annotation = read()
     except InputError:  # told when somebody opens this frame; the rest of the set goes on

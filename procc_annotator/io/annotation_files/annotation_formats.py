@@ -22,12 +22,13 @@ from procc_annotator.io.annotation_files import (
 )
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
 from procc_annotator.io.collections import (
-    CAMERA_PREFIX,
-    OWN_FILES,
+    files_of,
     list_annotations,
     list_frame_files,
+    may_be_annotation,
 )
 from procc_annotator.io.source import FileSource
+from procc_annotator.io.strays import is_other_json
 
 Reader = Callable[[FileSource, Sequence[str], Reading], Iterator[ExchangedFrame]]
 Writer = Callable[[Iterable[ExchangedFrame], Writing], None]
@@ -168,7 +169,7 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
         UsageError: no annotation, annotations of several formats, or a format that is only written.
         InputError: two files for one frame, or a source that cannot be listed.
     """
-    known = _told_format(source) if fmt == "auto" else format_named(fmt)
+    known = _one_format(source) if fmt == "auto" else format_named(fmt)
     if known.read is None:
         raise UsageError(f"{known.title} can only be written, not read")
     if known.name == PLAIN:
@@ -176,31 +177,44 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
     elif not known.one_file:
         files = list(list_frame_files(source).values())
     elif PurePosixPath(known.one_file).suffix == ".xml":
-        files = _xml_files(source)
+        files = [name for name in _files(source) if _is_xml(name)]
     else:
         files = [
-            name for name in _json_files(source)
-            if fmt != "auto" or _sniffed(source, name) in (known, None)
+            name for name in _files(source)
+            if not _is_xml(name)
+            and (fmt != "auto" or _sniffed(source, name) is known or _is_damaged(source, name))
         ]  # fmt: skip
     if not files:
         raise UsageError(f"nothing to do: no annotation ({known.title}) in {source.path}")
     return known, files
 
 
-def _told_format(source: FileSource) -> AnnotationFormat:
-    files = _json_files(source)[:_LOOKED_INTO] + _xml_files(source)[:_LOOKED_INTO]
-    told = {known.name: known for known in (_sniffed(source, n) for n in files) if known}
+def told_formats(source: FileSource) -> list[AnnotationFormat]:
+    """The formats of the first files of a source; none where there is no file that tells any."""
+    told = _told(source, _files(source))
+    return list({known.name: known for known in told if known}.values())
+
+
+def _told(source: FileSource, files: Sequence[str]) -> list[AnnotationFormat | None]:
+    json_files = [name for name in files if not _is_xml(name)][:_LOOKED_INTO]
+    xml_files = [name for name in files if _is_xml(name)][:_LOOKED_INTO]
+    return [_sniffed(source, name) for name in (*json_files, *xml_files)]
+
+
+def _one_format(source: FileSource) -> AnnotationFormat:
+    told = told_formats(source)
     if len(told) > 1:
         raise UsageError(
-            f"{source.path}: holds annotations of several formats ({', '.join(told)}):"
-            " choose the one to be read"
+            f"{source.path}: holds annotations of several formats"
+            f" ({', '.join(known.name for known in told)}): choose the one to be read"
         )
     if told:
-        return next(iter(told.values()))
+        return told[0]
+    files = sorted(_files(source), key=_is_xml)
     if not files:
         raise UsageError(f"nothing to do: no annotation in {source.path}")
     # All of them are damaged: the reader says how.
-    return format_named("cvat" if files[0].lower().endswith(".xml") else "soccernet")
+    return format_named("cvat" if _is_xml(files[0]) else "soccernet")
 
 
 def _sniffed(source: FileSource, name: str) -> AnnotationFormat | None:
@@ -209,24 +223,47 @@ def _sniffed(source: FileSource, name: str) -> AnnotationFormat | None:
         data = source.read(name)
     except InputError:
         return None
-    if name.lower().endswith(".xml"):
+    if _is_xml(name):
         return next((f for f in FORMATS if f.sniff is not None and f.sniff(data)), None)
-    try:
-        content = json.loads(data.decode("utf-8-sig"))
-    except (ValueError, RecursionError):
-        return None
+    content = _decoded(data)
+    if is_other_json(content):
+        return next(
+            (f for f in FORMATS if f.one_file and f.sniff_json and f.sniff_json(content)), None
+        )
     # The plainest format takes any object, so it is asked last.
     return next((f for f in reversed(FORMATS) if f.sniff_json and f.sniff_json(content)), None)
 
 
-def _json_files(source: FileSource) -> list[str]:
-    return [
-        name for name in source.files()
-        if name.lower().endswith(".json")
-        and PurePosixPath(name).name not in OWN_FILES
-        and not PurePosixPath(name).name.startswith(CAMERA_PREFIX)
-    ]  # fmt: skip
+def _decoded(data: bytes) -> Any:
+    """Decoded JSON; None for what is damaged."""
+    try:
+        return json.loads(data.decode("utf-8-sig"))
+    except (ValueError, RecursionError):
+        return None
 
 
-def _xml_files(source: FileSource) -> list[str]:
-    return [name for name in source.files() if name.lower().endswith(".xml")]
+def _is_damaged(source: FileSource, name: str) -> bool:
+    try:
+        return _decoded(source.read(name)) is None
+    except InputError:
+        return True
+
+
+def _files(source: FileSource) -> list[str]:
+    """The JSON and XML files that may be annotations; those of a tree where all files at its top
+    are of another kind."""
+    names, in_tree = files_of(source, _may_be_annotations)
+    if in_tree or not names or any(_told(source, names)):
+        return names
+    if any(_is_damaged(source, name) for name in names[:_LOOKED_INTO]):
+        return names
+    deeper = [n for n in source.tree() if "/" in n and _may_be_annotations(n.rpartition("/")[2])]
+    return deeper or names
+
+
+def _may_be_annotations(name: str) -> bool:
+    return _is_xml(name) or (name.lower().endswith(".json") and may_be_annotation(name))
+
+
+def _is_xml(name: str) -> bool:
+    return name.lower().endswith(".xml")

@@ -22,7 +22,6 @@ from procc_annotator.io.annotation_files.exchange import (
     Reading,
     Size,
     Writing,
-    frame_of_picture,
     picture_name,
     point_of,
     points_to_px,
@@ -55,7 +54,9 @@ def read_many(
     for name in files:
         with reading.going_on():
             path = source.display(name)
+            reading.begin(name)
             content = _decode(source.read(name), path)
+            reading.begin(name, (image.get("file_name") for image in content["images"]))
             names = {_id(c, "id"): c.get("name") for c in content["categories"]}
             found: dict[Any, list[tuple[int, dict[str, Any]]]] = {}
             for i, entry in enumerate(content["annotations"]):
@@ -116,7 +117,7 @@ def _read(
     reading: Reading,
 ) -> ExchangedFrame | None:
     picture = image.get("file_name")
-    frame = frame_of_picture(picture, path, f"{place}.file_name")
+    frame = reading.frame_of_picture(picture, path, f"{place}.file_name")
     size = size_told(
         image.get("width"), image.get("height"), path, f"{place}.width, height"
     ) or reading.size_of(frame)
@@ -127,7 +128,7 @@ def _read(
             place=place,
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, "annotations", reading.field, size)
+    pieces = Pieces(path, "annotations", reading, size)
     taken = False
     for i, entry in entries:
         where = f"annotations[{i}]"
@@ -148,7 +149,7 @@ def _read(
     if not taken:
         return None
     extra = extra_of(image.get(EXTRA_KEY), path, f"{place}.{EXTRA_KEY}", reading.field)
-    annotation = pieces.annotation(frame, reading, extra)
+    annotation = pieces.annotation(frame, extra)
     return ExchangedFrame(frame, annotation, size, picture_name(str(picture)))
 
 

@@ -29,7 +29,6 @@ from procc_annotator.io.annotation_files.exchange import (
     Reading,
     Size,
     Writing,
-    frame_of_picture,
     picture_name,
     size_told,
 )
@@ -57,9 +56,11 @@ def read_many(
     for name in files:
         with reading.going_on():
             path = source.display(name)
+            reading.begin(name)
             root = parse(source.read(name), path)
             yield from read_tracks(root, path, reading)
             images = root.findall("image")
+            reading.begin(name, (image.get("name") for image in images))
             reading.total = (reading.total or 0) + len(images)
             for i, image in enumerate(images):
                 with reading.going_on():
@@ -71,7 +72,7 @@ def read_many(
 def _read(image: Element, index: int, path: str, reading: Reading) -> ExchangedFrame | None:
     place = f"image {index + 1}"
     picture = image.get("name")
-    frame = frame_of_picture(picture, path, f"{place}.name")
+    frame = reading.frame_of_picture(picture, path, f"{place}.name")
     place = f"{place} ({printable(frame)})"
     if not len(image):
         # A task lists all its pictures: those without shapes were not annotated.
@@ -86,16 +87,14 @@ def _read(image: Element, index: int, path: str, reading: Reading) -> ExchangedF
             place=place,
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, place, reading.field, size)
+    pieces = Pieces(path, place, reading, size)
     taken = False
     for i, shape in enumerate(image):
         where = f"{place}, shape {i + 1}"
         taken |= add_shape(pieces, shape, shape.get("label"), size, path, where, frame, reading)
     if not taken:
         return None
-    return ExchangedFrame(
-        frame, pieces.annotation(frame, reading), size, picture_name(str(picture))
-    )
+    return ExchangedFrame(frame, pieces.annotation(frame), size, picture_name(str(picture)))
 
 
 def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:

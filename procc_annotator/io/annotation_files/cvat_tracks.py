@@ -31,7 +31,6 @@ from procc_annotator.io.annotation_files.exchange import (
     Reading,
     Size,
     Writing,
-    frame_of_picture,
     picture_name,
     size_told,
 )
@@ -100,7 +99,7 @@ def _frame(
     number: int, shapes: Shapes, size: Size | None, root: Element, path: str, reading: Reading
 ) -> ExchangedFrame:
     picture = _picture(number, root, path, reading)
-    frame = frame_of_picture(picture, path, f"frame {number}")
+    frame = reading.frame_of_picture(picture, path, f"frame {number}")
     size = size or reading.size_of(frame)
     if size is None:
         raise AnnotationError(
@@ -109,12 +108,12 @@ def _frame(
             place="meta.original_size",
             advice="put the pictures beside it, or give the size",
         )
-    pieces = Pieces(path, f"frame {number}", reading.field, size)
+    pieces = Pieces(path, f"frame {number}", reading, size)
     for shape, label, place in shapes:
         if shape.get("keyframe", "1") != "1":
             reading.remarks.add("points that CVAT interpolated are taken as they are", frame)
         add_shape(pieces, shape, label, size, path, place, frame, reading)
-    return ExchangedFrame(frame, pieces.annotation(frame, reading), size, picture)
+    return ExchangedFrame(frame, pieces.annotation(frame), size, picture)
 
 
 def _picture(number: int, root: Element, path: str, reading: Reading) -> str:

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from dataclasses import field as attribute
-from typing import Any
+from typing import Any, Protocol
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.px_numbers import normalised, to_px
 from procc_annotator.io.annotation_files.soccernet_annotation import FARTHEST
+from procc_annotator.io.frame_names import PICTURE_SUFFIX, frame_of_file, leads_out
 from procc_annotator.io.json_text import is_finite_number, kind_of, printable, spelled
 from procc_annotator.words import count_of
 
@@ -21,11 +21,9 @@ Size = tuple[int, int]
 # Under this key formats with room for foreign content keep what the annotation file held beside
 # its classes. Other programs leave it alone.
 EXTRA_KEY = "procc_extra"
-_PICTURE_SUFFIX = re.compile(
-    r"\.(jpe?g|jfif|png|bmp|webp|tiff?|gif|avif|heic|ppm|pgm)$", re.IGNORECASE
-)
 _SHOWN_FRAMES = 3
 _LONGEST_NAME = 200
+_LONGEST_PATH = 600  # of the folders above a picture
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +42,13 @@ class ExchangedFrame:
     annotation: FrameAnnotation
     size: Size | None = None
     picture: str | None = None
+
+
+class LabelMap(Protocol):
+    """Which classes the labels of other programs stand for."""
+
+    def class_of(self, label: str) -> str:
+        """The class that a label stands for; the label itself where nothing is said of it."""
 
 
 class Remarks:
@@ -76,19 +81,28 @@ class Reading:
     Attributes:
         field: knows the official names.
         size_of: the size in px of a frame's picture, for files that do not say it.
+        names: which classes the labels of the files stand for; None: they are classes.
+        in_tree: whether the files lie in a tree of folders, so that frames are called by their
+            paths.
         pictures: file names of the pictures around the files in the order of their names, for files
             that count them.
         problems: one line for each frame or file that could not be used.
+        unread: the same by the name of the frame, or of the file where no frame is known yet.
         remarks: what was left out or changed.
         total: how many frames there are in all, as soon as it is known.
     """
 
     field: Field
     size_of: Callable[[str], Size | None] = lambda _: None
+    names: LabelMap | None = None
+    in_tree: bool = False
     pictures: Sequence[str] = ()
     problems: list[str] = attribute(default_factory=list)
+    unread: dict[str, InputError] = attribute(default_factory=dict)
     remarks: Remarks = attribute(default_factory=Remarks)
     total: int | None = None
+    _at: str = ""
+    _pictures: PictureNames | None = None
 
     @contextmanager
     def going_on(self) -> Iterator[None]:
@@ -96,7 +110,69 @@ class Reading:
         try:
             yield
         except InputError as error:
-            self.problems.append(str(error))
+            self.note(error)
+
+    def note(self, error: InputError) -> None:
+        """Take down what is wrong with the frame or file that is being read."""
+        self.problems.append(str(error))
+        self.unread.setdefault(self._at, error)
+
+    def frame_of_file(self, file: str) -> str:
+        """The frame whose own file this is; whatever goes wrong next is told of it."""
+        self._at = frame_of_file(file if self.in_tree else file.rpartition("/")[2])
+        return self._at
+
+    def begin(self, file: str, pictures: Iterable[Any] = ()) -> None:
+        """Go on with a file of many frames.
+
+        Args:
+            file: its name in the source.
+            pictures: the names of all pictures in it, as it tells them.
+        """
+        self.frame_of_file(file)
+        folder = file.rpartition("/")[0] if self.in_tree else ""
+        self._pictures = PictureNames(pictures, folder)
+
+    def frame_of_picture(self, picture: Any, path: str, place: str) -> str:
+        """The frame that a picture's name in the file belongs to; whatever goes wrong next is told
+        of it.
+
+        Raises:
+            AnnotationError: it is no text, or cannot be the name of a frame.
+        """
+        names = self._pictures or PictureNames(())
+        self._at = names.frame(picture, path, place)
+        return self._at
+
+    def class_of(self, label: str) -> str:
+        """The official name of the class that a label stands for."""
+        if self.names is not None:
+            label = self.names.class_of(label)
+        return self.field.canonical_name(label)
+
+
+class PictureNames:
+    """How the pictures of one file are called as frames: by their last parts, or by their paths
+    where they lie in several folders.
+
+    Paths that lead out of the dataset (absolute ones, ``..``) tell no folder.
+
+    Args:
+        pictures: their names, as the file tells them.
+        folder: of the file, below the dataset, if that is a tree.
+    """
+
+    def __init__(self, pictures: Iterable[Any], folder: str = "") -> None:
+        paths = [slashed(p) for p in pictures if type(p) is str]
+        folders = {path.rpartition("/")[0] for path in paths}
+        self._by_path = len(folders) > 1 and all(map(_can_be_folder, folders))
+        self._folder = folder
+
+    def frame(self, picture: Any, path: str, place: str) -> str:
+        """As `Reading.frame_of_picture`."""
+        name = frame_of_picture(picture, path, place)
+        inner = slashed(picture).rpartition("/")[0] if self._by_path else ""
+        return "/".join(part for part in (self._folder, inner.strip("/"), name) if part)
 
 
 @dataclass
@@ -181,7 +257,7 @@ class Writing:
         A labelme file may name a picture that is called otherwise, or the picture of another one.
         """
         name = self.picture(frame)
-        stem = _PICTURE_SUFFIX.sub("", name)
+        stem = PICTURE_SUFFIX.sub("", name)
         if stem == frame.name:
             return name
         self.remarks.add("pictures that are called otherwise are named after the frame", frame.name)
@@ -218,7 +294,7 @@ def frame_of_picture(picture: Any, path: str, place: str) -> str:
             place=place,
             advice="correct the name",
         )
-    name = _PICTURE_SUFFIX.sub("", picture_name(picture))
+    name = PICTURE_SUFFIX.sub("", picture_name(picture))
     if name in ("", ".", "..") or not name.isprintable() or len(name) > _LONGEST_NAME:
         raise AnnotationError(
             path,
@@ -231,7 +307,16 @@ def frame_of_picture(picture: Any, path: str, place: str) -> str:
 
 def picture_name(path: str) -> str:
     """The last part of a path that may have been written on any system."""
-    return path.replace("\\", "/").rpartition("/")[2]
+    return slashed(path).rpartition("/")[2]
+
+
+def _can_be_folder(path: str) -> bool:
+    return not leads_out(path) and path.isprintable() and len(path) <= _LONGEST_PATH
+
+
+def slashed(path: str) -> str:
+    """A path that may have been written on any system, with slashes and without ``./``."""
+    return path.replace("\\", "/").removeprefix("./")
 
 
 def size_told(width: Any, height: Any, path: str, place: str) -> Size | None:

@@ -8,7 +8,6 @@ names beside the file when ``imageData`` is null.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from pathlib import PurePosixPath
 from typing import Any
 
 from procc_annotator.annotation import Point
@@ -49,7 +48,7 @@ def read_many(
     reading.total = len(files)
     for name in files:
         with reading.going_on():
-            frame = PurePosixPath(name).stem
+            frame = reading.frame_of_file(name)
             yield _read(source.read(name), source.display(name), frame, reading)
 
 
@@ -71,7 +70,7 @@ def _read(data: bytes, path: str, frame: str, reading: Reading) -> ExchangedFram
             place="imageWidth, imageHeight",
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, "shapes", reading.field, size)
+    pieces = Pieces(path, "shapes", reading, size)
     for i, shape in enumerate(content["shapes"]):
         _add_shape(pieces, shape, size, path, f"shapes[{i}]", frame, reading)
     if content.keys() - _KNOWN_KEYS or content.get("flags"):
@@ -79,7 +78,7 @@ def _read(data: bytes, path: str, frame: str, reading: Reading) -> ExchangedFram
     extra = extra_of(content.get(EXTRA_KEY), path, EXTRA_KEY, reading.field)
     picture = content.get("imagePath")
     picture = picture_name(picture) if type(picture) is str and picture else None
-    return ExchangedFrame(frame, pieces.annotation(frame, reading, extra), size, picture)
+    return ExchangedFrame(frame, pieces.annotation(frame, extra), size, picture)
 
 
 def _add_shape(

@@ -35,10 +35,11 @@ Points = tuple[Point, ...]
 class Pieces:
     """The shapes of one frame as they come, in the order of the file."""
 
-    def __init__(self, path: str, place: str, field: Field, size: Size | None) -> None:
+    def __init__(self, path: str, place: str, reading: Reading, size: Size | None) -> None:
         self._path = path
         self._place = place
-        self._field = field
+        self._reading = reading
+        self._field = reading.field
         self._size = size or _USUAL_SIZE
         self._pieces: dict[str, list[Points]] = {}
 
@@ -62,27 +63,26 @@ class Pieces:
                 place=place,
                 advice="name the shape after a class",
             )
-        self._pieces.setdefault(self._field.canonical_name(label), []).append(points)
+        self._pieces.setdefault(self._reading.class_of(label), []).append(points)
 
-    def annotation(
-        self, frame: str, reading: Reading, extra: tuple[tuple[str, Any], ...] = ()
-    ) -> FrameAnnotation:
+    def annotation(self, frame: str, extra: tuple[tuple[str, Any], ...] = ()) -> FrameAnnotation:
         """The frame's annotation.
 
         Raises:
             AnnotationError: shapes of one class that cannot be joined without a guess.
         """
         polylines: list[Polyline] = []
+        remarks = self._reading.remarks
         taken = set(self._pieces)
         for name, pieces in self._pieces.items():
             if len(pieces) == 1:
                 polylines.append(Polyline(name, pieces[0]))
             elif self._field.element(name) is None:
-                reading.remarks.add("shapes of one unknown class stay apart, numbered", frame)
+                remarks.add("shapes of one unknown class stay apart, numbered", frame)
                 polylines.extend(_apart(name, pieces, taken))
             else:
                 polylines.append(Polyline(name, self._join(name, pieces)))
-                reading.remarks.add("shapes of one class were joined end to end", frame)
+                remarks.add("shapes of one class were joined end to end", frame)
         return FrameAnnotation(tuple(polylines), extra)
 
     def _join(self, name: str, pieces: list[Points]) -> Points:

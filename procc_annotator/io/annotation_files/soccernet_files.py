@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from pathlib import PurePosixPath
 
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
 from procc_annotator.io.annotation_files.soccernet_annotation import (
@@ -20,9 +19,11 @@ def read_many(
     reading.total = len(files)
     for name in files:
         with reading.going_on():
+            frame = reading.frame_of_file(name)
             data = source.read(name)
             annotation = read_annotation(data, path=source.display(name), field=reading.field)
-            frame = PurePosixPath(name).stem
+            if reading.names is not None:
+                annotation = annotation.renamed(reading.class_of)
             yield ExchangedFrame(frame, annotation, reading.size_of(frame))
 
 

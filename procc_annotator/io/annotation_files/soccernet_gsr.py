@@ -52,7 +52,9 @@ def read_many(
     for name in files:
         with reading.going_on():
             path = source.display(name)
+            reading.begin(name)
             content = decode_existing(source.read(name), path)
+            reading.begin(name, (image.get("file_name") for image in content["images"]))
             pitches = _pitches(content["annotations"])
             others = len(content["annotations"]) - sum(map(len, pitches.values()))
             if others:
@@ -64,16 +66,13 @@ def read_many(
                     with reading.going_on():
                         yield _read(image, f"images[{i}]", found, path, reading)
             for found in pitches.values():
-                reading.problems.append(
-                    str(
-                        AnnotationError(
-                            path,
-                            f"belongs to no image: {spelled(found[0][1].get('image_id'))}",
-                            place=f"annotations[{found[0][0]}].image_id",
-                            advice="correct it, or add the image",
-                        )
+                with reading.going_on():
+                    raise AnnotationError(
+                        path,
+                        f"belongs to no image: {spelled(found[0][1].get('image_id'))}",
+                        place=f"annotations[{found[0][0]}].image_id",
+                        advice="correct it, or add the image",
                     )
-                )
 
 
 def decode_existing(data: bytes, path: str) -> dict[str, Any]:
@@ -124,9 +123,9 @@ def _read(
     reading: Reading,
 ) -> ExchangedFrame:
     picture = image.get("file_name")
-    frame = frame_of_picture(picture, path, f"{place}.file_name")
+    frame = reading.frame_of_picture(picture, path, f"{place}.file_name")
     size = size_told(image.get("width"), image.get("height"), path, f"{place}.width, height")
-    pieces = Pieces(path, f"annotations[{found[0][0]}].lines", reading.field, size)
+    pieces = Pieces(path, f"annotations[{found[0][0]}].lines", reading, size)
     extra: dict[str, Any] = {}
     for i, entry in found:
         where = f"annotations[{i}]"
@@ -135,7 +134,7 @@ def _read(
         extra |= dict(extra_of(entry.get(EXTRA_KEY), path, f"{where}.{EXTRA_KEY}", reading.field))
         if entry.keys() - _OWN_KEYS:
             reading.remarks.add("further keys of pitch annotations are left out", frame)
-    annotation = pieces.annotation(frame, reading, tuple(extra.items()))
+    annotation = pieces.annotation(frame, tuple(extra.items()))
     return ExchangedFrame(
         frame, annotation, size or reading.size_of(frame), picture_name(str(picture))
     )

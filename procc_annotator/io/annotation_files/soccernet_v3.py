@@ -52,7 +52,9 @@ def read_many(
     for name in files:
         with reading.going_on():
             path = source.display(name)
+            reading.begin(name)
             entries = list(_entries(_decode(source.read(name), path), path))
+            reading.begin(name, (picture for picture, _, _ in entries))
             reading.total = (reading.total or 0) + len(entries)
             for picture, entry, place in entries:
                 with reading.going_on():
@@ -88,7 +90,7 @@ def _entries(content: dict[str, Any], path: str) -> Iterator[tuple[str, Any, str
 
 
 def _read(picture: str, entry: Any, path: str, place: str, reading: Reading) -> ExchangedFrame:
-    frame = frame_of_picture(picture, path, place)
+    frame = reading.frame_of_picture(picture, path, place)
     if type(entry) is not dict or type(entry.get("lines")) is not list:
         raise AnnotationError(
             path,
@@ -110,11 +112,11 @@ def _read(picture: str, entry: Any, path: str, place: str, reading: Reading) -> 
         )
     if any(entry[key] for key in entry.keys() - _ENTRY_KEYS):
         reading.remarks.add("players, links and other entries of the pictures are left out", frame)
-    pieces = Pieces(path, f"{place}.lines", reading.field, size)
+    pieces = Pieces(path, f"{place}.lines", reading, size)
     for i, line in enumerate(entry["lines"]):
         _add_line(pieces, line, size, path, f"{place}.lines[{i}]", frame, reading)
     extra = extra_of(entry.get(EXTRA_KEY), path, f"{place}.{EXTRA_KEY}", reading.field)
-    annotation = pieces.annotation(frame, reading, extra)
+    annotation = pieces.annotation(frame, extra)
     return ExchangedFrame(frame, annotation, size, picture_name(picture))
 
 

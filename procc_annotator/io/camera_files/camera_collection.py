@@ -10,11 +10,14 @@ from typing import Self
 from natsort import natsorted
 
 from procc_annotator.errors import CameraError, InputError
+from procc_annotator.field.model import Field
+from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.camera_files.fitted_on import FittedOn
 from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.paired_files import paired_format, paired_records
 from procc_annotator.io.camera_files.registry import CameraFormat, format_of, plugin_problems
 from procc_annotator.io.collections import CAMERA_PREFIX, list_cameras
 from procc_annotator.io.frame_names import ByFrame
@@ -54,7 +57,11 @@ class CameraCollection:
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
         self.notices = (*files.notices, *plugin_problems())
-        self._look_into(files)
+        pair = paired_format(source, files.values() if fmt == "auto" else source.files(), fmt)
+        if pair is None:
+            self._look_into(files)
+        else:
+            self._take(pair[1], paired_records(source, *pair))
 
     @classmethod
     def open(cls, path: Path, fmt: str = "auto", base: Path | None = None) -> CameraCollection:
@@ -66,19 +73,31 @@ class CameraCollection:
         """
         return cls(open_source(path, base), fmt)
 
-    def read(self, frame: str) -> LoadedCamera:
+    def read(self, frame: str, field: Field | None = None) -> LoadedCamera:
         """The camera of a frame of `frames`.
 
+        Args:
+            frame: its name.
+            field: what its pictures show, where that is known.
+
         Raises:
-            CameraError: the file is damaged or gone.
+            CameraError: the file is damaged or gone, or would be taken for one of another field.
         """
         file = self.frames[frame]
         if file in self._records:
-            return self._records[file].read(self.frames.name_there(frame) or frame)
+            return self._of_field(
+                self._records[file].read(self.frames.name_there(frame) or frame), frame, field
+            )
         shown = self._source.display(file)
         loaded = read_camera_file(self._read_file(file), path=shown, fmt=self.format)
         own = self.frames.name_there(frame) or frame
-        return replace(loaded, fitted_on=self._fitted_on.of(own, file, loaded.extra))
+        loaded = replace(loaded, fitted_on=self._fitted_on.of(own, file, loaded.extra))
+        return self._of_field(loaded, frame, field)
+
+    def _of_field(self, loaded: LoadedCamera, frame: str, field: Field | None) -> LoadedCamera:
+        if field is not None and (problem := of_another_field(loaded.assumed_field, field)):
+            raise CameraError(self.display(frame), problem, advice=NAME_THE_FORMAT)
+        return loaded
 
     def display(self, frame: str) -> str:
         """How to name the camera of a frame to a person: its file, and the place in it."""
@@ -107,6 +126,12 @@ class CameraCollection:
 
     def __exit__(self, *failure: object) -> None:
         self._source.__exit__(*failure)
+
+    def _take(self, file: str, records: CameraRecords) -> None:
+        """Have the cameras of one file and no others."""
+        self._records = {file: records}
+        self.frames = ByFrame((frame, file) for frame in natsorted(records.entries))
+        self.notices = (*self.notices, *records.notices)
 
     def _look_into(self, files: dict[str, str]) -> None:
         """Replace files of many cameras by the frames they hold."""

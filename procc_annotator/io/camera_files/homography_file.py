@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import io
 import math
-import tokenize
-import warnings
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,28 +10,13 @@ import numpy as np
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import CameraError
+from procc_annotator.io.camera_files.array_files import NPY_MAGIC, npy_array
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.json_text import printable
 
 _YARD_M = 0.9144
-_NPY_MAGIC = b"\x93NUMPY"
 HOMOGRAPHY_SIZE = (1280, 720)
 _LARGEST_FILE = 64 * 1024
-# What numpy raises for headers that are wrong in one way or another; one that announces terabytes
-# is a MemoryError.
-_NPY_ERRORS = (
-    ValueError,
-    TypeError,
-    LookupError,
-    AttributeError,
-    EOFError,
-    OSError,
-    SyntaxError,
-    tokenize.TokenError,
-    MemoryError,
-    ArithmeticError,
-    RecursionError,
-)
 
 
 @dataclass(frozen=True)
@@ -89,7 +71,17 @@ def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
             f"is larger than {_LARGEST_FILE // 1024} kB, expected 9 numbers (3 x 3)",
             advice="is it this file?",
         )
-    matrix = _from_npy(data, path) if data.startswith(_NPY_MAGIC) else _from_text(data, path)
+    if data.startswith(NPY_MAGIC):
+        matrix = _from_npy(data, path)
+    else:
+        numbers = numbers_of_text(data, path)
+        if len(numbers) != 9:
+            raise CameraError(
+                path,
+                f"expected 9 numbers (3 x 3), found {len(numbers)}",
+                advice="the file may be cut off",
+            )
+        matrix = np.array(numbers).reshape(3, 3)
     world_from_units = CONVENTIONS[convention].world_from_units
     camera = camera_from_homography(matrix, world_from_units, HOMOGRAPHY_SIZE, path=path)
     return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE)
@@ -127,18 +119,7 @@ def camera_from_homography(
 
 
 def _from_npy(data: bytes, path: str) -> FloatArray:
-    try:
-        # Remarks on headers of old versions are nothing a user could act on.
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            array = np.load(io.BytesIO(data), allow_pickle=False)
-    except _NPY_ERRORS as error:
-        why = printable(str(error) or type(error).__name__, 160)
-        raise CameraError(
-            path,
-            f"is not a readable .npy file with 3 x 3 numbers: {why}",
-            advice="write it again with numpy.save",
-        ) from error
+    array = npy_array(data, path, "3 x 3 numbers")
     if array.dtype.kind not in "fiu":
         found = printable(str(array.dtype))
         raise CameraError(path, f"expected an array of real numbers, found {found}")
@@ -149,7 +130,12 @@ def _from_npy(data: bytes, path: str) -> FloatArray:
         return _finite(array.astype(np.float64), path)
 
 
-def _from_text(data: bytes, path: str) -> FloatArray:
+def numbers_of_text(data: bytes, path: str) -> list[float]:
+    """The numbers of a text, separated by white space or commas.
+
+    Raises:
+        CameraError: no text, or something else than finite numbers.
+    """
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -178,13 +164,7 @@ def _from_text(data: bytes, path: str) -> FloatArray:
                     advice="correct the file",
                 )
             numbers.append(number)
-    if len(numbers) != 9:
-        raise CameraError(
-            path,
-            f"expected 9 numbers (3 x 3), found {len(numbers)}",
-            advice="the file may be cut off",
-        )
-    return np.array(numbers).reshape(3, 3)
+    return numbers
 
 
 def _number(word: str) -> float | None:

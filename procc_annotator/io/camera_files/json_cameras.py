@@ -1,12 +1,15 @@
-"""Which JSON camera file is which: by what is in it, where nobody says."""
+"""Which file of cameras is which, by what is in it where nobody says: JSON, .npz or MATLAB's."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import PurePath
+from typing import Any
 
 from procc_annotator.errors import CameraError
+from procc_annotator.io.camera_files.array_files import array_content, is_array_file
 from procc_annotator.io.camera_files.broadtrack_camera import broadtrack_records, is_broadtrack
 from procc_annotator.io.camera_files.camera_records import (
     CameraRecord,
@@ -19,18 +22,37 @@ from procc_annotator.io.camera_files.deepsportradar_camera import (
 )
 from procc_annotator.io.camera_files.krt_camera import is_krt, krt_from
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.matlab_sets import (
+    homography_records,
+    is_homography_set,
+    is_ptz_set,
+    ptz_records,
+)
+from procc_annotator.io.camera_files.nested_cameras import (
+    is_nested,
+    is_stack,
+    nested_records,
+    stack_records,
+)
+from procc_annotator.io.camera_files.opencv_camera import is_storage, read_opencv
 from procc_annotator.io.camera_files.polylines_camera import (
     looks_like_points,
     polylines_from,
     polylines_records,
 )
+from procc_annotator.io.camera_files.projection_camera import is_projection, projection_from
 from procc_annotator.io.camera_files.soccernet_camera import camera_from, is_soccernet
+from procc_annotator.io.camera_files.transforms_camera import is_transforms, transforms_records
 from procc_annotator.io.camera_files.tvcalib_camera import is_tvcalib, tvcalib_from, tvcalib_records
-from procc_annotator.io.json_text import decode_fast, without_bom
+from procc_annotator.io.json_text import decode_fast, kind_of, printable, without_bom
 
 _ANNOTATION_ADVICE = (
     "annotations are no cameras; projected polylines are read with the camera format polylines"
 )
+
+
+ARRAY_SUFFIXES = (".npz", ".mat")
+SOCCERNET_PREFIX = "camera_"  # of its files' names
 
 
 class PointsError(CameraError):
@@ -50,6 +72,7 @@ class JsonFormat:
         one: reads a file that holds one camera; None for a format whose files hold many.
         many: the cameras of a decoded file that holds several; None where it holds one.
         recognises: whether decoded content is of this format, for content nobody named.
+        told_by: the keys it is recognised by, for messages.
     """
 
     name: str
@@ -57,6 +80,7 @@ class JsonFormat:
     one: FromContent | None
     many: Callable[[object, str], CameraRecords | None]
     recognises: Callable[[object], bool]
+    told_by: str = ""
 
 
 def _soccernet(content: object, path: str, inside: str = "") -> LoadedCamera:
@@ -85,26 +109,68 @@ def _no_records(content: object, path: str) -> CameraRecords | None:
     raise AssertionError("lines of JSON are read as text")
 
 
+def _krt_records(content: object, path: str) -> CameraRecords | None:
+    if is_nested(content):
+        return nested_records(content, path)
+    if is_stack(content):
+        return stack_records(content, path)
+    return _KRT_BY_FRAME(content, path)
+
+
+def _is_krt(content: object) -> bool:
+    return is_krt(content) or is_nested(content) or (is_stack(content) and not is_storage(content))
+
+
 _SOCCERNET_RECORDS = _by_frame(_is_soccernet, _soccernet)
-_KRT_RECORDS = _by_frame(is_krt, krt_from)
+_KRT_BY_FRAME = _by_frame(is_krt, krt_from)
 SOCCERNET = JsonFormat(
-    "soccernet", "SoccerNet camera JSON", _soccernet, _SOCCERNET_RECORDS, _is_soccernet
+    "soccernet",
+    "SoccerNet camera JSON",
+    _soccernet,
+    _SOCCERNET_RECORDS,
+    _is_soccernet,
+    "pan_degrees and the others",
 )
-TVCALIB = JsonFormat("tvcalib", "TVCalib per_sample_output.json", None, _no_records, is_tvcalib)
+TVCALIB = JsonFormat(
+    "tvcalib", "TVCalib per_sample_output.json", None, _no_records, is_tvcalib, "image_ids"
+)
 JSON_FORMATS = (
     SOCCERNET,
     TVCALIB,
-    JsonFormat("broadtrack", "BroadTrack JSON", None, broadtrack_records, is_broadtrack),
+    JsonFormat(
+        "broadtrack", "BroadTrack JSON", None, broadtrack_records, is_broadtrack, "cp of a picture"
+    ),
     JsonFormat(
         "deepsportradar", "DeepSportRadar K, R, T list", None, deepsportradar_records,
-        is_deepsportradar,
+        is_deepsportradar, "a list of K, R, T",
     ),
-    JsonFormat("krt", "K, R, t and distortion, JSON", krt_from, _KRT_RECORDS, is_krt),
+    JsonFormat(
+        "krt", "K, R, t and distortion", krt_from, _krt_records, _is_krt, "K and R"
+    ),
     JsonFormat(
         "polylines", "projected polylines, JSON", polylines_from, polylines_records,
         lambda _: False,
     ),
+    JsonFormat(
+        "projection", "3 x 4 projection matrix", projection_from,
+        _by_frame(is_projection, projection_from), is_projection, "P, 3 x 4",
+    ),
+    JsonFormat(
+        "transforms", "transforms.json of radiance fields", None, transforms_records,
+        is_transforms, "frames with transform_matrix",
+    ),
+    JsonFormat(
+        "sccvsd", "World Cup 2014 homographies, MATLAB", None, homography_records,
+        is_homography_set, "annotation with homography",
+    ),
+    JsonFormat(
+        "ptz-slam", "frames of one tripod, MATLAB", None, ptz_records, is_ptz_set,
+        "annotation with camera",
+    ),
 )  # fmt: skip
+_SOCCERNET_KEYS = ("pan_degrees", "tilt_degrees", "position_meters", "x_focal_length")
+_HOMOGRAPHY_KEYS = ("H", "homography", "homography_matrix")
+_SHOWN_KEYS = 4
 _BY_NAME = {known.name: known for known in JSON_FORMATS}
 
 
@@ -120,7 +186,9 @@ def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamer
     """
     if name == TVCALIB.name or (name is None and _is_lines(data)):
         return only_record(tvcalib_records(data, path=path))
-    content = decode_fast(data, path=path, error=CameraError)
+    content = _decoded(data, path)
+    if name is None and is_storage(content):
+        return read_opencv(data, path=path)
     known = _BY_NAME[name] if name else _recognised(content, path)
     if known is TVCALIB:
         return tvcalib_from(content, path)
@@ -139,7 +207,9 @@ def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRe
     """
     if name == TVCALIB.name or (name is None and _is_lines(data)):
         return tvcalib_records(data, path=path)
-    content = decode_fast(data, path=path, error=CameraError)
+    content = _decoded(data, path)
+    if name is None and is_storage(content):
+        return None
     known = _BY_NAME[name] if name else _recognised(content, path)
     if known is TVCALIB:
         return tvcalib_records(data, path=path)
@@ -161,6 +231,12 @@ def only_record(records: CameraRecords) -> LoadedCamera:
     return records.read(next(iter(records.entries)))
 
 
+def _decoded(data: bytes, path: str) -> Any:
+    if is_array_file(data) or path.lower().endswith(ARRAY_SUFFIXES):
+        return array_content(data, path)
+    return decode_fast(data, path=path, error=CameraError)
+
+
 def _recognised(content: object, path: str) -> JsonFormat:
     if type(content) is dict and is_soccernet(content) and not is_tvcalib(content):
         return SOCCERNET
@@ -177,7 +253,31 @@ def _recognised(content: object, path: str) -> JsonFormat:
     for known in JSON_FORMATS:
         if known.one is not None and any(map(known.recognises, values)):
             return known
-    return SOCCERNET
+    named = PurePath(path).name.startswith(SOCCERNET_PREFIX)
+    if named or (type(content) is dict and any(key in content for key in _SOCCERNET_KEYS)):
+        return SOCCERNET  # which says what else is missing
+    raise _unknown(content, path)
+
+
+def _unknown(content: object, path: str) -> CameraError:
+    """What content of no known format is told: every format that was tried, and what it lacks."""
+    if type(content) is dict and any(key in content for key in _HOMOGRAPHY_KEYS):
+        return CameraError(
+            path,
+            "holds a homography, and nothing tells which ground and which units it is of",
+            advice="save it as .npy, and choose a camera format: wc14, carwc or world",
+        )
+    tried = ", ".join(f"{known.name} ({known.told_by})" for known in JSON_FORMATS if known.told_by)
+    found = kind_of(content)
+    if type(content) is dict and content:
+        keys = ", ".join(printable(str(key), 30) for key in list(content)[:_SHOWN_KEYS])
+        more = ", ..." if len(content) > _SHOWN_KEYS else ""
+        found = f"an object with {keys}{more}"
+    return CameraError(
+        path,
+        f"holds no camera of a known format: found {found}; looked for {tried}",
+        advice="is this a camera? if so, choose its camera format",
+    )
 
 
 def _is_camera(content: object) -> bool:

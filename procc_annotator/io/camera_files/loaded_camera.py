@@ -22,6 +22,8 @@ class LoadedCamera:
             of the picture, whatever its size; their ``size`` is the one that makes these pixels.
         extra: keys of the file that are not part of the model, written back on saving.
         notices: remarks a person should see.
+        assumed_field: name of the field whose world these pixels belong to, where the format alone
+            says so and nobody named it; empty otherwise.
         content: all of the file's keys and values, so that saving spells unchanged numbers alike.
         fitted_on: `annotation_digest` of the annotation it was fitted to, where that is told.
     """
@@ -33,3 +35,4 @@ class LoadedCamera:
     notices: tuple[str, ...] = ()
     content: Mapping[str, Any] = field(default_factory=dict)
     fitted_on: str | None = None
+    assumed_field: str = ""

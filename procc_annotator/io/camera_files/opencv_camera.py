@@ -1,4 +1,4 @@
-"""OpenCV's FileStorage, YAML or XML: camera matrix, distortion and pose, pinhole or fisheye.
+"""OpenCV's FileStorage, YAML, XML or JSON: camera matrix, distortion and pose, pinhole or fisheye.
 
 See docs/camera-formats.md for the keys.
 """
@@ -6,7 +6,7 @@ See docs/camera-formats.md for the keys.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -45,17 +45,51 @@ _DEEPEST = 64
 
 
 def read_opencv(data: bytes, *, path: str) -> LoadedCamera:
-    """Read a camera from YAML or XML as ``cv::FileStorage`` writes it.
+    """Read a camera from YAML, XML or JSON as ``cv::FileStorage`` writes it.
 
     Rotation and translation take this project's world (metres) to the camera, as everywhere.
 
     Raises:
         CameraError: names the key and what was expected.
     """
-    content = _content(_text(data, path), path)
+    content = _content(data, path)
     values = JsonValues(content, path, kind=KIND)
     size = values.size_under(*_SIZES)
     return camera_of_matrices(values, _KEYS, size)
+
+
+def is_storage(content: object) -> bool:
+    """Whether decoded JSON is a FileStorage's: one of its entries is a matrix as it writes them."""
+    return type(content) is dict and any(
+        type(entry) is dict and {"rows", "cols", "data"} <= entry.keys()
+        for entry in content.values()
+    )
+
+
+def storage_numbers(
+    data: bytes, path: str, wanted: Callable[[set[str]], Iterable[str]]
+) -> dict[str, Any]:
+    """The numbers of some keys of a FileStorage, matrices as lists of rows and vectors flat.
+
+    Args:
+        data: the file. path: for messages.
+        wanted: given the keys that are there, those to be read.
+
+    Raises:
+        CameraError: damaged, or no FileStorage.
+    """
+    import cv2  # most sets have none of these files
+
+    text = _text(data, path)
+    try:
+        storage = cv2.FileStorage(text, cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY)
+        root = storage.root()
+        if not root.isMap():
+            raise _unreadable(path)
+        names = set(root.keys())
+        return {key: _value(root.getNode(key), path, key) for key in wanted(names) if key in names}
+    except (cv2.error, SystemError, UnicodeDecodeError, MemoryError) as error:
+        raise _unreadable(path) from error
 
 
 def write_opencv(camera: PinholeCamera | FisheyeCamera, size: tuple[int, int] | None) -> bytes:
@@ -152,20 +186,10 @@ def _depth(text: str) -> int:
     return deepest
 
 
-def _content(text: str, path: str) -> dict[str, Any]:
+def _content(data: bytes, path: str) -> dict[str, Any]:
     """The numbers of the keys that belong to a camera, matrices as lists of rows."""
-    import cv2  # most sets have none of these files
-
-    try:
-        storage = cv2.FileStorage(text, cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY)
-        root = storage.root()
-        if not root.isMap():
-            raise _unreadable(path)
-        names = set(root.keys())
-        wanted = [k for part in (*vars(_KEYS).values(), *_SIZES, _FISHEYE_FLAGS) for k in part]
-        content = {key: _value(root.getNode(key), path, key) for key in wanted if key in names}
-    except (cv2.error, SystemError, UnicodeDecodeError, MemoryError) as error:
-        raise _unreadable(path) from error
+    wanted = [k for part in (*vars(_KEYS).values(), *_SIZES, _FISHEYE_FLAGS) for k in part]
+    content = storage_numbers(data, path, lambda _: wanted)
     flag = next((content[key] for key in _FISHEYE_FLAGS if content.get(key)), 0)
     if flag and not any(key in content for key in _KEYS.model):
         content["model"] = "fisheye"
@@ -175,7 +199,7 @@ def _content(text: str, path: str) -> dict[str, Any]:
 def _unreadable(path: str) -> CameraError:
     return CameraError(
         path,
-        "is not a readable OpenCV FileStorage (YAML or XML)",
+        "is not a readable OpenCV FileStorage (YAML, XML or JSON)",
         advice="the file may be cut off: write it again with cv::FileStorage",
     )
 

@@ -20,9 +20,16 @@ from procc_annotator.io.camera_files.camera_plugins import (
 )
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.homography_file import CONVENTIONS, read_homography
-from procc_annotator.io.camera_files.json_cameras import JSON_FORMATS, json_records, read_json
+from procc_annotator.io.camera_files.json_cameras import (
+    ARRAY_SUFFIXES,
+    JSON_FORMATS,
+    json_records,
+    read_json,
+)
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.matrix_file import matrix_records, read_matrix_file
 from procc_annotator.io.camera_files.opencv_camera import read_opencv
+from procc_annotator.io.camera_files.paired_files import PAIRED_FORMATS, half_of_pair
 
 
 @dataclass(frozen=True)
@@ -50,9 +57,8 @@ class CameraFormat:
 
 
 _HOMOGRAPHY_SUFFIXES = (".homographymatrix", ".txt", ".npy")
-_DEFAULTS = {"wc14": (".homographymatrix", ".txt"), "carwc": (".npy",), "world": ()}
 _STORAGE_SUFFIXES = (".yml", ".yaml", ".xml")
-_JSON = (".json", ".jsonl")
+_JSON = (".json", ".jsonl", *ARRAY_SUFFIXES)
 
 FORMATS: tuple[CameraFormat, ...] = (
     *(
@@ -68,22 +74,31 @@ FORMATS: tuple[CameraFormat, ...] = (
         for known in JSON_FORMATS
     ),
     CameraFormat(
-        "opencv", "OpenCV FileStorage, YAML or XML", _STORAGE_SUFFIXES, _STORAGE_SUFFIXES,
-        read_opencv,
+        "opencv", "OpenCV FileStorage, YAML, XML or JSON", (*_STORAGE_SUFFIXES, ".json"),
+        _STORAGE_SUFFIXES, read_opencv,
     ),
     *(
         CameraFormat(
             name,
             f"homography, {rule.title}",
             _HOMOGRAPHY_SUFFIXES,
-            _DEFAULTS[name],
+            (),
             partial(read_homography, convention=name),
         )
         for name, rule in CONVENTIONS.items()
     ),
+    *(
+        CameraFormat(known.name, known.title, (), (), partial(half_of_pair, known=known))
+        for known in PAIRED_FORMATS
+    ),
 )  # fmt: skip
-# JSON is told apart by what is in it.
+# What is told apart by what is in it.
 _ANY_JSON = CameraFormat("auto", "by what is in it", _JSON, _JSON, read_json, json_records)
+_ANY_MATRIX = CameraFormat(
+    "auto", "by its shape", _HOMOGRAPHY_SUFFIXES, _HOMOGRAPHY_SUFFIXES, read_matrix_file,
+    matrix_records,
+)  # fmt: skip
+_TOLD = (_ANY_JSON, _ANY_MATRIX)
 CAMERA_FORMATS: tuple[str, ...] = ("auto", *(f.name for f in FORMATS))
 
 
@@ -116,7 +131,7 @@ def format_of(path: str, fmt: str = "auto") -> CameraFormat:
             raise UsageError(f"no camera format {fmt!r}; there are {names}")
         return known
     suffix = os.path.splitext(path)[1].lower()
-    for known in (_ANY_JSON, *FORMATS):
+    for known in (*_TOLD, *FORMATS):
         if suffix in known.default_for:
             return known
     for known in all_formats():
@@ -132,7 +147,7 @@ def format_of(path: str, fmt: str = "auto") -> CameraFormat:
 def suffixes_of(fmt: str = "auto") -> frozenset[str]:
     """Lower-case suffixes of the files that may hold cameras of a format."""
     if fmt == "auto":
-        return frozenset(s for known in (_ANY_JSON, *all_formats()) for s in known.default_for)
+        return frozenset(s for known in (*_TOLD, *all_formats()) for s in known.default_for)
     return frozenset(format_of("", fmt).suffixes)
 
 

@@ -24,12 +24,13 @@ _KEPT = 64
 @dataclass(frozen=True, eq=False)
 class CameraForFrame:
     """A frame's camera in pixels of the evaluation size, its model, a remark for the user, and what
-    it was fitted to (see `LoadedCamera`)."""
+    it was fitted to and is taken to show (see `LoadedCamera`)."""
 
     camera: CameraOrProjections
     model: str
     notice: str | None
     fitted_on: str | None = None
+    assumed_field: str = ""
 
 
 class FrameCameras(Protocol):
@@ -198,7 +199,8 @@ class CameraSet:
         camera, notice = fit_to_size(loaded, size, self.camera_size)
         remarks = [*loaded.notices, *([notice] if notice else [])]
         model = model_name(camera, loaded.model, size)
-        return CameraForFrame(camera, model, "; ".join(remarks) or None, loaded.fitted_on)
+        said = "; ".join(remarks) or None
+        return CameraForFrame(camera, model, said, loaded.fitted_on, loaded.assumed_field)
 
 
 def _name_of(path: Path) -> str:

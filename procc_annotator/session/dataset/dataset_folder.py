@@ -10,18 +10,17 @@ from natsort import natsort_keygen
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
-from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER, CAMERA_PREFIX, list_annotations
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import open_source
 from procc_annotator.session.database.file import FOLDER as WORKSPACE_FOLDER
 
-ANNOTATIONS_FOLDER = "annotations"
 FIELD_FILE = "field.toml"
 VIEWS_FILE = "views.csv"
 FRAMES_FILE = "frames.csv"
 
 _ARCHIVES = frozenset({".zip"})
-_ANNOTATION_SUFFIXES = (".zip", ".json")
+_ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
 _OWN_THINGS = (FIELD_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE)
 
 
@@ -153,7 +152,14 @@ def annotations_of(dataset: Path) -> Path:
     if found:
         return found[0]
     inner = dataset / ANNOTATIONS_FOLDER
-    return inner if holds_annotations(inner) else dataset
+    return inner if holds_annotations(inner) or _holds_xml(inner) else dataset
+
+
+def _holds_xml(folder: Path) -> bool:
+    try:
+        return any(_suffix(name) == ".xml" for name in os.listdir(folder))
+    except OSError:  # usually: no such folder
+        return False
 
 
 def _annotations_of_file(dataset: Path) -> Path:
@@ -179,17 +185,20 @@ def annotated_videos(folder: Path) -> list[Path]:
     except OSError:  # usually: no such folder
         return []
     found = [f for f in (frames_folder(folder / name) for name in names) if holds_annotations(f)]
-    if not found or holds_annotations(folder / ANNOTATIONS_FOLDER) or holds_annotations(folder):
+    if not found or holds_annotations(folder / ANNOTATIONS_FOLDER):
+        return []
+    if holds_annotations(folder, deeper=False):
         return []
     return found
 
 
-def holds_annotations(folder: Path) -> bool:
-    """Whether there is any annotation file in a folder."""
+def holds_annotations(folder: Path, *, deeper: bool = True) -> bool:
+    """Whether there is any annotation file in a folder, or deeper in it."""
     if not folder.is_dir():
         return False
     with open_source(folder) as source:
-        return bool(list_annotations(source))
+        found = list_annotations(source)
+    return bool(found) and (deeper or not found.in_tree)
 
 
 def json_stems(folder: Path) -> list[str]:

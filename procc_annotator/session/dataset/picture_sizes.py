@@ -10,8 +10,8 @@ from procc_annotator.errors import ImageError
 from procc_annotator.image.header import upright_size
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.io.frame_names import ByFrame
-from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 
 # Where the published sets and other programs keep pictures.
 _PICTURE_FOLDERS = ("", "images", "img1", "v3_frames")

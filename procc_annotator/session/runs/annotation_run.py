@@ -62,7 +62,7 @@ class AnnotatePictures:
 
     def _annotate(self, frame: Frame) -> PaintedFrame:
         try:
-            loaded = self.cameras.opened.read(frame.name)
+            loaded = self.cameras.opened.read(frame.name, self.field)
             picture = decode_bgra(frame.image_path)
         except InputError as error:
             return PaintedFrame(frame.name, error=str(error))

@@ -107,7 +107,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         self.counted = self.with_camera = self.fitted = 0
         self.ground_only = False
         self._sums = task.new_tally()
-        self._require_cameras(cameras)
+        self._require_cameras(annotations, cameras)
 
     @property
     def setup(self) -> EvaluationSetup:
@@ -119,7 +119,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         """At which every frame is scored, px."""
         return self.task.thresholds
 
-    def _require_cameras(self, cameras: CameraCollection) -> None:
+    def _require_cameras(self, annotations: FileSource, cameras: CameraCollection) -> None:
         if not cameras.frames:
             raise UsageError(
                 f"nothing to do: no camera (format {cameras.format}) in {cameras.path}"
@@ -130,6 +130,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
             raise UsageError(
                 "nothing to do: no camera has the name of an annotation (annotations are named"
                 f" like {self.frames[0].name!r}, cameras like {first!r})"
+                + (choice_of(annotations) if "/" in self.frames[0].name else "")
             )
 
     def _take(self, results: Sequence[T], sums: Tally) -> None:

@@ -182,7 +182,8 @@ class MeasureShots(AnnotationTask):
         if name not in cameras.frames:
             return None
         try:
-            return fit_to_size(cameras.read(name), self.setup.size, self.camera_size)[0]
+            loaded = cameras.read(name, self.setup.field)
+            return fit_to_size(loaded, self.setup.size, self.camera_size)[0]
         except InputError as error:
             errors.append(str(error))
             return None

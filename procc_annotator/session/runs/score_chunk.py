@@ -243,7 +243,7 @@ def _load_camera(
         raise CameraError(
             cameras.path, f"holds no camera of frame {name!r} any more", advice="try again"
         )
-    loaded = cameras.read(name)
+    loaded = cameras.read(name, task.setup.field)
     camera, scaled = fit_to_size(loaded, task.setup.size, task.camera_size)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
     model = model_name(camera, loaded.model, task.setup.size)

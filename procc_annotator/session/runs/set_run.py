@@ -18,7 +18,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import AnnotationFiles, list_annotations
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import require_lists
 from procc_annotator.session.runs.execution.executor import Executor, InProcess
 
@@ -132,7 +132,7 @@ class KeptOpen(Generic[T]):
 
 def source_kept_open(source: FileSource) -> KeptOpen[FileSource]:
     """A source of files, for a task; paths are relative to the folder this process works in."""
-    return KeptOpen(partial(open_source, source.path, Path.cwd()), source)
+    return KeptOpen(source.opener(Path.cwd()), source)
 
 
 def cameras_kept_open(cameras: CameraCollection) -> KeptOpen[CameraCollection]:

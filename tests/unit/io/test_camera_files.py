@@ -212,7 +212,7 @@ HUGE_NPY = npy(np.eye(3)).replace(b"(3, 3), }          ", b"(300000000, 90000)}"
         (b"1 0 0\n0 nan 0\n0 0 1", "1.homographyMatrix", "line 2: expected a finite number"),
         (b"1 0 0\n\n0 1_0 0\n0 0 1", "1.homographyMatrix", "line 3: expected a finite number"),
         (b"", "1.homographyMatrix", "expected 9 numbers (3 x 3), found 0"),
-        (b"1 2 3 " * 4, "1.txt", "expected 9 numbers (3 x 3), found 12"),
+        (b"1 2 3 " * 5, "1.txt", "expected 9 numbers (3 x 3), found 15"),
         (b"1 2 3 2 4 6 1 1 1", "1.txt", "cannot be inverted"),
         ("1 0 0 0 1 0 0 0 1".encode("utf-16"), "1.txt", "neither UTF-8 text nor a .npy file"),
         ("1 0 0 0 1 0 0 0 1".encode("utf-16-le"), "1.txt", "it looks like UTF-16"),
@@ -229,7 +229,7 @@ HUGE_NPY = npy(np.eye(3)).replace(b"(3, 3), }          ", b"(300000000, 90000)}"
         (npy(np.full((3, 3), np.inf)), "1.npy", "row 1 column 1"),
         (npy(np.array([["a"] * 3] * 3)), "1.npy", "expected an array of real numbers"),
         (npy(np.array([{}] * 9), allow_pickle=True), "1.npy", "is not a readable .npy file"),
-        (b"whatever", "1.mat", "unknown kind of camera file '.mat'"),
+        (b"whatever", "1.dat", "unknown kind of camera file '.dat'"),
     ],
 )
 def test_damage_in_a_homography(data: bytes, path: str, expected: str) -> None:

@@ -26,7 +26,7 @@ from procc_annotator.session.facts.origins import OriginKind
 
 if TYPE_CHECKING:
     from procc_annotator.gui.tasks.files.dialogs import ImportDialog
-    from procc_annotator.report.conversion import Imported
+    from procc_annotator.io.annotation_files.read_set import ReadSet
 
 _LISTED = 200
 
@@ -68,7 +68,7 @@ class AnnotationImporter(DialogTask):
         self._replace = dialog.replace.isChecked()
         dialog.set_running(True)
 
-        def read(control: JobControl) -> Imported:
+        def read(control: JobControl) -> ReadSet:
             return read_annotations(path, reopen(), fmt=fmt, progress=control.progress_or_stop)
 
         self._work.start(read, self._take, progress=dialog.advance)
@@ -88,7 +88,7 @@ class AnnotationImporter(DialogTask):
         self._edits.forget()
         super()._leave()
 
-    def _take(self, read: Imported) -> None:
+    def _take(self, read: ReadSet) -> None:
         """Begin to save what was read."""
         workspace = self._document.workspace
         assert workspace is not None

@@ -1,0 +1,31 @@
+"""Whether cameras whose format alone says which field they are of belong to the one that is shown.
+
+A bare homography tells nothing of its ground: it is read as one of the World Cup's only where the
+pictures may show a soccer field.
+"""
+
+from __future__ import annotations
+
+from procc_annotator.field.load import field_titles, is_shipped
+from procc_annotator.field.model import Field
+
+NAME_THE_FORMAT = "choose its camera format: world takes metres from the field's centre"
+
+
+def of_another_field(assumed: str, field: Field) -> str:
+    """Why a camera cannot be taken for one of a field; empty if it can.
+
+    A field of the user's own may be any, soccer too.
+
+    Args:
+        assumed: as of `LoadedCamera`.
+        field: what the pictures show.
+    """
+    own = field.source is not None and not is_shipped(field.source)
+    if not assumed or own or field.name == assumed:
+        return ""
+    titles = field_titles()
+    return (
+        f"nothing says which ground it is of, so that it would be taken for a"
+        f" {titles[assumed].lower()} field's, and this is {titles.get(field.name, field.title)}"
+    )

@@ -1,0 +1,95 @@
+"""Cameras as 3 x 4 projection matrices: K [R | t] in one, times any number.
+
+The world is this project's, in metres. What such a matrix cannot say: lens distortion, and the size
+of the picture. See docs/camera-formats.md.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from procc_annotator.camera.base import FloatArray
+from procc_annotator.camera.matrices import (
+    calibration_matrix,
+    intrinsics_of,
+    pinhole_of,
+    pose_of,
+    taken_apart,
+    translation,
+)
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.errors import CameraError
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.json_values import JsonValues
+
+KIND = "a projection matrix"
+KEYS = ("P", "projection_matrix", "projection", "proj", "camera_projection_matrix")
+
+
+def is_projection(content: object) -> bool:
+    """Whether a decoded value is such a matrix, or an object with one and no K beside it."""
+    if type(content) is dict:
+        return "K" not in content and any(_is_3x4(content[key]) for key in KEYS if key in content)
+    return _is_3x4(content)
+
+
+def projection_from(content: object, path: str, inside: str = "") -> LoadedCamera:
+    """Read a camera from a decoded matrix, or from an object with one.
+
+    Raises:
+        CameraError: names the place and what was expected.
+    """
+    values = JsonValues.of({"P": content} if type(content) is list else content, path, inside, KIND)
+    key = values.need("3 x 4 numbers", *KEYS)
+    size = values.size()
+    return camera_of_projection(values.matrix(key, 3, 4), size, values.error)
+
+
+def camera_of_projection(
+    matrix: FloatArray, size: tuple[int, int] | None, error: Any
+) -> LoadedCamera:
+    """The pinhole camera of a matrix.
+
+    Args:
+        matrix: (3, 4), metres of this project's world -> px.
+        size: (width, height) px where it is known.
+        error: makes the error of a problem.
+
+    Raises:
+        CameraError: no camera, or one with a skew.
+    """
+    try:
+        k, rotation, t = taken_apart(matrix)
+        inside, pose = intrinsics_of(k, size), pose_of(rotation, t)
+        camera = pinhole_of(inside, pose, ())
+    except ValueError as problem:
+        raised: CameraError = error(str(problem))
+        raise raised from problem
+    return LoadedCamera(camera, "pinhole", size, notices=(*inside.notices, *pose.notices))
+
+
+def projection_matrix(camera: PinholeCamera) -> FloatArray:
+    """(3, 4) metres -> px.
+
+    Raises:
+        ValueError: the camera has lens distortion, or a parameter without bounds.
+    """
+    if camera.is_distorted:
+        raise ValueError("a projection matrix cannot hold lens distortion")
+    pose = np.column_stack((camera.rotation_cam_from_world, translation(camera)))
+    with np.errstate(over="ignore", invalid="ignore"):
+        matrix: FloatArray = calibration_matrix(camera) @ pose
+    if not np.isfinite(matrix).all():
+        raise ValueError("not a camera: a parameter is without bounds")
+    return matrix
+
+
+def _is_3x4(content: object) -> bool:
+    return (
+        type(content) is list
+        and len(content) == 3
+        and all(type(row) is list and len(row) == 4 for row in content)
+        and not any(type(number) in (list, dict, str) for row in content for number in row)
+    )

@@ -1,0 +1,124 @@
+"""Annotations of any format, as the files of frames that commands work on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Self
+
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.annotation_formats import PLAIN, told_formats
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, LabelMap
+from procc_annotator.io.annotation_files.read_set import ReadSet, read_set
+from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.session.dataset.fit_sizes import told_size
+from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
+from procc_annotator.words import count_of
+
+_SUFFIX = ".json"
+
+
+def open_annotations(
+    path: Path, field: Field, names: LabelMap | None = None, base: Path | None = None
+) -> FileSource:
+    """Open annotations of any format.
+
+    Those of this program are the very files; others look like such files, read at once and never
+    written: whoever goes over a set need not know what it was kept in.
+
+    Args:
+        path: a folder, an archive or a file, see `annotations_of`.
+        field: knows the official names.
+        names: which classes the labels of the files stand for; None: they are classes.
+        base: the folder a relative path starts from, as of `open_source`.
+
+    Raises:
+        UsageError: nothing at the path, or annotations of several formats or of another sport.
+        InputError: what is there cannot be opened or listed, or none of it can be read.
+    """
+    source = open_source(path, base)
+    try:
+        told = [known.name for known in told_formats(source)]
+        if not told or (PLAIN in told and names is None):
+            return source
+        place = path if base is None else base / path
+        sizes = PictureSizes(picture_folders(place, place))
+        pictures = sorted(picture.name for picture in sizes.files())
+        found = read_set(source, field, names, size_of=sizes.size, pictures=pictures)
+    except BaseException:
+        source.__exit__()
+        raise
+    source.__exit__()
+    if not found.frames:
+        raise next(iter(found.unread.values()), _nothing_in(path, found))
+    return ReadSource(path, found, partial(open_annotations, path, field, names))
+
+
+def _nothing_in(path: Path, found: ReadSet) -> UsageError:
+    said = f" ({'; '.join(found.losses)})" if found.losses else ""
+    return UsageError(
+        f"nothing to do: {path} is {found.title}, but no frame of it is annotated{said}"
+    )
+
+
+class ReadSource:
+    """Annotations that were read from another format, as a source of this program's files.
+
+    What could not be read is a file too, which cannot be read.
+    """
+
+    def __init__(self, path: Path, found: ReadSet, opening: Callable[..., FileSource]) -> None:
+        count = count_of(len(found.frames), "annotated frame")
+        self.path = path
+        self.notices = (f"{path}: read as {found.title}, {count}", *found.losses)
+        self.decoded = tuple(found.files)
+        self._opening = opening
+        self._files: dict[str, bytes | InputError] = {
+            f"{name}{_SUFFIX}": _written(frame) for name, frame in found.frames.items()
+        }
+        for name, error in found.unread.items():
+            while f"{name}{_SUFFIX}" in self._files:
+                name += " (again)"
+            self._files[f"{name}{_SUFFIX}"] = error
+
+    def files(self) -> list[str]:
+        # Where any frame lies in a folder, all are called by their paths.
+        return [] if any("/" in name for name in self._files) else list(self._files)
+
+    def tree(self) -> list[str]:
+        return list(self._files)
+
+    def folders(self) -> list[str]:
+        return []
+
+    def read(self, name: str) -> bytes:
+        found = self._files[name]
+        if isinstance(found, InputError):
+            raise found
+        return found
+
+    def display(self, name: str) -> str:
+        return f"{self.path}: {name.removesuffix(_SUFFIX)}"
+
+    def opener(self, base: Path) -> Callable[[], FileSource]:
+        return partial(self._opening, base=base)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *failure: object) -> None:
+        return None
+
+
+def _written(frame: ExchangedFrame) -> bytes:
+    annotation = frame.annotation
+    # The size of the picture comes along as annotation files tell it, beside their classes.
+    if frame.size is not None and annotation.polylines and told_size(annotation) is None:
+        width, height = frame.size
+        told = (*annotation.extra, ("image_width", width), ("image_height", height))
+        annotation = replace(annotation, extra=told)
+    return write_annotation(annotation)
