@@ -23,13 +23,13 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.api.cameras import camera_from_homography as camera_from_homography
     from procc_annotator.api.cameras import camera_from_krt as camera_from_krt
     from procc_annotator.api.cameras import camera_from_projection as camera_from_projection
+    from procc_annotator.api.checking import check_labels as check_labels
     from procc_annotator.api.drawing import draw_overlay as draw_overlay
-    from procc_annotator.api.judging import check_labels as check_labels
     from procc_annotator.api.judging import disagreement as disagreement
     from procc_annotator.api.judging import evaluate as evaluate
-    from procc_annotator.api.judging import evaluate_set as evaluate_set
     from procc_annotator.api.judging import jac_curve as jac_curve
     from procc_annotator.api.judging import project_field as project_field
+    from procc_annotator.api.judging_sets import evaluate_set as evaluate_set
     from procc_annotator.api.reading import Dataset as Dataset
     from procc_annotator.api.reading import load_annotation as load_annotation
     from procc_annotator.api.reading import load_annotations as load_annotations
@@ -79,15 +79,10 @@ _HOMES = {
         "camera_from_krt",
         "camera_from_projection",
     ),
+    "api.checking": ("check_labels",),
     "api.drawing": ("draw_overlay",),
-    "api.judging": (
-        "check_labels",
-        "disagreement",
-        "evaluate",
-        "evaluate_set",
-        "jac_curve",
-        "project_field",
-    ),
+    "api.judging": ("disagreement", "evaluate", "jac_curve", "project_field"),
+    "api.judging_sets": ("evaluate_set",),
     "api.reading": (
         "Dataset",
         "load_annotation",
