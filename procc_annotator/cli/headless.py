@@ -11,7 +11,7 @@ from procc_annotator.cli import datasets
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.options import make_setup
 from procc_annotator.cli.painters import overlay_painter
-from procc_annotator.errors import SaveError, UsageError
+from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
@@ -19,6 +19,7 @@ from procc_annotator.report.export import Scoring, export_dataset
 from procc_annotator.report.pictures import render_pictures
 from procc_annotator.report.scores.scoring import Scored, score_set
 from procc_annotator.report.scores.tables import sets_table
+from procc_annotator.report.targets import make_folder
 
 HELP = """\
 Camera sets are the subfolders of DATASET/cameras.
@@ -49,10 +50,7 @@ def run_headless(dataset: Path, out: Path) -> int:
         raise UsageError(f"{dataset}: no such folder")
     typer.echo(f"Without a window: evaluating, exporting and drawing {dataset}.\n")
     setup = make_setup(None, "960x540", "soccernet", "missed", mirrored=False, datasets=[dataset])
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise SaveError(f"{out}: cannot be made: {error.strerror or error}") from error
+    make_folder(out)
     scored = {f: _score(dataset, f, out, setup) for f in camera_folders(dataset)}
     best = max(scored, key=lambda folder: _merit(scored[folder]), default=None)
     if scored:

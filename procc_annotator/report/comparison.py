@@ -8,7 +8,7 @@ from dataclasses import asdict, astuple, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
-from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
+from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.fitted_on import marked
@@ -22,6 +22,7 @@ from procc_annotator.report.sheet.as_json import json_bytes
 from procc_annotator.report.sheet.figure import values_of
 from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
 from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
+from procc_annotator.report.targets import make_folder
 from procc_annotator.session.runs.comparison_run import (
     CameraPair,
     ComparedFrame,
@@ -145,10 +146,7 @@ def paint_frames(
     """
     if any(path.parent.resolve() == out.resolve() for path in pictures.values()):
         raise UsageError(f"{out}: this is the dataset itself, choose another folder")
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise SaveError(f"{out}: cannot be made: {error.strerror or error}") from error
+    make_folder(out)
     for frame in worst_frames(compared.frames, count):
         try:
             cameras = comparison.cameras(frame.name)

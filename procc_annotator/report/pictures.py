@@ -8,13 +8,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
+from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.project import project_paint
 from procc_annotator.metric.score import score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scenes import Paint, Scene
+from procc_annotator.report.targets import make_folder
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace
@@ -55,10 +56,7 @@ def render_pictures(
     """
     if any(frame.image_path.parent.resolve() == out.resolve() for frame in workspace.frames[:1]):
         raise UsageError(f"{out}: this is the dataset itself, choose another folder")
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise SaveError(f"{out}: cannot be made: {error.strerror or error}") from error
+    make_folder(out)
     rendered = Rendered(out)
     for index, frame in enumerate(workspace.frames):
         scene = _scene(

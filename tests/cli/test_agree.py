@@ -179,7 +179,7 @@ def test_requests_that_make_no_sense_are_one_line(cli, dataset, other, tmp_path)
         ((dataset.annotations, tmp_path / "none"), "no such file or folder"),
         ((*pair, "-t", "-1"), "a threshold must be a positive number"),
         ((*pair, "-o", tmp_path / "out.txt"), "written as .json or .csv"),
-        ((*pair, "-o", inside / "none" / "out.csv"), "cannot be made"),
+        ((*pair, "-o", inside / "none" / "out.csv"), "is a file, expected a folder"),
         ((*pair, "-o", inside), "is one of the files to be read"),
         ((*pair, "--field", "tennis-court"), "tennis-court"),
     ):
