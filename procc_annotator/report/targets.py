@@ -81,7 +81,9 @@ def make_folder(path: Path) -> None:
         path.mkdir(parents=True, exist_ok=True)
     except (FileExistsError, NotADirectoryError) as error:
         file = next(place for place in (path, *path.parents) if place.exists())
-        raise SaveError(f"{file}: is a file, expected a folder; choose another place") from error
+        raise SaveError(
+            f"{path}: cannot be made: {file} is a file, expected a folder; choose another place"
+        ) from error
     except OSError as error:
         raise SaveError(f"{path}: cannot be made: {error.strerror or error}") from error
 

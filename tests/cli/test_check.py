@@ -122,7 +122,10 @@ def test_workers_find_the_same(cli, dataset, tmp_path) -> None:
         (["--least", "fatal"], "choose one of error, warning, hint"),
         (["--fail-on", "x"], "choose one of error, warning, hint"),
         (["--output", "findings.txt"], ".csv or .json"),
-        (["--output", "/dev/null/findings.csv"], "/dev/null: is a file, expected a folder"),
+        (
+            ["--output", "/dev/null/findings.csv"],
+            "cannot be made: /dev/null is a file, expected a folder",
+        ),
     ],
 )
 def test_requests_that_make_no_sense(cli, dataset, arguments, message) -> None:

@@ -422,7 +422,10 @@ def test_an_empty_frame_and_a_damaged_annotation(damaged) -> None:
         (["--output", "r.html", "--reference", "nobody"], "no source called 'nobody'"),
         (["--output", "r.html", "--disagreement", "one"], "is no pair of sources"),
         (["--output", "r.html", "--disagreement", "good,good"], "name two"),
-        (["--output", "/dev/null/r.html"], "/dev/null: is a file, expected a folder"),
+        (
+            ["--output", "/dev/null/r.html"],
+            "cannot be made: /dev/null is a file, expected a folder",
+        ),
     ],
 )
 def test_wrong_requests_are_told_before_the_work(

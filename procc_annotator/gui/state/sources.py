@@ -45,7 +45,7 @@ class Sources(QObject):
         except (ProccError, OSError) as error:
             say(self._store, str(error), "error")
             return False
-        if not cameras.frames:
+        if not cameras.frames or self._only_below(cameras):
             say(self._store, f"{path}: no cameras in it ({where_else(path)})", "error")
             return False
         source = self.add_source(cameras)
@@ -56,11 +56,21 @@ class Sources(QObject):
             say(self._store, "; ".join(remarks), "warning")
         return True
 
+    def _only_below(self, cameras: CameraSet) -> bool:
+        """Whether all cameras lie in folders of it, and none by the place of a frame: sets of
+        their own."""
+        return self._none_matches(cameras) and all("/" in name for name in cameras.frames)
+
+    def _none_matches(self, cameras: CameraSet) -> bool:
+        workspace = self._store.state.workspace
+        frames = workspace.frames if workspace is not None else ()
+        return bool(frames) and not any(frame.name in cameras.frames for frame in frames)
+
     def _no_match(self, cameras: CameraSet) -> Iterator[str]:
         """What to say of cameras that belong to no frame of the dataset."""
         workspace = self._store.state.workspace
-        frames = workspace.frames if workspace is not None else ()
-        if frames and not any(frame.name in cameras.frames for frame in frames):
+        if workspace is not None and self._none_matches(cameras):
+            frames = workspace.frames
             yield (
                 f"{cameras.path}: no camera has the name of a frame (cameras are named like"
                 f" {next(iter(cameras.frames))!r}, frames like {frames[0].name!r})"
