@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
@@ -10,11 +11,22 @@ import typer
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.session.dataset.annotated_frames import (
+    AnnotatedFrames,
+    DatasetFrames,
+    FileFrames,
+)
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
-from procc_annotator.session.dataset.dataset_folder import like_cameras_in
+from procc_annotator.session.dataset.dataset_folder import (
+    annotations_of,
+    like_cameras_in,
+    pictures_in,
+)
 from procc_annotator.session.dataset.field_match import (
     Mismatch,
     classes_of_source,
@@ -59,6 +71,34 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
         with open_source(folder) as source:
             report_mismatch(source, field)
     return workspace
+
+
+@contextmanager
+def annotated_frames(
+    path: Path, field: Field, annotations: Path | None = None
+) -> Iterator[tuple[AnnotatedFrames, FileSource | None]]:
+    """The frames of a dataset; of annotations of any format where there is no picture.
+
+    Yields:
+        Them, and what they are read from where that is not a dataset with pictures.
+
+    Raises:
+        UsageError: no such folder, or nothing annotated in it.
+        InputError: annotations that cannot be opened or listed.
+    """
+    if path.is_file() and path.suffix.lower() in PICTURE_SUFFIXES:
+        has_pictures = True
+    else:
+        has_pictures = path.is_dir() and bool(pictures_in(path))
+    if has_pictures or not path.exists():
+        yield DatasetFrames(open_dataset(path, field, annotations)), None
+        return
+    with open_annotations(annotations or annotations_of(path), field) as source:
+        frames = FileFrames(source, field)
+        if not frames.names:
+            raise UsageError(f"nothing to do: no picture and no annotation in {path}")
+        report_mismatch(source, field)
+        yield frames, source
 
 
 def open_cameras(
