@@ -161,9 +161,7 @@ def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str |
     _print_report(report, out)
     if hold_out:
         stdout_console().print(calibration.held_out_table(report))
-        typer.echo(
-            f"written: {HELD_OUT_FILE}; evaluate and report tell it beside the figures of these cameras"
-        )
+        typer.echo(f"written: {HELD_OUT_FILE}, which evaluate and report tell beside these cameras")
     if (out / POSITIONS_FILE).exists():
         typer.echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"
