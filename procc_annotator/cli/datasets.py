@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -11,16 +12,19 @@ import typer
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import like_cameras_in
 from procc_annotator.session.dataset.field_match import (
+    MOST_FRAMES,
     Mismatch,
+    classes_in,
     classes_of_source,
     loadable,
     mismatch_of,
 )
+from procc_annotator.session.dataset.what_lies_there import instead_of_pictures
 from procc_annotator.session.dataset.workspace import Workspace
 
 Dataset = Annotated[
@@ -50,15 +54,21 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
     for given in (path, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
-    workspace = Workspace.open(path, field, annotations)
+    held = "" if path.is_dir() else instead_of_pictures(path)
+    if held:
+        raise UsageError(f"nothing to do: there is no picture in {path}{held}")
+    workspace = Workspace.open_to_read(path, field, annotations)
     if not workspace.frames:
-        raise UsageError(f"nothing to do: no picture in {path}")
-    for notice in workspace.notices:
-        typer.echo(f"note: {notice}", err=True)
-    if (folder := workspace.frames[0].annotation_folder).is_dir():
-        with open_source(folder) as source:
-            report_mismatch(source, field)
+        raise UsageError(f"nothing to do: no picture in {path}{instead_of_pictures(path)}")
+    report_remarks(workspace.notices)
+    tell_mismatch(_classes_of(workspace), field, workspace.folder)
     return workspace
+
+
+def _classes_of(workspace: Workspace) -> frozenset[str]:
+    """Of some annotated frames, from all over the set."""
+    readers = [partial(workspace.read, index) for index in range(len(workspace.frames))]
+    return classes_in(readers[:: max(1, len(readers) // MOST_FRAMES)])
 
 
 def open_cameras(

@@ -10,6 +10,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.annotation_files.soccernet_annotation import (
     read_annotation,
     write_annotation,
@@ -17,6 +18,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import (
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp_of
+from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frame_state import EMPTY, FrameState
 from procc_annotator.session.dataset.frames import Frame, list_frames
 from procc_annotator.session.dataset.history import History
@@ -52,6 +54,7 @@ class Workspace:
         field: Field,
         notices: tuple[str, ...],
         folder: Path | None = None,
+        given: FrameAnnotations | None = None,
     ):
         self.root = root
         self.folder = folder or root
@@ -60,6 +63,7 @@ class Workspace:
         self.field = field
         self.notices = notices
         self.index = {frame.name: i for i, frame in enumerate(frames)}
+        self._given = given
         self._states: dict[int, FrameState] = {}
         self._stamps: FileStamps[int] = FileStamps()
         self._broken: dict[int, FrameState] = {}  # as they were before others broke their files
@@ -83,6 +87,18 @@ class Workspace:
         """
         root, frames, notices = list_frames(path, annotations)
         return cls(path, frames, field, notices, root)
+
+    @classmethod
+    def open_to_read(cls, path: Path, field: Field, annotations: Path | None = None) -> Workspace:
+        """The same for who changes nothing: annotations may be of any format, in an archive or a
+        file.
+
+        Raises:
+            UsageError, InputError: as of `open`, and of `FrameAnnotations.of`.
+        """
+        root, frames, notices = list_frames(path, annotations)
+        given = FrameAnnotations.of(path, annotations, field)
+        return cls(path, frames, field, (*notices, *given.notices), root, given)
 
     def state(self, index: int) -> FrameState:
         """A frame's state, read from disk the first time. An unreadable file is its ``error``."""
@@ -181,6 +197,7 @@ class Workspace:
         Raises:
             UsageError: the frame's annotation file is unreadable, so editing could destroy it.
         """
+        assert self._given is None  # opened to be read
         state = self.state(index)
         if state.error is not None:
             raise UsageError(f"this frame cannot be edited: {state.error}")
@@ -390,13 +407,16 @@ class Workspace:
         self.database.set_draft(self.frames[index].name, data)
 
     def _bytes(self, index: int) -> bytes | None:
-        path = self.frames[index].annotation_path
-        self._stamps.note(index, path)
-        return bytes_of(path)
+        frame = self.frames[index]
+        if self._given is not None:
+            return self._given.bytes_of(frame)
+        self._stamps.note(index, frame.annotation_path)
+        return bytes_of(frame.annotation_path)
 
     def _parse(self, index: int, data: bytes) -> FrameAnnotation:
-        path = str(self.frames[index].annotation_path)
-        return read_annotation(data, path=path, field=self.field)
+        frame = self.frames[index]
+        shown = frame.annotation_path if self._given is None else self._given.display(frame)
+        return read_plain(data, str(shown), self.field)
 
     def _keep_found(self, pending: PendingSave) -> bool:
         """Keep what a file holds before it is replaced; whether that is new."""
