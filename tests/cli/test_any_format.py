@@ -134,7 +134,7 @@ def test_what_lies_there_instead_is_told_with_the_command(cli, dataset, tmp_path
     done = cli("evaluate", dataset.cameras, dataset.cameras)
     assert "it holds 5 cameras (camera_*): give the annotations" in done.stderr
     assert cli("convert", dataset.root, tmp_path / "lm", "--to", "labelme").exit_code == 0
-    done = cli("export", tmp_path / "lm", tmp_path / "out")
+    done = cli("render", tmp_path / "lm", tmp_path / "out")
     assert done.exit_code == 2
     assert "no picture in" in done.stderr
     assert "only annotations (labelme JSON)" in done.stderr

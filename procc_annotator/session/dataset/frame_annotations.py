@@ -11,7 +11,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import AnnotationFiles, list_annotations
 from procc_annotator.io.source import FileSource
-from procc_annotator.session.dataset.annotation_source import open_annotations
+from procc_annotator.session.dataset.annotation_source import ReadSource, open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.pending_save import bytes_of
@@ -23,6 +23,7 @@ class FrameAnnotations:
 
     Attributes:
         notices: what a person should know of it.
+        unknown: labels of another program that stand for no class, and how many shapes have them.
     """
 
     def __init__(self, source: FileSource | None = None, notices: tuple[str, ...] = ()) -> None:
@@ -33,6 +34,7 @@ class FrameAnnotations:
         """
         self._source = source
         self._files = AnnotationFiles() if source is None else list_annotations(source)
+        self.unknown = source.unknown if isinstance(source, ReadSource) else {}
         self.notices = (*notices, *self._files.notices)
 
     @classmethod
@@ -71,6 +73,12 @@ class FrameAnnotations:
             return bytes_of(frame.annotation_path)
         file = self._files.get(frame.name)
         return None if file is None else self._source.read(file)
+
+    def has(self, frame: Frame) -> bool:
+        """Whether a frame has an annotation, be it empty; not whether it can be read."""
+        if self._source is None:
+            return frame.annotation_path.exists()
+        return frame.name in self._files
 
     def display(self, frame: Frame) -> str:
         """How to name a frame's annotation to a person."""

@@ -45,6 +45,8 @@ class Workspace:
         folder: the dataset's; of a single picture the one it lies in.
         database: what is remembered beside the files (versions, unconfirmed elements); None keeps
             nothing. Annotations never depend on it.
+        given: annotations of any format, for who only reads the dataset; None: the frames' own
+            files, which can be edited.
     """
 
     def __init__(
@@ -54,7 +56,6 @@ class Workspace:
         field: Field,
         notices: tuple[str, ...],
         folder: Path | None = None,
-        given: FrameAnnotations | None = None,
     ):
         self.root = root
         self.folder = folder or root
@@ -63,7 +64,7 @@ class Workspace:
         self.field = field
         self.notices = notices
         self.index = {frame.name: i for i, frame in enumerate(frames)}
-        self._given = given
+        self.given: FrameAnnotations | None = None
         self._states: dict[int, FrameState] = {}
         self._stamps: FileStamps[int] = FileStamps()
         self._broken: dict[int, FrameState] = {}  # as they were before others broke their files
@@ -87,18 +88,6 @@ class Workspace:
         """
         root, frames, notices = list_frames(path, annotations)
         return cls(path, frames, field, notices, root)
-
-    @classmethod
-    def open_to_read(cls, path: Path, field: Field, annotations: Path | None = None) -> Workspace:
-        """The same for who changes nothing: annotations may be of any format, in an archive or a
-        file.
-
-        Raises:
-            UsageError, InputError: as of `open`, and of `FrameAnnotations.of`.
-        """
-        root, frames, notices = list_frames(path, annotations)
-        given = FrameAnnotations.of(path, annotations, field)
-        return cls(path, frames, field, (*notices, *given.notices), root, given)
 
     def state(self, index: int) -> FrameState:
         """A frame's state, read from disk the first time. An unreadable file is its ``error``."""
@@ -176,6 +165,11 @@ class Workspace:
         data = self._bytes(index)
         return self._parse(index, data) if data is not None else None
 
+    def has_file(self, index: int) -> bool:
+        """Whether a frame has an annotation file, be it empty."""
+        frame = self.frames[index]
+        return frame.annotation_path.exists() if self.given is None else self.given.has(frame)
+
     def at_hand(self, index: int) -> FrameAnnotation | None:
         """A frame's annotation as it is now, if it was read in this session; never reads it."""
         state = self._states.get(index)
@@ -197,7 +191,7 @@ class Workspace:
         Raises:
             UsageError: the frame's annotation file is unreadable, so editing could destroy it.
         """
-        assert self._given is None  # opened to be read
+        assert self.given is None  # opened to be read
         state = self.state(index)
         if state.error is not None:
             raise UsageError(f"this frame cannot be edited: {state.error}")
@@ -408,14 +402,14 @@ class Workspace:
 
     def _bytes(self, index: int) -> bytes | None:
         frame = self.frames[index]
-        if self._given is not None:
-            return self._given.bytes_of(frame)
+        if self.given is not None:
+            return self.given.bytes_of(frame)
         self._stamps.note(index, frame.annotation_path)
         return bytes_of(frame.annotation_path)
 
     def _parse(self, index: int, data: bytes) -> FrameAnnotation:
         frame = self.frames[index]
-        shown = frame.annotation_path if self._given is None else self._given.display(frame)
+        shown = frame.annotation_path if self.given is None else self.given.display(frame)
         return read_plain(data, str(shown), self.field)
 
     def _keep_found(self, pending: PendingSave) -> bool:
