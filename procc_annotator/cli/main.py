@@ -122,9 +122,9 @@ class CommandOrPath(TyperGroup):
         except ImportError as error:
             if not _is_of_qt(error):
                 raise
-            typer.echo(
-                f"procc-annotator: this needs Qt, which cannot be loaded here: {error}", err=True
-            )
+            from procc_annotator.cli.qt_libraries import words_for
+
+            typer.echo(f"procc-annotator: {words_for(error)}", err=True)
             raise typer.Exit(2) from error
         except OSError as error:
             # Files are written by functions that name them; what is left is the standard output.

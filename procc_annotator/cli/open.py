@@ -11,6 +11,7 @@ import typer
 
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.options import Lines, Sources
+from procc_annotator.cli.qt_libraries import require_qt_libraries
 from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import UsageError
 
@@ -73,6 +74,7 @@ def open_window(
         raise UsageError(
             "there is no display for the window; `evaluate`, `export` and `render` work without"
         )
+    require_qt_libraries()
     from procc_annotator.gui.app import CameraChoice, main
 
     shown = None
@@ -91,6 +93,7 @@ def open_window(
 def _selftest(path: Path | None, field: str | None, lines: str | None) -> int:
     if path is not None and not path.exists():
         raise UsageError(f"{path}: does not exist")
+    require_qt_libraries()
     from procc_annotator.gui.selftest import run_selftest
 
     shown = chosen_field(field, lines=lines) if field is not None else None
