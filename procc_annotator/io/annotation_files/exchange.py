@@ -90,6 +90,7 @@ class Reading:
         unread: the same by the name of the frame, or of the file where no frame is known yet.
         remarks: what was left out or changed.
         total: how many frames there are in all, as soon as it is known.
+        told: called with what is wrong with a frame or file; what it raises ends the reading.
     """
 
     field: Field
@@ -101,6 +102,7 @@ class Reading:
     unread: dict[str, InputError] = attribute(default_factory=dict)
     remarks: Remarks = attribute(default_factory=Remarks)
     total: int | None = None
+    told: Callable[[InputError], None] | None = None
     _at: str = ""
     _pictures: PictureNames | None = None
 
@@ -114,6 +116,8 @@ class Reading:
 
     def note(self, error: InputError) -> None:
         """Take down what is wrong with the frame or file that is being read."""
+        if self.told is not None:
+            self.told(error)
         self.problems.append(str(error))
         self.unread.setdefault(self._at, error)
 
