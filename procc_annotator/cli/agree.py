@@ -58,6 +58,7 @@ def agree(
     ] = None,
     size: options.Size = "960x540",
     field: options.FieldName = None,
+    labels: options.LabelsFile = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -70,9 +71,10 @@ def agree(
         outputs.check_output_folder(output)
     thresholds = options.thresholds_or_default(threshold)
     shown = chosen_field(field, a, b)
+    names = options.label_map(labels, shown)
     with (
-        open_annotations(annotations_of(a), shown) as source_a,
-        open_annotations(annotations_of(b), shown) as source_b,
+        open_annotations(annotations_of(a), shown, names) as source_a,
+        open_annotations(annotations_of(b), shown, names) as source_b,
     ):
         if output is not None:
             outputs.check_not_an_input(output, (source_a, source_b))

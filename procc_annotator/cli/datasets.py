@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -13,13 +14,14 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.json_text import printable
+from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.annotated_frames import (
     AnnotatedFrames,
     DatasetFrames,
     FileFrames,
 )
-from procc_annotator.session.dataset.annotation_source import open_annotations
+from procc_annotator.session.dataset.annotation_source import ReadSource, open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import (
@@ -28,12 +30,19 @@ from procc_annotator.session.dataset.dataset_folder import (
     pictures_in,
 )
 from procc_annotator.session.dataset.field_match import (
+    MOST_FRAMES,
     Mismatch,
+    classes_in,
     classes_of_source,
     loadable,
     mismatch_of,
 )
+from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
+from procc_annotator.session.dataset.what_lies_there import instead_of_pictures
 from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.words import count_of
+
+_LABELS = 12  # are listed at most
 
 Dataset = Annotated[
     Path,
@@ -54,7 +63,7 @@ Cameras = Annotated[
 
 
 def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> Workspace:
-    """The dataset, if it has any picture.
+    """The dataset, to be read: its annotations may be of any format. It has a picture.
 
     Raises:
         UsageError: no such folder, or no picture in it.
@@ -62,15 +71,22 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
     for given in (path, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
+    held = "" if path.is_dir() else instead_of_pictures(path)
+    if held:
+        raise UsageError(f"nothing to do: there is no picture in {path}{held}")
     workspace = Workspace.open(path, field, annotations)
     if not workspace.frames:
-        raise UsageError(f"nothing to do: no picture in {path}")
-    for notice in workspace.notices:
-        typer.echo(f"note: {notice}", err=True)
-    if (folder := workspace.frames[0].annotation_folder).is_dir():
-        with open_source(folder) as source:
-            report_mismatch(source, field)
+        raise UsageError(f"nothing to do: no picture in {path}{instead_of_pictures(path)}")
+    workspace.given = kept = FrameAnnotations.of(path, annotations, field)
+    report_remarks((*workspace.notices, *kept.notices))
+    tell_mismatch(_classes_of(workspace), field, workspace.folder, unknown=kept.unknown)
     return workspace
+
+
+def _classes_of(workspace: Workspace) -> frozenset[str]:
+    """Of some annotated frames, from all over the set."""
+    readers = [partial(workspace.read, index) for index in range(len(workspace.frames))]
+    return classes_in(readers[:: max(1, len(readers) // MOST_FRAMES)])
 
 
 @contextmanager
@@ -145,7 +161,8 @@ def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch 
         What was said.
     """
     report_remarks(f"{of}{notice}" for notice in list_annotations(source).notices)
-    return tell_mismatch(classes_of_source(source, field), field, source.path, of)
+    unknown = source.unknown if isinstance(source, ReadSource) else {}
+    return tell_mismatch(classes_of_source(source, field), field, source.path, of, unknown)
 
 
 def report_like_cameras(source: FileSource, of: str = "") -> None:
@@ -160,7 +177,11 @@ def report_like_cameras(source: FileSource, of: str = "") -> None:
 
 
 def tell_mismatch(
-    classes: Collection[str], field: Field, place: Path, of: str = ""
+    classes: Collection[str],
+    field: Field,
+    place: Path,
+    of: str = "",
+    unknown: Mapping[str, int] | None = None,
 ) -> Mismatch | None:
     """The same of classes that are known.
 
@@ -169,8 +190,12 @@ def tell_mismatch(
         field: what they are taken for.
         place: where they are from; the field of that dataset may fit better.
         of: as of `report_mismatch`.
+        unknown: labels of another program that stand for no class, and how many shapes have them.
     """
     mismatch, own = mismatch_at(classes, field, place)
+    if unknown and (mismatch is None or mismatch.better is None):
+        report_remarks([f"{of}{place}: {_unknown_words(unknown, field)}"])
+        return mismatch
     if mismatch is None or not mismatch.is_telling:
         return None
     if mismatch.better is None:
@@ -181,6 +206,17 @@ def tell_mismatch(
         try_it = f": --field {mismatch.better.name}"
     typer.echo(f"note: {of}{mismatch.words()}{try_it}", err=True)
     return mismatch
+
+
+def _unknown_words(unknown: Mapping[str, int], field: Field) -> str:
+    """What to say of labels that stand for no class, and what helps."""
+    counts = [f"{printable(label)} ({count})" for label, count in unknown.items()]
+    more = f", and {len(counts) - _LABELS} more" if len(counts) > _LABELS else ""
+    return (
+        f"the field {field.title} does not know {count_of(len(counts), 'label')}:"
+        f" {', '.join(counts[:_LABELS])}{more}; write what they stand for in a file and name it"
+        " with --map labels.toml"
+    )
 
 
 def mismatch_at(
