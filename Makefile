@@ -6,7 +6,7 @@ UV_VERSION := 0.13.8
 STAMP := .venv/.ready
 BIN := .venv/bin
 
-.PHONY: help run test soak setup lint format check bench screenshots example sample clean
+.PHONY: help run test soak setup lint format check bench screenshots example docs sample clean
 
 help:
 	@echo "make run          open the window on sample_data/"
@@ -18,6 +18,7 @@ help:
 	@echo "make bench        print the benchmark figures"
 	@echo "make screenshots  take the README's pictures again"
 	@echo "make example      make the example report again (DATA=folder of the World Cup 2014 data)"
+	@echo "make docs         build the documentation as a site in out/site/, which opens from there"
 	@echo "make sample       draw sample_data/ again"
 	@echo "make clean        remove .venv and everything built"
 
@@ -76,6 +77,13 @@ screenshots: setup
 
 example: setup
 	$(BIN)/python docs/make_wc14_report.py "$(DATA)"
+
+# Whatever the site would show wrongly is an error: a broken link, a page that the menu leaves out, a
+# docstring that tells of other arguments than there are.
+docs: setup
+	@VIRTUAL_ENV="$$PWD/.venv" $(BIN)/uv sync --frozen --inexact --quiet --group docs
+	NO_MKDOCS_2_WARNING=1 PYTHONPATH="$$PWD" $(BIN)/mkdocs build --strict
+	@echo "out/site/index.html"
 
 sample: setup
 	$(BIN)/python sample_data/make_sample_data.py

@@ -104,7 +104,12 @@ def jac_curve(
         annotation: what is annotated, points normalised.
         camera: as `evaluate` takes it.
         thresholds: (T,) px, in any order.
-        field, size, camera_size, protocol, allow_mirrored, off_plane: as of `evaluate`.
+        field: as of `evaluate`.
+        size: as of `evaluate`.
+        camera_size: as of `evaluate`.
+        protocol: as of `evaluate`.
+        allow_mirrored: as of `evaluate`.
+        off_plane: as of `evaluate`.
 
     Returns:
         (T,) JaC in [0, 1].
@@ -162,10 +167,12 @@ def disagreement(
     """How far two cameras of one picture disagree about the ground, pixel by pixel.
 
     Args:
-        a, b: cameras as `evaluate` takes them; not projections alone, which know no ground.
+        a: a camera as `evaluate` takes it; not projections alone, which know no ground.
+        b: the other one.
         field: the ground that counts, metres; or a field's name, see `load_field`; the usual one if
             None.
-        size: (width, height) px of the picture. camera_size: as of `evaluate`.
+        size: (width, height) px of the picture.
+        camera_size: as of `evaluate`.
         step_px: samples are at most that far apart, px; the picture's border is always sampled.
 
     Returns:

@@ -157,7 +157,11 @@ class SetScore:
 
         Args:
             other: of the same annotations and thresholds.
-            cluster, method, draws, seed, level: as of `intervals`.
+            cluster: as of `intervals`.
+            method: as of `intervals`.
+            draws: as of `intervals`.
+            seed: as of `intervals`.
+            level: as of `intervals`.
 
         Returns:
             Threshold (px) -> key (``mean_jac``, ``final_score``, ``mean_error``, ``completeness``)

@@ -82,6 +82,7 @@ def agree(
             " or more.",
         ),
     ] = None,
+    labels: options.LabelsFile = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -96,9 +97,10 @@ def agree(
         outputs.check_output_folder(output)
     thresholds = options.thresholds_or_default(threshold)
     shown = chosen_field(field, *annotators)
+    names = options.label_map(labels, shown)
     with ExitStack() as opened:
         sources = [
-            opened.enter_context(open_annotations(annotations_of(path), shown))
+            opened.enter_context(open_annotations(annotations_of(path), shown, names))
             for path in annotators
         ]
         if output is not None:

@@ -102,6 +102,7 @@ def calibrate(
     size: options.FitSize = None,
     field: options.FieldName = None,
     lines: options.Lines = None,
+    labels: options.LabelsFile = None,
     off_plane: options.OffPlane = "left_out",
     mirrored: options.Mirrored = False,
     workers: options.FitWorkers = None,
@@ -121,7 +122,8 @@ def calibrate(
     )
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
-    with open_annotations(place, setup.field) as source:
+    names = options.label_map(labels, setup.field)
+    with open_annotations(place, setup.field, names) as source:
         _check_out(out, source, overwrite=overwrite, positions=shared_position)
         datasets.report_mismatch(source, setup.field)
         datasets.report_like_cameras(source)

@@ -102,6 +102,7 @@ def check(
     paint: Paint = True,
     field: options.FieldName = None,
     lines: options.Lines = None,
+    labels: options.LabelsFile = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
@@ -114,7 +115,7 @@ def check(
         outputs.check_output_folder(path)
     place = annotations_of(dataset)
     known = chosen_field(field, dataset, lines=lines)
-    with open_annotations(place, known) as source:
+    with open_annotations(place, known, options.label_map(labels, known)) as source:
         for path in written_to:
             outputs.check_not_an_input(path, [source])
         sizes = fit_sizes(source, place, dataset, size)

@@ -26,6 +26,7 @@ from procc_annotator.report.camera_export import export_cameras
 from procc_annotator.report.conversion import convert_annotations
 from procc_annotator.report.conversion_output import Wanted
 from procc_annotator.report.polyline_export import export_polylines
+from procc_annotator.session.dataset.annotation_source import own_label_map
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.words import count_of
 
@@ -133,6 +134,7 @@ def convert(
     to: To,
     from_: From = "auto",
     field: options.FieldName = None,
+    labels: options.LabelsFile = None,
     size: Size = None,
     camera_size: options.CameraSize = None,
     line_width: LineWidth = 4.0,
@@ -172,10 +174,11 @@ def convert(
             wanted,
             known,
             fmt=from_,
+            names=options.label_map(labels, known) or own_label_map(source, known),
             size=shown,
             progress=progress,
         )
-    datasets.tell_mismatch(done.classes, known, source)
+    datasets.tell_mismatch(done.classes, known, source, unknown=done.unknown)
     datasets.report_remarks(done.losses)
     unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.frames:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
@@ -10,11 +11,23 @@ import typer
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.session.dataset.annotated_frames import (
+    AnnotatedFrames,
+    DatasetFrames,
+    FileFrames,
+)
+from procc_annotator.session.dataset.annotation_source import ReadSource, open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
-from procc_annotator.session.dataset.dataset_folder import like_cameras_in
+from procc_annotator.session.dataset.dataset_folder import (
+    annotations_of,
+    like_cameras_in,
+    pictures_in,
+)
 from procc_annotator.session.dataset.field_match import (
     Mismatch,
     classes_of_source,
@@ -22,6 +35,9 @@ from procc_annotator.session.dataset.field_match import (
     mismatch_of,
 )
 from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.words import count_of
+
+_LABELS = 12  # are listed at most
 
 Dataset = Annotated[
     Path,
@@ -59,6 +75,34 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
         with open_source(folder) as source:
             report_mismatch(source, field)
     return workspace
+
+
+@contextmanager
+def annotated_frames(
+    path: Path, field: Field, annotations: Path | None = None
+) -> Iterator[tuple[AnnotatedFrames, FileSource | None]]:
+    """The frames of a dataset; of annotations of any format where there is no picture.
+
+    Yields:
+        Them, and what they are read from where that is not a dataset with pictures.
+
+    Raises:
+        UsageError: no such folder, or nothing annotated in it.
+        InputError: annotations that cannot be opened or listed.
+    """
+    if path.is_file() and path.suffix.lower() in PICTURE_SUFFIXES:
+        has_pictures = True
+    else:
+        has_pictures = path.is_dir() and bool(pictures_in(path))
+    if has_pictures or not path.exists():
+        yield DatasetFrames(open_dataset(path, field, annotations)), None
+        return
+    with open_annotations(annotations or annotations_of(path), field) as source:
+        frames = FileFrames(source, field)
+        if not frames.names:
+            raise UsageError(f"nothing to do: no picture and no annotation in {path}")
+        report_mismatch(source, field)
+        yield frames, source
 
 
 def open_cameras(
@@ -105,7 +149,8 @@ def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch 
         What was said.
     """
     report_remarks(f"{of}{notice}" for notice in list_annotations(source).notices)
-    return tell_mismatch(classes_of_source(source, field), field, source.path, of)
+    unknown = source.unknown if isinstance(source, ReadSource) else {}
+    return tell_mismatch(classes_of_source(source, field), field, source.path, of, unknown)
 
 
 def report_like_cameras(source: FileSource, of: str = "") -> None:
@@ -120,7 +165,11 @@ def report_like_cameras(source: FileSource, of: str = "") -> None:
 
 
 def tell_mismatch(
-    classes: Collection[str], field: Field, place: Path, of: str = ""
+    classes: Collection[str],
+    field: Field,
+    place: Path,
+    of: str = "",
+    unknown: Mapping[str, int] | None = None,
 ) -> Mismatch | None:
     """The same of classes that are known.
 
@@ -129,8 +178,12 @@ def tell_mismatch(
         field: what they are taken for.
         place: where they are from; the field of that dataset may fit better.
         of: as of `report_mismatch`.
+        unknown: labels of another program that stand for no class, and how many shapes have them.
     """
     mismatch, own = mismatch_at(classes, field, place)
+    if unknown and (mismatch is None or mismatch.better is None):
+        report_remarks([f"{of}{place}: {_unknown_words(unknown, field)}"])
+        return mismatch
     if mismatch is None or not mismatch.is_telling:
         return None
     if mismatch.better is None:
@@ -141,6 +194,17 @@ def tell_mismatch(
         try_it = f": --field {mismatch.better.name}"
     typer.echo(f"note: {of}{mismatch.words()}{try_it}", err=True)
     return mismatch
+
+
+def _unknown_words(unknown: Mapping[str, int], field: Field) -> str:
+    """What to say of labels that stand for no class, and what helps."""
+    counts = [f"{printable(label)} ({count})" for label, count in unknown.items()]
+    more = f", and {len(counts) - _LABELS} more" if len(counts) > _LABELS else ""
+    return (
+        f"the field {field.title} does not know {count_of(len(counts), 'label')}:"
+        f" {', '.join(counts[:_LABELS])}{more}; write what they stand for in a file and name it"
+        " with --map labels.toml"
+    )
 
 
 def mismatch_at(

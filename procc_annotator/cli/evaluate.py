@@ -143,6 +143,7 @@ def evaluate(
     size: options.Sizes = None,
     field: options.FieldName = None,
     lines: options.Lines = None,
+    labels: options.LabelsFile = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -177,7 +178,7 @@ def evaluate(
         outputs.check_output_folder(recipe)
     if submission is not None:
         cameras, sources = None, [*(sources or []), submitted_source(submission)]
-    plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
+    plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format, labels)
     fields = plan.fields(field, lines)
     first = next(iter(fields.values()))
     setups = [

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.options import label_map
 from procc_annotator.cli.sources import (
     SourceSpec,
     name_of,
@@ -19,6 +20,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import FileSource
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.session.dataset.annotation_source import open_annotations
@@ -36,11 +38,13 @@ class Plan:
 
     Attributes:
         named: whether they were named, so that files have to tell which is which.
+        labels: file of what names of another program stand for; None: as the sets say.
     """
 
     sets: tuple[tuple[str, Path], ...]
     methods: tuple[SourceSpec, ...]
     named: bool
+    labels: Path | None = None
 
     @classmethod
     def of(
@@ -50,6 +54,7 @@ class Plan:
         sets: Sequence[str],
         sources: Sequence[str],
         camera_format: str,
+        labels: Path | None = None,
     ) -> Plan:
         """Read the arguments.
 
@@ -78,7 +83,7 @@ class Plan:
         methods = parse_sources(sources, camera_format)
         if cameras is not None:
             methods = (SourceSpec(name_of(str(cameras)), camera_format, cameras),)
-        return cls(chosen, methods, bool(sets or sources))
+        return cls(chosen, methods, bool(sets or sources), labels)
 
     def fields(self, named: str | None, lines: str | None) -> dict[str, Field]:
         """The field of each set: the one of the options, or else the set's own.
@@ -115,7 +120,7 @@ class Plan:
         own_sizes = [camera_size] + [camera_size or setups[0].size for _ in setups[1:]]
         asked: list[Asked] = []
         for set_name, path in self.sets:
-            source = files.enter_context(open_annotations(path, fields[set_name]))
+            source = files.enter_context(self._annotations(path, fields[set_name]))
             own_setups = [_with_field(setup, fields[set_name]) for setup in setups]
             grouping = tags.grouping(by, set_name) if tags else Grouping(by)
             for method in self.methods:
@@ -128,11 +133,14 @@ class Plan:
                 ]
         return asked
 
+    def _annotations(self, path: Path, field: Field) -> FileSource:
+        return open_annotations(path, field, label_map(self.labels, field))
+
     def frames(self, fields: Mapping[str, Field]) -> dict[str, tuple[str, ...]]:
         """The annotated frames of each set; fields as of `open`."""
         found = {}
         for name, path in self.sets:
-            with open_annotations(path, fields[name]) as source:
+            with self._annotations(path, fields[name]) as source:
                 found[name] = tuple(list_annotations(source))
         return found
 

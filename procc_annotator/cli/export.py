@@ -2,19 +2,35 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
-from procc_annotator.report.export import JAC_FILES, Scoring, export_dataset
+from procc_annotator.errors import UsageError
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.export import (
+    JAC_FILES,
+    Exported,
+    Scoring,
+    export_dataset,
+    export_split,
+    split_scores,
+)
+from procc_annotator.report.targets import is_archive
+from procc_annotator.session.dataset.annotated_frames import AnnotatedFrames
 from procc_annotator.words import count_of
 
 HELP = """\
-OUT is a folder, or an archive if it ends in .zip. Without --cameras the score files list the frames
-and say that there was nothing to score. Frames that were never annotated get no file.
+DATASET has pictures and annotations, or annotations alone (of any format that is read, also an
+archive). OUT is a folder, or an archive if it ends in .zip. Without --cameras the score files list
+the frames and say that there was nothing to score. Frames that were never annotated get no file.
 Files that are there already are replaced only with --overwrite.
+
+With --split OUT is what the official SoccerNet evaluation takes as it is: SPLIT/FRAME.json and
+nothing else; what it would stop at is left out and told. The scores are then beside it
+(match_jac.csv for match.zip), if there are cameras.
 
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
@@ -24,6 +40,7 @@ Example:
 
 \b
   procc-annotator export match/ match.zip --cameras predictions/ -t 5 -t 2
+  procc-annotator export match/ test_json.zip --split test
 """
 
 
@@ -42,34 +59,78 @@ def export(
     off_plane: options.OffPlane = "missed",
     mirrored: options.Mirrored = False,
     keep_optional: options.KeepOptional = False,
+    split: Annotated[
+        str,
+        typer.Option(
+            "--split",
+            metavar="NAME",
+            help="Write what the official evaluation reads, as this split (test, valid, …).",
+        ),
+    ] = "",
     overwrite: options.Overwrite = False,
 ) -> None:
+    _check_split(split, keep_optional)
     setup = options.make_setup(
         field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
     )
     thresholds = options.thresholds_or_default(threshold)
-    workspace = datasets.open_dataset(dataset, setup.field, annotations)
-    camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
-    outputs.check_place(out, [camera_set] if camera_set is not None else [])
-    names = [*(f"{frame.name}.json" for frame in workspace.frames), *JAC_FILES]
-    outputs.check_replaces_nothing(out, names, overwrite=overwrite)
-    exported = export_dataset(
-        workspace, out, Scoring(setup, thresholds, camera_set), keep_optional=keep_optional
-    )
+    with datasets.annotated_frames(dataset, setup.field, annotations) as (frames, source):
+        camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
+        scoring = Scoring(setup, thresholds, camera_set)
+        inputs = [one for one in (camera_set, source) if one is not None]
+        outputs.check_place(out, inputs)
+        if split:
+            _check_replaces_nothing(frames, out, split, scoring, overwrite=overwrite)
+            exported = export_split(frames, out, split, scoring)
+        else:
+            names = [*(f"{name}.json" for name in frames.names), *JAC_FILES]
+            outputs.check_replaces_nothing(out, names, overwrite=overwrite)
+            exported = export_dataset(frames, out, scoring, keep_optional=keep_optional)
+    _tell(exported, setup, scored=camera_set is not None, split=split)
+    raise typer.Exit(datasets.report_unreadable(exported.problems))
+
+
+def _check_split(split: str, keep_optional: bool) -> None:
+    if split and (PurePath(split).name != split or split in (".", "..") or not split.isprintable()):
+        raise UsageError(f"--split {split!r} is not the name of a folder")
+    if split and keep_optional:
+        raise UsageError(
+            "--keep-optional does not go with --split: the official evaluation stops at elements"
+            " it has no class for"
+        )
+
+
+def _check_replaces_nothing(
+    frames: AnnotatedFrames, out: Path, split: str, scoring: Scoring, *, overwrite: bool
+) -> None:
+    """As `outputs.check_replaces_nothing`, for all that a split is."""
+    folder = out if is_archive(out) else out / split
+    names = [f"{name}.json" for name in frames.names]
+    outputs.check_replaces_nothing(folder, names, overwrite=overwrite)
+    if scoring.cameras is not None:
+        scores = split_scores(out)
+        beside = [path.name for path in scores]
+        outputs.check_replaces_nothing(scores[0].parent, beside, overwrite=overwrite)
+
+
+def _tell(exported: Exported, setup: EvaluationSetup, *, scored: bool, split: str) -> None:
+    """Say what was written, the figures, and what was left out."""
     written = count_of(exported.annotations, "annotation")
     without = count_of(exported.unannotated, "frame has", "frames have")
-    typer.echo(f"{written} written to {out} ({without} none)")
-    if camera_set is None:
-        typer.echo("no --cameras given: jac.csv and jac.json name the frames and hold no scores")
-    else:
+    place = f"{exported.path}, split {split}" if split else str(exported.path)
+    typer.echo(f"{written} written to {place} ({without} none)")
+    if scored:
         for tau, figures in (exported.summary or {}).items():
             jac = "-" if figures.mean_jac is None else f"{100 * figures.mean_jac:.2f}"
             typer.echo(
                 f"JaC@{tau:g} {jac} over {count_of(exported.scored, 'frame')}"
                 f" ({setup.describe(exported.ground_only)})"
             )
+        if split:
+            typer.echo(f"scores in {' and '.join(map(str, split_scores(exported.path)))}")
+    elif not split:
+        typer.echo("no --cameras given: jac.csv and jac.json name the frames and hold no scores")
     datasets.report_notices(exported.notices)
     datasets.report_remarks(
         f"{what} ({count_of(frames, 'frame')})" for what, frames in exported.left_out.items()
     )
-    raise typer.Exit(datasets.report_unreadable(exported.problems))

@@ -20,6 +20,7 @@ from procc_annotator.report.pictures import render_pictures
 from procc_annotator.report.scores.scoring import Scored, score_set
 from procc_annotator.report.scores.tables import sets_table
 from procc_annotator.report.targets import make_folder
+from procc_annotator.session.dataset.annotated_frames import DatasetFrames
 
 HELP = """\
 Camera sets are the subfolders of DATASET/cameras.
@@ -97,7 +98,9 @@ def _export_and_draw(
     """Export with, and draw, the camera set that agrees best; returns what could not be read."""
     workspace = datasets.open_dataset(dataset, setup.field)
     camera_set = datasets.open_cameras(cameras, "auto")
-    exported = export_dataset(workspace, out / "export", Scoring(setup, THRESHOLDS, camera_set))
+    exported = export_dataset(
+        DatasetFrames(workspace), out / "export", Scoring(setup, THRESHOLDS, camera_set)
+    )
     drawn = 0
     problems = exported.problems
     for rendered in render_pictures(

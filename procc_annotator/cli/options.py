@@ -12,6 +12,7 @@ import typer
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import LINES, Field
+from procc_annotator.io.annotation_files.label_map import LabelMap, read_label_map
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
 
@@ -115,6 +116,16 @@ Lines = Annotated[
         help="Where the lines of the field lie: measured: where the rules measure them, often an"
         " edge of their paint; middle: in the middle of their paint, where clicks are put."
         "  [default: what the dataset keeps; measured]",
+    ),
+]
+LabelsFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--map",
+        metavar="labels.toml",
+        show_default=False,
+        help="What the names of another program stand for.  [default: labels.toml of the dataset,"
+        " if there is one]",
     ),
 ]
 KeepOptional = Annotated[
@@ -226,6 +237,15 @@ Dask = Annotated[
         " same path on every machine.",
     ),
 ]
+
+
+def label_map(path: Path | None, field: Field) -> LabelMap | None:
+    """The map that ``--map`` names; None leaves it to the dataset.
+
+    Raises:
+        InputError: it cannot be used.
+    """
+    return None if path is None else read_label_map(path, field)
 
 
 def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:

@@ -13,6 +13,8 @@ import typer
 
 from procc_annotator.cli.field_option import chosen_field, named_field
 from procc_annotator.errors import InputError
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.label_map import LabelMap, read_label_map
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import list_annotations
@@ -29,8 +31,11 @@ from procc_annotator.report.recipe import (
     hashed,
 )
 from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.session.dataset.annotation_source import ReadSource
 from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
 from procc_annotator.version import __version__
+
+LABELS_ROLE = LABELS_OPTION = "labels"
 
 RecipeOption = Annotated[
     Path | None,
@@ -92,13 +97,19 @@ class RecipeFor:
         """
         own_file = self.field.file
         paths = [p for one in asked for p in (one.annotations.path, one.cameras.path)]
-        root = common_folder([*paths, *(p for p in (own_file, tags) if p is not None)])
+        maps = {m.path for m in (map_of(one.annotations) for one in asked) if m is not None}
+        root = common_folder([*paths, *maps, *(p for p in (own_file, tags) if p is not None)])
         found: dict[tuple[str, Path], RecipeInput] = {}
         for one in asked:
             for role, source in (("annotations", one.annotations), ("cameras", one.cameras)):
                 if (role, source.path) not in found:
                     found[role, source.path] = hashed_input(role, source, root)
-        for role, path in (("field", own_file), ("tags", tags)):
+        more = [
+            ("field", own_file),
+            ("tags", tags),
+            *((LABELS_ROLE, path) for path in sorted(maps)),
+        ]
+        for role, path in more:
             if path is not None:
                 files = (hashed(".", read_file(path)),)
                 found[role, path] = RecipeInput(role, relative(path, root), files)
@@ -140,6 +151,23 @@ def evaluation_of(
         _picture_sizes(one.annotations),
         figures_of(summaries),
     )
+
+
+def map_of(annotations: FileSource) -> LabelMap | None:
+    """By which map the names of another program were read; None without."""
+    return annotations.labels if isinstance(annotations, ReadSource) else None
+
+
+def map_again(known: Recipe, root: Path, field: Field) -> LabelMap | None:
+    """The map that a recipe was given, elsewhere; None leaves it to the datasets.
+
+    Raises:
+        InputError: it cannot be used.
+    """
+    if LABELS_OPTION not in known.options:
+        return None
+    paths = [one.path for one in known.inputs if one.role == LABELS_ROLE]
+    return read_label_map(root / paths[0], field) if paths else None
 
 
 def field_again(asked: FieldAsked, root: Path, dataset: Path) -> Any:

@@ -11,7 +11,7 @@ import typer
 
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import with_progress
-from procc_annotator.cli.recipes import FieldAsked, field_again, hashed_input, moved
+from procc_annotator.cli.recipes import FieldAsked, field_again, hashed_input, map_again, moved
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -134,7 +134,8 @@ def _open(known: Recipe, root: Path, opened: ExitStack) -> tuple[list[Asked], li
         cameras = opened.enter_context(CameraCollection.open(root / one.cameras, one.format))
         place = root / one.annotations
         shown = field_again(FieldAsked(one.field.given, one.field.lines), root, place)
-        annotations = opened.enter_context(open_annotations(place, shown))
+        names = map_again(known, root, shown)
+        annotations = opened.enter_context(open_annotations(place, shown, names))
         asked.append(
             Asked(
                 one.set, one.source, annotations, cameras, setup_of(one, shown),

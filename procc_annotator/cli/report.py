@@ -19,6 +19,7 @@ from procc_annotator.cli.sources import SourceSpec, parse_sources
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.interact.palette import SOURCE_COLOURS
+from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.frame_names import ByFrame
@@ -156,6 +157,7 @@ def report(
     size: options.Size = "960x540",
     field: options.FieldName = None,
     lines: options.Lines = None,
+    labels: options.LabelsFile = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -209,7 +211,8 @@ def report(
         outputs.check_output_folder(recipe)
     asked = None if recipe is None else RecipeFor(recipe, context, FieldAsked(field, lines))
     call = _Call(
-        name, specs, setup, thresholds, request, written, picture_width, chance, asked,
+        name, specs, setup, thresholds, request, written, picture_width, chance,
+        options.label_map(labels, setup.field), asked,
         over_time.OverTimeCall.of(steady, shots, None, None),
     )  # fmt: skip
     gathered, problems = _make(call, *place, options.shown_size(camera_size), workers, dask)
@@ -218,7 +221,8 @@ def report(
 
 @dataclass(frozen=True)
 class _Call:
-    """What a call asks for; specs: the sources; picture_width: px, of the widest picture."""
+    """What a call asks for; specs: the sources; picture_width: px, of the widest picture; labels:
+    what names of another program stand for."""
 
     name: str
     specs: Sequence[SourceSpec]
@@ -228,6 +232,7 @@ class _Call:
     written: Sequence[Path]
     picture_width: int
     chance: ChanceTerms
+    labels: LabelMap | None
     recipe: RecipeFor | None
     over_time: over_time.OverTimeCall | None
 
@@ -257,7 +262,7 @@ def _make(
 ) -> tuple[AuditReport, list[str]]:
     """Score, draw and write; returns the figures, and what went wrong while drawing."""
     with ExitStack() as opened:
-        source = opened.enter_context(open_annotations(folder, call.setup.field))
+        source = opened.enter_context(open_annotations(folder, call.setup.field, call.labels))
         collections = [opened.enter_context(_open(spec)) for spec in call.specs]
         datasets.report_mismatch(source, call.setup.field)
         named = list(zip(call.specs, collections, strict=True))

@@ -317,7 +317,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Magnify (the mouse wheel does it at the cursor)", repeat=True),
     _spec("View", "zoom_out", "Zoom out", "Ctrl+-", "canvas.zoom_out",
           "Reduce (the mouse wheel does it at the cursor)", repeat=True),
-    _spec("View", "keep_zoom", "Keep zoom across frames", "Ctrl+K", "canvas.set_keep_zoom",
+    _spec("View", "keep_zoom", "Keep zoom across frames", "Ctrl+Shift+K", "canvas.set_keep_zoom",
           "Stay at this place of the picture when the frame changes", checkable=True,
           remembered=True),
     _spec("View", "hide_overlays", "-Hide overlays", "Ctrl+H", "canvas.set_overlays_hidden",
@@ -421,6 +421,9 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Say in a few words what is wrong; it is exported with the verdict"),
     _spec("Camera", "stop_scoring", "-Stop scoring the set", "", "worst_first.stop",
           "Stop computing the JaC of the frames not opened yet, and comparing sources"),
+    _spec("Help", "palette", "Find anything…", "Ctrl+K", "find_anything",
+          "The command palette: every action, element, frame, camera source and recent folder, by a"
+          " few letters of its name"),
     _spec("Help", "keys", "Keys", "F1 ?", "commands.show_keys",
           "Show all actions and their keys on one sheet"),
     _spec("Help", "about", "About ProCC Annotator", "", "commands.about",

@@ -13,10 +13,10 @@ from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.annotation_formats import format_named
 from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
-    LabelMap,
     Reading,
     Size,
 )
+from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.io.annotation_files.read_set import ReadSet, SetReader, read_set
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.io.source import FileSource, open_source
@@ -88,6 +88,7 @@ def convert_annotations(
     done.source = reader.format.title
     done.problems = [*reader.reading.problems, *done.problems]
     done.losses = [*reader.losses, *done.losses]
+    done.unknown = dict(reader.reading.unknown.most_common())
     return done
 
 

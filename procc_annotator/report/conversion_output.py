@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import field as attribute
@@ -65,6 +65,7 @@ class Converted:
         title: title of the format that was written.
         frames, elements, points: how many were written.
         classes: those of the first frames that have any, as far as it was looked.
+        unknown: labels of another program that stand for no class, and how many shapes have them.
         problems: one line for each frame or file that could not be read or written.
         losses: what the formats could not carry over, one line each.
     """
@@ -76,6 +77,7 @@ class Converted:
     elements: int = 0
     points: int = 0
     classes: frozenset[str] = frozenset()
+    unknown: Mapping[str, int] = attribute(default_factory=dict)
     problems: list[str] = attribute(default_factory=list)
     losses: list[str] = attribute(default_factory=list)
 

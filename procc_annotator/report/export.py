@@ -6,6 +6,7 @@ exported as they stand.
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Callable, Container, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
@@ -16,9 +17,14 @@ from typing import IO
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.errors import CameraError, InputError, UsageError
+from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.annotation_files.soccernet_classes import left_out_words, official_only
-from procc_annotator.io.collections import ANNOTATIONS_FOLDER
+from procc_annotator.io.annotation_files.soccernet_classes import (
+    left_out_words,
+    official_only,
+    require_soccernet,
+    unknown_to_official,
+)
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
@@ -31,9 +37,9 @@ from procc_annotator.report.scores.score_files import (
     replacing,
     score_format,
 )
-from procc_annotator.report.targets import Target, open_target
+from procc_annotator.report.targets import Target, is_archive, open_target
+from procc_annotator.session.dataset.annotated_frames import AnnotatedFrames
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import FrameResult
 
 NO_CAMERAS = "no cameras were given: nothing to score against"
@@ -56,8 +62,8 @@ class Exported:
         summary: figures of the set by threshold; None without cameras.
         ground_only: whether a camera knew only the ground, so that the off-plane choice counted.
         notices: remarks on cameras (scaled from another size), and for how many.
-        left_out: optional elements that SoccerNet's files have no class for, in words, and in how
-            many frames.
+        left_out: what the files written have no place for (optional elements, say), in words, and
+            in how many frames.
     """
 
     path: Path
@@ -82,7 +88,7 @@ class Scoring:
 
 
 def export_dataset(
-    workspace: Workspace,
+    frames: AnnotatedFrames,
     out: Path,
     scoring: Scoring,
     progress: Progress | None = None,
@@ -92,7 +98,7 @@ def export_dataset(
     """Write the annotations of all annotated frames, ``jac.csv`` and ``jac.json``.
 
     Args:
-        workspace: the dataset.
+        frames: of the dataset.
         out: a folder (made if needed), or an archive if it ends in ``.zip``.
         scoring: what to score with.
         progress: called with frames done and frames in all.
@@ -104,22 +110,77 @@ def export_dataset(
         SaveError: writing failed; an archive is then not there at all.
     """
     exported = Exported(out)
-    with _open_target(workspace, out) as target, ExitStack() as open_files:
+    with _open_target(frames, out) as target, ExitStack() as open_files:
         writers = [
             _writer(open_files.enter_context(target.stream(name)), Path(name), scoring)
             for name in JAC_FILES
         ]
         totals = _Totals(scoring, exported, writers)
-        for name, annotation in _annotated(workspace, exported, progress):
-            target.write(f"{name}.json", _written(annotation, workspace, exported, keep_optional))
+        for name, annotation in _annotated(frames, exported, progress):
+            leaves = _leaving(annotation, frames.field, exported, keep_optional)
+            target.write(f"{name}.json", write_annotation(leaves))
             exported.annotations += 1
             totals.add(name, annotation)
         totals.finish()
     return exported
 
 
+def export_split(
+    frames: AnnotatedFrames,
+    out: Path,
+    split: str,
+    scoring: Scoring,
+    progress: Progress | None = None,
+) -> Exported:
+    """Write annotations as the official evaluation reads them: nothing but ``SPLIT/FRAME.json``.
+
+    It takes every file of an archive, or of a split's folder, for a frame, and stops at a class it
+    does not know and at an entry that is no list of points: those are left out. Scores, of exactly
+    what is written, go to `split_scores` where there are cameras.
+
+    Args:
+        frames: of the dataset.
+        out: a folder (made if needed), or an archive if it ends in ``.zip``.
+        split: the folder inside it.
+        scoring: what to score with.
+        progress: called with frames done and frames in all.
+
+    Raises:
+        UsageError: ``out`` is where the dataset itself lies; a field of another sport; a frame in a
+            tree of folders, which the evaluation cannot name; or the split's folder holds another
+            set's files.
+        SaveError: writing failed; an archive is then not there at all.
+    """
+    require_soccernet(frames.field, "the official evaluation")
+    _require_flat(frames.names)
+    if not is_archive(out):
+        _require_own(out / split, frames.names)
+    exported = Exported(out)
+    paths = split_scores(out) if scoring.cameras is not None else ()
+    with _open_target(frames, out, split) as target, ExitStack() as open_files:
+        streams = [(open_files.enter_context(replacing(path)), path) for path in paths]
+        totals = _Totals(scoring, exported, [_writer(*stream, scoring) for stream in streams])
+        for name, annotation in _annotated(frames, exported, progress):
+            leaves = _leaving(annotation, frames.field, exported, keep_optional=False)
+            leaves, out_words = unknown_to_official(leaves)
+            exported.left_out.update(out_words)
+            target.write(f"{split}/{name}.json", write_annotation(leaves))
+            exported.annotations += 1
+            if paths:
+                totals.add(name, leaves)
+        totals.finish()
+    return exported
+
+
+def split_scores(out: Path) -> tuple[Path, ...]:
+    """Where the scores of a split go: beside its archive, or beside its folder."""
+    if is_archive(out):
+        return tuple(out.with_name(f"{out.stem}_{name}") for name in JAC_FILES)
+    return tuple(out / name for name in JAC_FILES)
+
+
 def export_annotations(
-    workspace: Workspace,
+    frames: AnnotatedFrames,
     out: Path,
     progress: Progress | None = None,
     *,
@@ -127,15 +188,16 @@ def export_annotations(
 ) -> Exported:
     """Write the annotations alone; arguments and errors as for `export_dataset`."""
     exported = Exported(out)
-    with _open_target(workspace, out) as target:
-        for name, annotation in _annotated(workspace, exported, progress):
-            target.write(f"{name}.json", _written(annotation, workspace, exported, keep_optional))
+    with _open_target(frames, out) as target:
+        for name, annotation in _annotated(frames, exported, progress):
+            leaves = _leaving(annotation, frames.field, exported, keep_optional)
+            target.write(f"{name}.json", write_annotation(leaves))
             exported.annotations += 1
     return exported
 
 
 def export_scores(
-    workspace: Workspace,
+    frames: AnnotatedFrames,
     out: Path,
     scoring: Scoring,
     progress: Progress | None = None,
@@ -145,7 +207,7 @@ def export_scores(
     """Write the JaC of every annotated frame to one ``.json`` or ``.csv`` file.
 
     Args:
-        workspace: the dataset.
+        frames: of the dataset.
         out: the file.
         scoring: what to score with.
         progress: called with frames done and frames in all.
@@ -159,7 +221,7 @@ def export_scores(
     exported = Exported(out)
     with replacing(out) as stream:
         totals = _Totals(scoring, exported, [_writer(stream, out, scoring)])
-        for name, annotation in _annotated(workspace, exported, progress):
+        for name, annotation in _annotated(frames, exported, progress):
             if only is None or name in only:
                 totals.add(name, annotation)
             else:
@@ -172,32 +234,33 @@ def export_scores(
 
 
 def _annotated(
-    workspace: Workspace, exported: Exported, progress: Progress | None
+    frames: AnnotatedFrames, exported: Exported, progress: Progress | None
 ) -> Iterator[tuple[str, FrameAnnotation]]:
     """Every frame that has an annotation, however short, by name."""
-    total = len(workspace.frames)
-    for index, frame in enumerate(workspace.frames):
+    total = len(frames.names)
+    for index, name in enumerate(frames.names):
         try:
-            annotation = workspace.read(index)
+            annotation = frames.read(index)
         except InputError as error:
             exported.problems.append(str(error))
         else:
-            if annotation.polylines or annotation.extra or frame.annotation_path.exists():
-                yield frame.name, annotation
+            if annotation is not None:
+                yield name, annotation
             else:
                 exported.unannotated += 1
         if progress is not None:
             progress(index + 1, total)
 
 
-def _written(
-    annotation: FrameAnnotation, workspace: Workspace, exported: Exported, keep_optional: bool
-) -> bytes:
-    """An annotation file as it leaves; what is left out of it is counted."""
-    if not keep_optional:
-        annotation, out = official_only(annotation, workspace.field)
-        exported.left_out.update(left_out_words(workspace.field, name) for name in out)
-    return write_annotation(annotation)
+def _leaving(
+    annotation: FrameAnnotation, known: Field, exported: Exported, keep_optional: bool
+) -> FrameAnnotation:
+    """An annotation as it leaves; what is left out of it is counted."""
+    if keep_optional:
+        return annotation
+    annotation, out = official_only(annotation, known)
+    exported.left_out.update(left_out_words(known, name) for name in out)
+    return annotation
 
 
 def _writer(stream: IO[bytes], path: Path, scoring: Scoring) -> ScoreWriter:
@@ -260,18 +323,37 @@ class _Totals:
 
 
 @contextmanager
-def _open_target(workspace: Workspace, out: Path) -> Iterator[Target]:
-    _keep_off_the_dataset(workspace, out)
+def _open_target(frames: AnnotatedFrames, out: Path, split: str = "") -> Iterator[Target]:
+    _keep_off_the_dataset(frames, out, split)
     with open_target(out) as target:
         yield target
 
 
-def _keep_off_the_dataset(workspace: Workspace, out: Path) -> None:
+def _keep_off_the_dataset(frames: AnnotatedFrames, out: Path, split: str) -> None:
     """An export must never replace the files that are being annotated."""
-    target = out.resolve()
-    for frame in workspace.frames[:1]:
-        pictures = frame.image_path.parent
-        # The folder that annotations would be looked for first is the dataset too.
-        for own in (pictures, frame.annotation_path.parent, pictures / ANNOTATIONS_FOLDER):
-            if own.resolve() == target:
-                raise UsageError(f"{out}: this is the dataset itself, export to another folder")
+    own = {folder.resolve() for folder in frames.folders}
+    if out.resolve() in own or (split and (out / split).resolve() in own):
+        raise UsageError(f"{out}: this is the dataset itself, export to another folder")
+
+
+def _require_flat(names: Sequence[str]) -> None:
+    """The official evaluation has one folder a split, and no name for what lies deeper."""
+    for name in names:
+        if "/" in name:
+            raise UsageError(
+                f"{name}: lies in a folder of a tree, and the official evaluation knows one folder"
+                f" of frames; export the folders one by one, e.g. {name.rpartition('/')[0]}"
+            )
+
+
+def _require_own(folder: Path, names: Sequence[str]) -> None:
+    """What lies in a split's folder already would be frames of the set to the evaluation."""
+    try:
+        others = {name for name in os.listdir(folder) if ".json" in name}
+    except OSError:  # usually: no such folder yet
+        return
+    if others := others - {f"{name}.json" for name in names}:
+        raise UsageError(
+            f"{folder}: holds {min(others)}, which the official evaluation would take for a frame"
+            " of this set; choose another folder"
+        )

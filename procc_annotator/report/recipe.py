@@ -59,7 +59,7 @@ class RecipeInput:
     """A folder, archive or file that was read.
 
     Attributes:
-        role: ``annotations``, ``cameras``, ``field`` or ``tags``.
+        role: ``annotations``, ``cameras``, ``field``, ``tags`` or ``labels`` (names of others).
         path: relative to the folder of all inputs.
         files: what was read of a folder, by name; of an archive or file itself, called ``.``.
     """

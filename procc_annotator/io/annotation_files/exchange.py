@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from dataclasses import field as attribute
-from typing import Any, Protocol
+from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.label_map import LabelMap, Shape
 from procc_annotator.io.annotation_files.px_numbers import normalised, to_px
 from procc_annotator.io.annotation_files.soccernet_annotation import FARTHEST
 from procc_annotator.io.frame_names import PICTURE_SUFFIX, frame_of_file, leads_out
@@ -42,13 +44,6 @@ class ExchangedFrame:
     annotation: FrameAnnotation
     size: Size | None = None
     picture: str | None = None
-
-
-class LabelMap(Protocol):
-    """Which classes the labels of other programs stand for."""
-
-    def class_of(self, label: str) -> str:
-        """The class that a label stands for; the label itself where nothing is said of it."""
 
 
 class Remarks:
@@ -89,6 +84,8 @@ class Reading:
         problems: one line for each frame or file that could not be used.
         unread: the same by the name of the frame, or of the file where no frame is known yet.
         remarks: what was left out or changed.
+        labels: how many shapes have each label.
+        unknown: the same of labels that stand for no class of the field.
         total: how many frames there are in all, as soon as it is known.
     """
 
@@ -100,6 +97,8 @@ class Reading:
     problems: list[str] = attribute(default_factory=list)
     unread: dict[str, InputError] = attribute(default_factory=dict)
     remarks: Remarks = attribute(default_factory=Remarks)
+    labels: Counter[str] = attribute(default_factory=Counter)
+    unknown: Counter[str] = attribute(default_factory=Counter)
     total: int | None = None
     _at: str = ""
     _pictures: PictureNames | None = None
@@ -144,11 +143,29 @@ class Reading:
         self._at = names.frame(picture, path, place)
         return self._at
 
-    def class_of(self, label: str) -> str:
-        """The official name of the class that a label stands for."""
+    def classed(self, shapes: Sequence[Shape], frame: str) -> list[Shape]:
+        """The shapes of a frame with the official names of the classes that their labels stand for;
+        those that are left out are missing.
+
+        Args:
+            shapes: label and points of each, in the order of the file.
+            frame: its name.
+        """
+        found: list[str | None] = [label for label, _ in shapes]
         if self.names is not None:
-            label = self.names.class_of(label)
-        return self.field.canonical_name(label)
+            found, remarks = self.names.classes(shapes)
+            for remark in remarks:
+                self.remarks.add(remark, frame)
+        classed = []
+        for (label, points), name in zip(shapes, found, strict=True):
+            self.labels[label.strip()] += 1
+            if name is None:
+                continue
+            name = self.field.canonical_name(name)
+            if not self.field.knows(name):
+                self.unknown[label.strip()] += 1
+            classed.append((name, points))
+        return classed
 
 
 class PictureNames:

@@ -41,7 +41,7 @@ class Pieces:
         self._reading = reading
         self._field = reading.field
         self._size = size or _USUAL_SIZE
-        self._pieces: dict[str, list[Points]] = {}
+        self._shapes: list[tuple[str, Points]] = []
 
     def add(self, label: Any, points: Points, place: str) -> None:
         """One more shape.
@@ -63,7 +63,7 @@ class Pieces:
                 place=place,
                 advice="name the shape after a class",
             )
-        self._pieces.setdefault(self._reading.class_of(label), []).append(points)
+        self._shapes.append((label, points))
 
     def annotation(self, frame: str, extra: tuple[tuple[str, Any], ...] = ()) -> FrameAnnotation:
         """The frame's annotation.
@@ -73,8 +73,11 @@ class Pieces:
         """
         polylines: list[Polyline] = []
         remarks = self._reading.remarks
-        taken = set(self._pieces)
-        for name, pieces in self._pieces.items():
+        by_class: dict[str, list[Points]] = {}
+        for name, points in self._reading.classed(self._shapes, frame):
+            by_class.setdefault(name, []).append(points)
+        taken = set(by_class)
+        for name, pieces in by_class.items():
             if len(pieces) == 1:
                 polylines.append(Polyline(name, pieces[0]))
             elif self._field.element(name) is None:

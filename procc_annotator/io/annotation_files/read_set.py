@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from dataclasses import field as attribute
 
@@ -15,10 +15,10 @@ from procc_annotator.io.annotation_files.annotation_formats import (
 )
 from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
-    LabelMap,
     Reading,
     Size,
 )
+from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.io.annotation_files.soccernet_classes import require_soccernet
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.json_text import printable
@@ -41,6 +41,7 @@ class ReadSet:
         problems: one line for each frame or file that could not be used.
         unread: of those problems the ones of a frame or file, by its name.
         losses: what was left out or changed, one line each.
+        unknown: labels that stand for no class of the field, and how many shapes have them.
         files: what it was read from, by their names in the source.
     """
 
@@ -49,6 +50,7 @@ class ReadSet:
     problems: list[str] = attribute(default_factory=list)
     unread: dict[str, InputError] = attribute(default_factory=dict)
     losses: list[str] = attribute(default_factory=list)
+    unknown: Mapping[str, int] = attribute(default_factory=dict)
     files: tuple[str, ...] = ()
 
 
@@ -125,7 +127,10 @@ class SetReader:
     @property
     def losses(self) -> list[str]:
         """What was left out or changed, one line each."""
-        return [*self._strays, *self.reading.remarks.lines()]
+        reading = self.reading
+        names = reading.names
+        unmet = names.unmet(reading.labels, reading.unknown) if names is not None else ()
+        return [*self._strays, *unmet, *reading.remarks.lines()]
 
 
 def read_set(
@@ -151,5 +156,5 @@ def read_set(
     for frame in reader.frames(progress):
         found.frames[frame.name] = frame
     found.problems, found.unread = reader.reading.problems, reader.reading.unread
-    found.losses = reader.losses
+    found.losses, found.unknown = reader.losses, dict(reader.reading.unknown.most_common())
     return found

@@ -14,6 +14,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Remarks
+from procc_annotator.io.json_text import printable
 
 _ENDS, _RECTANGLE = ("left", "right"), ("main", "top", "bottom")
 CLASSES = frozenset(
@@ -28,6 +29,9 @@ CLASSES = frozenset(
         "Middle line",
     ]
 )  # fmt: skip
+
+
+WITHOUT_GEOMETRY = frozenset(["Goal unknown", "Line unknown"])
 
 
 def has_soccernet_classes(field: Field) -> bool:
@@ -74,6 +78,25 @@ def official_only(annotation: FrameAnnotation, field: Field) -> tuple[FrameAnnot
         return annotation, []
     out = [p.class_name for p in annotation.polylines if p.class_name in optional and p.points]
     return replace(annotation, polylines=kept), out
+
+
+def unknown_to_official(annotation: FrameAnnotation) -> tuple[FrameAnnotation, list[str]]:
+    """An annotation without what the official evaluation stops at: a class it does not know, and
+    entries beside the classes.
+
+    Args:
+        annotation: of a frame.
+
+    Returns:
+        The annotation, and what was left out, in words.
+    """
+    known = CLASSES | WITHOUT_GEOMETRY
+    kept = tuple(p for p in annotation.polylines if p.class_name in known)
+    names = [p.class_name for p in annotation.polylines if p.class_name not in known]
+    out = [f"{printable(n)} is left out: the official evaluation stops at it" for n in names]
+    for key, _ in annotation.extra:
+        out.append(f"the entry {printable(key)} is left out: the official evaluation stops at it")
+    return replace(annotation, polylines=kept, extra=()), out
 
 
 def official_frames(

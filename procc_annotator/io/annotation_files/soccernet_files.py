@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
+from procc_annotator.io.annotation_files.pieces import Pieces
 from procc_annotator.io.annotation_files.soccernet_annotation import (
     read_annotation,
     write_annotation,
@@ -21,10 +22,14 @@ def read_many(
         with reading.going_on():
             frame = reading.frame_of_file(name)
             data = source.read(name)
-            annotation = read_annotation(data, path=source.display(name), field=reading.field)
+            path, size = source.display(name), reading.size_of(frame)
+            annotation = read_annotation(data, path=path, field=reading.field)
             if reading.names is not None:
-                annotation = annotation.renamed(reading.class_of)
-            yield ExchangedFrame(frame, annotation, reading.size_of(frame))
+                pieces = Pieces(path, "top level", reading, size)
+                for polyline in annotation.polylines:
+                    pieces.add(polyline.class_name, polyline.points, polyline.class_name)
+                annotation = pieces.annotation(frame, annotation.extra)
+            yield ExchangedFrame(frame, annotation, size)
 
 
 def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -11,10 +12,12 @@ from typing import Self
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import PLAIN, told_formats
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, LabelMap
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame
+from procc_annotator.io.annotation_files.label_map import LABELS_FILE, LabelMap, read_label_map
 from procc_annotator.io.annotation_files.read_set import ReadSet, read_set
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 from procc_annotator.session.dataset.fit_sizes import told_size
 from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
 from procc_annotator.words import count_of
@@ -33,14 +36,17 @@ def open_annotations(
     Args:
         path: a folder, an archive or a file, see `annotations_of`.
         field: knows the official names.
-        names: which classes the labels of the files stand for; None: they are classes.
+        names: which classes the labels of the files stand for; None: as the dataset's own
+            ``labels.toml`` says, and where it has none they are classes.
         base: the folder a relative path starts from, as of `open_source`.
 
     Raises:
         UsageError: nothing at the path, or annotations of several formats or of another sport.
-        InputError: what is there cannot be opened or listed, or none of it can be read.
+        InputError: what is there cannot be opened or listed, or none of it can be read; or the
+            dataset's own ``labels.toml`` cannot be used.
     """
     source = open_source(path, base)
+    names = names or own_label_map(path if base is None else base / path, field)
     try:
         told = [known.name for known in told_formats(source)]
         if not told or (PLAIN in told and names is None):
@@ -55,7 +61,22 @@ def open_annotations(
     source.__exit__()
     if not found.frames:
         raise next(iter(found.unread.values()), _nothing_in(path, found))
-    return ReadSource(path, found, partial(open_annotations, path, field, names))
+    return ReadSource(path, found, names, partial(open_annotations, path, field, names))
+
+
+def own_label_map(place: Path, field: Field) -> LabelMap | None:
+    """The ``labels.toml`` of a dataset; None where it has none.
+
+    Args:
+        place: see `folder_of_dataset`.
+        field: whose classes the labels stand for.
+
+    Raises:
+        InputError: it cannot be used.
+    """
+    folder = folder_of_dataset(place)
+    path = None if folder is None else folder / LABELS_FILE
+    return None if path is None or not os.path.lexists(path) else read_label_map(path, field)
 
 
 def _nothing_in(path: Path, found: ReadSet) -> UsageError:
@@ -69,12 +90,25 @@ class ReadSource:
     """Annotations that were read from another format, as a source of this program's files.
 
     What could not be read is a file too, which cannot be read.
+
+    Attributes:
+        labels: the map that was used; None without.
+        unknown: labels that stand for no class of the field, and how many shapes have them.
     """
 
-    def __init__(self, path: Path, found: ReadSet, opening: Callable[..., FileSource]) -> None:
+    def __init__(
+        self,
+        path: Path,
+        found: ReadSet,
+        labels: LabelMap | None,
+        opening: Callable[..., FileSource],
+    ) -> None:
         count = count_of(len(found.frames), "annotated frame")
+        by = f", names by {labels.path}" if labels is not None else ""
         self.path = path
-        self.notices = (f"{path}: read as {found.title}, {count}", *found.losses)
+        self.notices = (f"{path}: read as {found.title}, {count}{by}", *found.losses)
+        self.labels = labels
+        self.unknown = found.unknown
         self.decoded = tuple(found.files)
         self._opening = opening
         self._files: dict[str, bytes | InputError] = {

@@ -10,6 +10,7 @@ from natsort import natsort_keygen
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.io.annotation_files.label_map import LABELS_FILE
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, CAMERA_PREFIX, list_annotations
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import open_source
@@ -21,7 +22,7 @@ FRAMES_FILE = "frames.csv"
 
 _ARCHIVES = frozenset({".zip"})
 _ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
-_OWN_THINGS = (FIELD_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE)
+_OWN_THINGS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE)
 
 
 def pictures_in(folder: Path) -> list[str]:

@@ -13,6 +13,7 @@ from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.interact.hints import counted
 from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
 from procc_annotator.report.provenance import export_provenance
+from procc_annotator.session.dataset.annotated_frames import DatasetFrames
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.workspace import Workspace
 
@@ -59,7 +60,9 @@ class Exporter:
 
     def write_annotations(self, path: Path) -> None:
         """Write SoccerNet JSON of all annotated frames to a folder or zip archive."""
-        self._run(lambda workspace, progress: export_annotations(workspace, path, progress))
+        self._run(
+            lambda workspace, progress: export_annotations(DatasetFrames(workspace), path, progress)
+        )
 
     def write_scores(self, path: Path) -> None:
         """Write the JaC of every frame, at tau and in words which protocol, to .csv or .json; in
@@ -71,7 +74,9 @@ class Exporter:
         scoring = Scoring(document.setup, (document.tau,), self._scored)
         only = document.revealed_frames
         self._run(
-            lambda workspace, progress: export_scores(workspace, path, scoring, progress, only=only)
+            lambda workspace, progress: export_scores(
+                DatasetFrames(workspace), path, scoring, progress, only=only
+            )
         )
 
     @property

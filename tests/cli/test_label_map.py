@@ -1,0 +1,77 @@
+"""``--map``: names of another program, with every command that reads annotations."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.field.load import load_field
+
+
+@pytest.fixture
+def renamed(cli, dataset, tmp_path: Path) -> tuple[Path, Path]:
+    """The dataset as labelme files whose labels are numbers, and the map back."""
+    folder = tmp_path / "renamed"
+    assert cli("convert", dataset.root, folder, "--to", "labelme").exit_code == 0
+    names = [e.name.strip() for e in load_field(None).elements]
+    for file in folder.glob("*.json"):
+        content = json.loads(file.read_text())
+        for shape in content["shapes"]:
+            shape["label"] = f"element {names.index(shape['label'].strip())}"
+        file.write_text(json.dumps(content))
+    labels = tmp_path / "names.toml"
+    rules = [f'"element {i}" = "{name}"' for i, name in enumerate(names)]
+    labels.write_text("\n".join(["[labels]", *rules]))
+    return folder, labels
+
+
+def test_figures_are_those_of_the_official_names(cli, dataset, renamed, tmp_path: Path) -> None:
+    folder, labels = renamed
+    cameras = dataset.cameras
+    cli("evaluate", dataset.annotations, cameras, "-o", tmp_path / "own.json")
+    recipe = tmp_path / "recipe.json"
+    done = cli(
+        "evaluate", folder, cameras, "--map", labels, "-o", tmp_path / "s.json", "--recipe", recipe
+    )
+    assert "names by" in done.stderr
+    summaries = [json.loads((tmp_path / f"{n}.json").read_text())["summary"] for n in ("own", "s")]
+    assert summaries[0] == summaries[1]
+    again = cli("repeat", recipe)
+    assert again.exit_code == 0, again.stdout + again.stderr
+    agreed = cli("agree", dataset.annotations, folder, "--map", labels)
+    assert "100.00" in agreed.stdout
+
+
+def test_the_map_of_a_dataset_is_used_by_itself(cli, renamed, tmp_path: Path) -> None:
+    folder, labels = renamed
+    (folder / "labels.toml").write_bytes(labels.read_bytes())
+    done = cli("check", folder, "--no-paint")
+    assert done.exit_code == 0, done.stderr
+    assert "unknown class" not in done.stdout
+    assert cli("convert", folder, tmp_path / "back", "--to", "soccernet").exit_code == 0
+    classes = {
+        name for f in (tmp_path / "back").glob("*.json") for name in json.loads(f.read_text())
+    }
+    assert classes <= {e.name for e in load_field(None).elements}
+
+
+def test_unknown_labels_are_listed_once_with_counts(cli, renamed) -> None:
+    folder, _ = renamed
+    done = cli("check", folder, "--no-paint")
+    lines = [line for line in done.stderr.splitlines() if "does not know" in line]
+    assert len(lines) == 1
+    assert "does not know 26 labels: element " in lines[0]
+    assert "and 14 more" in lines[0]
+    assert "labels.toml" in lines[0]
+
+
+def test_a_map_that_is_wrong_is_one_line(cli, renamed) -> None:
+    folder, labels = renamed
+    labels.write_text('[labels]\n"element 1" = "Side line bottm"')
+    done = cli("check", folder, "--map", labels)
+    assert done.exit_code == 2
+    assert len(done.stderr.splitlines()) == 1
+    assert "line 2: label 'element 1'" in done.stderr
+    assert "did you mean 'Side line bottom'?" in done.stderr
