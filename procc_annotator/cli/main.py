@@ -27,7 +27,7 @@ Examples:
 COMMANDS = (
     LazyCommand("open", "Open the window.", "open_window"),
     LazyCommand("evaluate", "Score cameras against annotations."),
-    LazyCommand("agree", "Compare two annotators of the same frames."),
+    LazyCommand("agree", "Compare two or more annotators of the same frames."),
     LazyCommand(
         "compare",
         "Compare two sources of cameras: how far apart is what each pixel means to them?",
