@@ -25,6 +25,7 @@ from procc_annotator.session.dataset.dataset_folder import (
     folder_of_dataset,
     json_stems,
 )
+from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
 from procc_annotator.session.runs.annotation_run import AnnotationRun
@@ -98,7 +99,7 @@ def annotate(
         chosen = _with_camera(pictures.frames[::every], collection, cameras)
         if views is not None:
             chosen = _most_different(chosen, collection, views)
-        frames = [frame for frame in chosen if not os.path.lexists(frame.annotation_path)]
+        frames = _not_annotated(chosen, pictures.annotated(out, shown))
         run = AnnotationRun(frames, collection, shown, options.shown_size(camera_size))
         done = Done()
         try:
@@ -138,6 +139,13 @@ def _with_camera(
             f" {frames[0].name})"
         )
     return found
+
+
+def _not_annotated(frames: Sequence[Frame], given: FrameAnnotations) -> list[Frame]:
+    """The frames that have no annotation in OUT, be it in a file of another format."""
+    datasets.report_remarks(given.notices)
+    bare = [frame for frame in frames if not os.path.lexists(frame.annotation_path)]
+    return [frame for frame in bare if given.bytes_of(frame) is None]
 
 
 def _most_different(

@@ -33,6 +33,7 @@ from procc_annotator.report.comparison import (
     paint_frames,
     write_comparison,
 )
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.workspace import Workspace
@@ -178,7 +179,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
         return None, {}
     if not dataset.exists():
         raise UsageError(f"{dataset}: does not exist")
-    with open_source(_annotation_folder(dataset)) as source:
+    with open_annotations(_annotation_folder(dataset), field) as source:
         report_mismatch(source, field)
         report_like_cameras(source)
         if dataset.is_dir():
@@ -198,7 +199,7 @@ def _fitted_on(
     """Whether a camera of each was fitted to the dataset's annotation of its frame."""
     if dataset is None:
         return False, False
-    with open_source(_annotation_folder(dataset)) as annotations:
+    with open_annotations(_annotation_folder(dataset), field) as annotations:
         files = list_annotations(annotations)
 
         def of_these(source: CameraSet, frame: str) -> bool:

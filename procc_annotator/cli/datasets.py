@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -14,7 +15,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.json_text import printable
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.annotated_frames import (
     AnnotatedFrames,
     DatasetFrames,
@@ -29,11 +30,15 @@ from procc_annotator.session.dataset.dataset_folder import (
     pictures_in,
 )
 from procc_annotator.session.dataset.field_match import (
+    MOST_FRAMES,
     Mismatch,
+    classes_in,
     classes_of_source,
     loadable,
     mismatch_of,
 )
+from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
+from procc_annotator.session.dataset.what_lies_there import instead_of_pictures
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.words import count_of
 
@@ -58,7 +63,7 @@ Cameras = Annotated[
 
 
 def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> Workspace:
-    """The dataset, if it has any picture.
+    """The dataset, to be read: its annotations may be of any format. It has a picture.
 
     Raises:
         UsageError: no such folder, or no picture in it.
@@ -66,15 +71,22 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
     for given in (path, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
+    held = "" if path.is_dir() else instead_of_pictures(path)
+    if held:
+        raise UsageError(f"nothing to do: there is no picture in {path}{held}")
     workspace = Workspace.open(path, field, annotations)
     if not workspace.frames:
-        raise UsageError(f"nothing to do: no picture in {path}")
-    for notice in workspace.notices:
-        typer.echo(f"note: {notice}", err=True)
-    if (folder := workspace.frames[0].annotation_folder).is_dir():
-        with open_source(folder) as source:
-            report_mismatch(source, field)
+        raise UsageError(f"nothing to do: no picture in {path}{instead_of_pictures(path)}")
+    workspace.given = kept = FrameAnnotations.of(path, annotations, field)
+    report_remarks((*workspace.notices, *kept.notices))
+    tell_mismatch(_classes_of(workspace), field, workspace.folder, unknown=kept.unknown)
     return workspace
+
+
+def _classes_of(workspace: Workspace) -> frozenset[str]:
+    """Of some annotated frames, from all over the set."""
+    readers = [partial(workspace.read, index) for index in range(len(workspace.frames))]
+    return classes_in(readers[:: max(1, len(readers) // MOST_FRAMES)])
 
 
 @contextmanager

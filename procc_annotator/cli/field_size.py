@@ -20,10 +20,10 @@ from procc_annotator.errors import SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import check_model
 from procc_annotator.fit.together.stadium import open_dimensions
-from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report import together
 from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_field import add_dimensions, keep_field
 from procc_annotator.session.dataset.dataset_folder import annotations_of, folder_of_dataset
 from procc_annotator.session.facts.origins import default_author
@@ -89,7 +89,7 @@ def field_size(
         raise UsageError("--save is for one stadium, --groups for several: choose one of them")
     place = annotations_of(dataset)
     kept_in = _workspace_of(dataset) if save else None
-    with open_source(place) as source:
+    with open_annotations(place, setup.field) as source:
         report_mismatch(source, setup.field)
         report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)

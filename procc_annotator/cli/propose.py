@@ -16,7 +16,6 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import SURE
 from procc_annotator.fit.from_picture.proposing import propose_camera
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.source import open_source
 from procc_annotator.report.proposals import (
     TABLE_FILE,
@@ -29,8 +28,8 @@ from procc_annotator.report.proposals import (
     summary_words,
 )
 from procc_annotator.report.targets import Interrupted, is_archive
+from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.dataset.pending_save import bytes_of
 from procc_annotator.session.dataset.picture_source import open_pictures
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.known_positions import read_positions
@@ -137,7 +136,8 @@ def propose(
     datasets.report_remarks(pictures.notices)
     _check_out(out, [pictures.path, *([known] if known is not None else [])], overwrite=overwrite)
     positions = () if known is None else read_positions(known, shown, camera_format)
-    wanted = _wanted(pictures.frames[::every], shown, every_frame)
+    annotated = None if every_frame else pictures.annotated(annotations, shown)
+    wanted = _wanted(pictures.frames[::every], shown, annotated)
     chosen = wanted.frames
     run = ProposalRun(chosen, shown, proposer, positions)
     try:
@@ -190,18 +190,20 @@ class _Wanted:
     damaged: tuple[str, ...] = ()
 
 
-def _wanted(frames: tuple[Frame, ...], field: Field, all_of_them: bool) -> _Wanted:
-    """The frames to look at.
+def _wanted(frames: tuple[Frame, ...], field: Field, annotated: FrameAnnotations | None) -> _Wanted:
+    """The frames to look at: those that nobody put a point in, or all.
 
     Raises:
         UsageError: none is left.
     """
-    if all_of_them:
+    if annotated is None:
         return _Wanted(list(frames))
+    datasets.report_remarks(annotated.notices)
     chosen, damaged = [], []
     for frame in frames:
         try:
-            if not _is_annotated(frame, field):
+            found = annotated.read(frame, field)
+            if found is None or not found.annotated:
                 chosen.append(frame)
         except InputError as error:
             damaged.append(str(error))
@@ -209,14 +211,6 @@ def _wanted(frames: tuple[Frame, ...], field: Field, all_of_them: bool) -> _Want
         datasets.report_unreadable(damaged)
         raise UsageError("nothing to do: all frames are annotated (--all looks at them too)")
     return _Wanted(chosen, len(frames) - len(chosen) - len(damaged), tuple(damaged))
-
-
-def _is_annotated(frame: Frame, field: Field) -> bool:
-    """Whether anybody put a point there."""
-    data = bytes_of(frame.annotation_path)
-    if data is None:
-        return False
-    return bool(read_annotation(data, path=str(frame.annotation_path), field=field).annotated)
 
 
 def _what_is_there(stopped: Interrupted, out: Path) -> str:

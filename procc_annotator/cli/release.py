@@ -19,7 +19,7 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
 from procc_annotator.io.csv_text import csv_cells
-from procc_annotator.io.source import FileSource, open_source, read_file
+from procc_annotator.io.source import FileSource, read_file
 from procc_annotator.report import agreement, findings
 from procc_annotator.report.provenance import export_provenance
 from procc_annotator.report.release.publishing import (
@@ -40,6 +40,7 @@ from procc_annotator.report.release.released import (
 from procc_annotator.report.targets import is_archive
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.database.places import database_path, kept_elsewhere, read_settings
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import (
     FIELD_FILE,
     annotations_of,
@@ -146,7 +147,8 @@ def release(
         called, called, version, date or datetime.date.today().isoformat(), licence,
         tuple(by or ()), url, description, said,
     )  # fmt: skip
-    with open_source(place) as source:
+    with open_annotations(place, known) as source:
+        datasets.report_remarks(source.notices)
         _check_out(out, source, dataset, overwrite=overwrite)
         sizes = PictureSizes(picture_folders(dataset, place))
         with progress_bar("reading") as progress:
@@ -233,7 +235,7 @@ class _Making:
 
     def agreement(self, second: Path, files: dict[str, bytes]) -> str:
         """In one line."""
-        with open_source(annotations_of(second)) as other:
+        with open_annotations(annotations_of(second), self._known) as other:
             run = AgreementRun(self._source, other, self._known, (960, 540), (_AGREEMENT_TAU,))
             agreed, files[AGREEMENT_FILE] = _as_file(
                 ".json", lambda path: agreement.agree_sets(run, output=path)

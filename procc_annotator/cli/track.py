@@ -205,7 +205,9 @@ def _anchors(
 ) -> Anchors:
     found = Anchors()
     if annotations is not None:
-        found.add_annotated(pictures.frames, field)
+        given = pictures.annotated(annotations, field)
+        datasets.report_remarks(given.notices)
+        found.add_annotated(pictures.frames, given, field)
     if cameras is not None:
         with CameraCollection.open(cameras, camera_format) as collection:
             datasets.report_remarks(collection.notices)

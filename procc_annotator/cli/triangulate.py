@@ -37,9 +37,10 @@ from procc_annotator.cli.landmark_output import (
 from procc_annotator.errors import UsageError
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.source import FileSource
+from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.field_match import classes_of_source
@@ -105,7 +106,7 @@ def triangulate(
     known = with_surveyed(known, surveyed or (), shown)
     named = named_in_options(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)
-    with open_source(place) as source:
+    with open_annotations(place, shown) as source:
         datasets.report_remarks(list_annotations(source).notices)
         _refuse_classes_of_another_field(source, shown)
         groups = groups_asked_for(groups, source, views, pattern)
@@ -162,7 +163,7 @@ def _locate(
     """Read every annotation, and triangulate what is clicked."""
 
     def read(file: str) -> FrameAnnotation:
-        return read_annotation(source.read(file), path=source.display(file), field=field)
+        return read_plain(source.read(file), source.display(file), field)
 
     readers = {frame: partial(read, file) for frame, file in list_annotations(source).items()}
     with progress_bar("triangulating") as progress:

@@ -67,11 +67,13 @@ from procc_annotator.gui.tasks.review.worst_first import WorstFirst
 from procc_annotator.gui.tasks.shot.accepting import StretchAccepting
 from procc_annotator.gui.tasks.shot.following import ShotFollowing
 from procc_annotator.gui.tasks.shot.walking import ShotWalk
+from procc_annotator.gui.window.command_palette import CommandPalette
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
+from procc_annotator.gui.window.palette_entries import PaletteEntries
 from procc_annotator.gui.window.remembering import Remembering
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.gui.window.status_report import StatusReport
@@ -106,6 +108,17 @@ class MainWindow(QMainWindow):
             self.actions_.menus["File/Field"],
             self.actions_["field_file"],
             self.actions_["switch_field"],
+        )
+        self.palette_ = CommandPalette(
+            self,
+            PaletteEntries(
+                self.document,
+                self.actions_,
+                self.settings,
+                self.show_panel,
+                self.opening.open_path,
+            ).found,
+            self.settings,
         )
         self.keys_back = KeysBack(self.canvas)
         self.element_shortcuts = ElementShortcuts(self, self.document)
@@ -352,6 +365,10 @@ class MainWindow(QMainWindow):
             self.actions_["hide_panels"].setChecked(False)
             self.set_panels_hidden(False)
         self._docks.show(name)
+
+    def find_anything(self) -> None:
+        """Show the command palette; once more puts it away."""
+        self.palette_.ask()
 
     def enter_panel(self, name: str) -> None:
         """Open a panel and put the keyboard where one writes in it."""

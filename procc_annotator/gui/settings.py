@@ -79,9 +79,15 @@ def _one_of(*names: str) -> Kind[str]:
     return Kind(lambda kept: str(kept) if str(kept) in names else None)
 
 
+def _texts(kept: Any) -> Sequence[str] | None:
+    kept = [kept] if isinstance(kept, str) else kept
+    return tuple(str(one) for one in kept) if isinstance(kept, list) else None
+
+
 FLAG = Kind(lambda kept: str(kept).lower() in ("true", "1"))
 NUMBER = Kind(_number)
 TEXT = Kind(str)
+TEXTS = Kind(_texts, list)
 PATHS = Kind(_paths, lambda paths: [str(path) for path in paths])
 ENTRIES = Kind(_entries, json.dumps)
 BYTES = Kind(lambda kept: kept if isinstance(kept, QByteArray) else None)
@@ -108,6 +114,7 @@ SECOND = Setting("second", TEXT, _HOME, "The second annotator's folder that was 
 CAMERAS = Setting("cameras", TEXT, _HOME, "Where cameras were loaded last")
 FIELD_FOLDER = Setting("field_folder", TEXT, _HOME, "Where a field file was chosen last")
 RECENT = Setting("recent", PATHS, (), "What was opened last, newest first", most=8)
+CALLED = Setting("called", TEXTS, (), "What the command palette called last, newest first", most=8)
 OWN_FIELDS = Setting("own_fields", PATHS, (), "The user's own field files, newest first", most=6)
 SOURCES = Setting("sources", ENTRIES, {}, "The camera sources of a dataset",
                   scope="dataset", most=40)

@@ -170,7 +170,7 @@ def _frames_of(
             annotation = workspace.read(index)
             if frame.name in drafts:
                 reading.remarks.add("unconfirmed elements are not written", frame.name)
-            if annotation.polylines or annotation.extra or frame.annotation_path.exists():
+            if annotation.polylines or annotation.extra or workspace.has_file(index):
                 # A video's frame is kept as a png when it is kept.
                 known = os.path.splitext(frame.image_file)[1].lower() in PICTURE_SUFFIXES
                 picture = frame.image_file if known else f"{frame.name}.png"

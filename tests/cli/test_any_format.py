@@ -63,3 +63,78 @@ def test_a_table_at_the_top_of_a_tree_is_no_frame(cli, sample_data: Path, tmp_pa
     done = cli("check", tmp_path / "set", "--no-paint")
     assert done.exit_code == 0, done.stderr
     assert "2 frames" in done.stdout + done.stderr
+
+
+@pytest.fixture
+def in_coco(cli, dataset, tmp_path: Path) -> Path:
+    """The dataset's pictures, and its annotations as COCO beside them."""
+    place = tmp_path / "in_coco"
+    place.mkdir()
+    for picture in dataset.root.glob("*.jpg"):
+        (place / picture.name).write_bytes(picture.read_bytes())
+    assert cli("convert", dataset.root, place / "annotations.json", "--to", "coco").exit_code == 0
+    return place
+
+
+def test_export_and_render_of_another_format(cli, dataset, in_coco: Path, tmp_path: Path) -> None:
+    for name, place in (("own", dataset.root), ("coco", in_coco)):
+        done = cli("export", place, tmp_path / f"{name}_out", "--cameras", dataset.cameras)
+        assert done.exit_code in (0, 1), done.stderr
+    own, read = (json.loads((tmp_path / f"{n}_out/jac.json").read_text()) for n in ("own", "coco"))
+    assert read["summary"] == own["summary"]
+    assert any(figures["mean_jac"] == 1.0 for figures in read["summary"].values())
+    assert "read as COCO" in done.stderr
+    done = cli("render", in_coco, tmp_path / "pictures", "--cameras", dataset.cameras)
+    assert done.exit_code in (0, 1), done.stderr
+    assert list((tmp_path / "pictures").glob("*.png"))
+
+
+def test_frames_annotated_in_another_format_are_passed_over(
+    cli, dataset, in_coco: Path, tmp_path: Path
+) -> None:
+    done = cli("propose", in_coco, tmp_path / "proposed")
+    assert done.exit_code == 2
+    assert "all frames are annotated" in done.stderr
+    done = cli("annotate", in_coco, in_coco, "--cameras", dataset.cameras)
+    assert "not touched: 5 frames annotated already" in done.stdout, done.stderr
+    assert not list(in_coco.glob("[0-9]*.json"))
+
+
+def test_a_release_of_another_format_holds_the_annotations(
+    cli, dataset, in_coco: Path, tmp_path: Path
+) -> None:
+    done = cli("release", in_coco, tmp_path / "out", "--no-check")
+    assert done.exit_code in (0, 1), done.stderr
+    assert len(list((tmp_path / "out").rglob("annotations/*.json"))) == len(
+        list(dataset.annotations.glob("[0-9]*.json"))
+    )
+
+
+def test_a_frame_of_another_format_among_ours_is_told_so(cli, dataset, tmp_path: Path) -> None:
+    assert cli("convert", dataset.root, tmp_path / "lm", "--to", "labelme").exit_code == 0
+    (dataset.annotations / "3.json").write_bytes((tmp_path / "lm" / "3.json").read_bytes())
+    for command in (
+        ("check", dataset.annotations, "--no-paint"),
+        ("export", dataset.root, tmp_path / "out"),
+        ("propose", dataset.root, tmp_path / "proposed"),
+    ):
+        done = cli(*command)
+        assert "is labelme JSON, expected SoccerNet-calibration JSON" in done.stderr, command
+        assert "convert" in done.stderr
+
+
+def test_what_lies_there_instead_is_told_with_the_command(cli, dataset, tmp_path: Path) -> None:
+    bare = tmp_path / "bare"
+    bare.mkdir()
+    for picture in dataset.root.glob("*.jpg"):
+        (bare / picture.name).write_bytes(picture.read_bytes())
+    done = cli("evaluate", bare, dataset.cameras)
+    assert done.exit_code == 2
+    assert f"it holds 5 pictures, not annotated yet: procc-annotator open {bare}" in done.stderr
+    done = cli("evaluate", dataset.cameras, dataset.cameras)
+    assert "it holds 5 cameras (camera_*): give the annotations" in done.stderr
+    assert cli("convert", dataset.root, tmp_path / "lm", "--to", "labelme").exit_code == 0
+    done = cli("render", tmp_path / "lm", tmp_path / "out")
+    assert done.exit_code == 2
+    assert "no picture in" in done.stderr
+    assert "only annotations (labelme JSON)" in done.stderr

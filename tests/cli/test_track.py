@@ -302,3 +302,17 @@ def test_what_makes_no_sense(cli, video, cameras, tmp_path) -> None:
         assert done.exit_code == 2, done.output
         assert said in done.stderr
     assert not out.exists()
+
+
+def test_pictures_that_have_nothing_to_do_with_each_other_have_their_own_anchors(
+    cli, sample_data: Path, tmp_path: Path
+) -> None:
+    """What cannot be followed from one anchor to the next is followed from each of them."""
+    match = tmp_path / "match"
+    match.mkdir()
+    for name in ("00002", "00003"):
+        for suffix in (".jpg", ".json"):
+            shutil.copy(sample_data / f"{name}{suffix}", match)
+    done = cli("track", match, tmp_path / "out", "--annotations", match)
+    assert done.exit_code == 0, done.stderr
+    assert "2 of 2 frames have a camera (2 anchors" in done.stdout

@@ -278,9 +278,9 @@ class _Work:
 
 
 def _beliefs(chain: Chain, numbers: Iterable[int]) -> dict[int, Belief]:
-    """What is believed of the cameras of some frames of a chain."""
+    """What is believed of the cameras of those frames that a chain has got to."""
     steps = dict(zip(chain.numbers, chain.steps, strict=True))
-    return {number: steps[number].belief for number in numbers}
+    return {number: steps[number].belief for number in numbers if number in steps}
 
 
 def _may_move(still: Smoothed, asked: int) -> bool:

@@ -30,9 +30,10 @@ from procc_annotator.gui.panels.states import (
     element_states,
     symbol_icon,
 )
-from procc_annotator.gui.panels.titles import match_rank, short_titles
+from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
+from procc_annotator.interact.type_ahead import match_rank
 
 NAME, KEY, POINTS, STATUS = range(4)
 CHECK = POINTS  # a column of its own would take the room of the names

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QInputDialog, QMessageBox, QWidget
 
 from procc_annotator.gui.picture.canvas import Canvas
@@ -100,9 +101,17 @@ class Commands:
         """Open the sheet of keys."""
         if self._sheet is None:
             self._sheet = KeySheet(self._document.field, self._window)
+            self._sheet.actionCalled.connect(self._call)
+            self._sheet.elementCalled.connect(self._document.select_class)
         self._sheet.show_field(self._document.field)
         self._sheet.show()
         self._sheet.raise_()
+        self._sheet.activateWindow()
+
+    def _call(self, name: str) -> None:
+        action = self._window.findChild(QAction, f"action_{name}")
+        assert isinstance(action, QAction)
+        action.trigger()
 
     def about(self) -> None:
         """Say which version this is."""

@@ -8,8 +8,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import QRect, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtCore import QEvent, QPoint, QRect, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QFont,
+    QFontMetrics,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 _MOST_COLUMNS = 4
@@ -17,7 +25,23 @@ _LETTERS = 46  # what a column holds in a line, keys and words together
 _KEYS_SHARE = 0.42  # of a column's width
 _GAP = 18
 _LINES_AROUND = 2  # a title and the room above it, in lines
+_Placed = tuple["list[tuple[QRect, str, bool]]", "list[tuple[QRect, SheetRow]]"]
 _WRAP = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop
+
+
+@dataclass(frozen=True, slots=True)
+class SheetRow:
+    """A line of the sheet.
+
+    Attributes:
+        keys: as people write them; they mean the same.
+        text: what they do.
+        calls: what a click calls, as the sheet knows it; "" for what only a hand can do.
+    """
+
+    keys: tuple[str, ...]
+    text: str
+    calls: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,37 +50,42 @@ class Section:
 
     Attributes:
         title: of a menu, or what its keys are for.
-        rows: (keys, what they do); the keys of one row mean the same.
+        rows: its lines.
     """
 
     title: str
-    rows: tuple[tuple[tuple[str, ...], str], ...]
+    rows: tuple[SheetRow, ...]
 
     def matching(self, words: Sequence[str]) -> Section:
         """The rows that have all these words, in small letters, in their keys, text or title."""
         kept = tuple(
             row
             for row in self.rows
-            if all(w in f"{' '.join(row[0])} {row[1]} {self.title}".casefold() for w in words)
+            if all(w in f"{' '.join(row.keys)} {row.text} {self.title}".casefold() for w in words)
         )
         return Section(self.title, kept)
 
 
 class KeyColumns(QWidget):
-    """Shows sections in reading order, in columns as short as that allows."""
+    """Shows sections in reading order, in columns as short as that allows; a click calls a row."""
+
+    called = Signal(str)  # `SheetRow.calls`
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("keyColumns")
-        self._sections: tuple[Section, ...] = ()
+        self.sections: tuple[Section, ...] = ()
         self._texts: list[tuple[QRect, str, bool]] = []  # where, what, whether bold
+        self._rows: list[tuple[QRect, SheetRow]] = []
+        self._below: SheetRow | None = None  # the cursor
+        self.setMouseTracking(True)
         policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
 
     def set_sections(self, sections: tuple[Section, ...]) -> None:
         """Show others."""
-        self._sections = sections
+        self.sections = sections
         self.setAccessibleName(self.text())
         self._lay_out()
 
@@ -64,8 +93,8 @@ class KeyColumns(QWidget):
         """All that is shown, a row a line."""
         return "\n".join(
             line
-            for section in self._sections
-            for line in (section.title, *(f"{_keys(k)}\t{text}" for k, text in section.rows))
+            for section in self.sections
+            for line in (section.title, *(f"{_keys(row.keys)}\t{row.text}" for row in section.rows))
         )
 
     def sizeHint(self) -> QSize:
@@ -81,6 +110,9 @@ class KeyColumns(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
+        for box, row in self._rows:
+            if row is self._below:
+                painter.fillRect(box, self.palette().color(QPalette.ColorRole.Midlight))
         painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
         usual, bold = self.font(), _bold(self.font())
         for box, text, is_bold in self._texts:
@@ -88,18 +120,43 @@ class KeyColumns(QWidget):
                 painter.setFont(bold if is_bold else usual)
                 painter.drawText(box, int(_WRAP), text)
 
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._point_at(self._row_at(event.position().toPoint()))
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._point_at(None)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        row = self._row_at(event.position().toPoint())
+        if event.button() == Qt.MouseButton.LeftButton and row is not None:
+            self.called.emit(row.calls)
+
     # --- inside ---
 
+    def _row_at(self, at: QPoint) -> SheetRow | None:
+        """The row below a point that a click calls."""
+        return next((row for box, row in self._rows if row.calls and box.contains(at)), None)
+
+    def _point_at(self, row: SheetRow | None) -> None:
+        if row is not self._below:
+            self._below = row
+            self.setCursor(
+                Qt.CursorShape.ArrowCursor if row is None else Qt.CursorShape.PointingHandCursor
+            )
+            self.update()
+
     def _lay_out(self) -> None:
-        self._texts = self._placed(self.width())
+        self._texts, self._rows = self._placed(self.width())
+        self._below = None
         self.updateGeometry()
         self.update()
 
     def _height(self, width: int) -> int:
-        placed = self._texts if width == self.width() else self._placed(width)
+        placed = self._texts if width == self.width() else self._placed(width)[0]
         return max((box.bottom() for box, _, _ in placed), default=0) + _GAP
 
-    def _placed(self, width: int) -> list[tuple[QRect, str, bool]]:
+    def _placed(self, width: int) -> _Placed:
         usual, bold = QFontMetrics(self.font()), QFontMetrics(_bold(self.font()))
         count = width // (_LETTERS * usual.averageCharWidth())
         count = min(max(count, 1), _MOST_COLUMNS)
@@ -107,25 +164,31 @@ class KeyColumns(QWidget):
         keys = round(_KEYS_SHARE * column)
         line = usual.height()
         sized = []
-        for section in self._sections:
+        for section in self.sections:
             heights = [
-                max(_tall(bold, keys - _GAP // 2, _keys(k)), _tall(usual, column - keys, text))
-                for k, text in section.rows
+                max(
+                    _tall(bold, keys - _GAP // 2, _keys(row.keys)),
+                    _tall(usual, column - keys, row.text),
+                )
+                for row in section.rows
             ]
             sized.append((section, heights))
         filled = _filled([sum(heights) + _LINES_AROUND * line for _, heights in sized], count)
-        placed = []
+        texts: list[tuple[QRect, str, bool]] = []
+        rows: list[tuple[QRect, SheetRow]] = []
         for number, indices in enumerate(filled):
             x, y = number * (column + _GAP), 0
             for section, heights in (sized[i] for i in indices):
-                placed.append((QRect(x, y, column, line), section.title.upper(), True))
+                texts.append((QRect(x, y, column, line), section.title.upper(), True))
                 y += line + line // 4
-                for (k, text), height in zip(section.rows, heights, strict=True):
-                    placed.append((QRect(x, y, keys - _GAP // 2, height), _keys(k), True))
-                    placed.append((QRect(x + keys, y, column - keys, height), text, False))
+                for row, height in zip(section.rows, heights, strict=True):
+                    keys_box = QRect(x, y, keys - _GAP // 2, height)
+                    texts.append((keys_box, _keys(row.keys), True))
+                    texts.append((QRect(x + keys, y, column - keys, height), row.text, False))
+                    rows.append((QRect(x, y, column, height), row))
                     y += height
                 y += line - line // 4
-        return placed
+        return texts, rows
 
 
 def _keys(keys: tuple[str, ...]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QDialog,
@@ -20,9 +20,10 @@ from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.gestures import GESTURES
 from procc_annotator.gui.panels.parts import empty_state
-from procc_annotator.gui.window.key_columns import KeyColumns, Section
+from procc_annotator.gui.window.key_columns import KeyColumns, Section, SheetRow
 
 _SIZE = QSize(1240, 860)
+_ACTION, _ELEMENT = "action:", "element:"  # what a row calls, before its name
 _MARGIN = 40  # of the window behind the sheet that stays in sight
 
 
@@ -34,17 +35,24 @@ def sections_of(field: Field) -> tuple[Section, ...]:
         for spec in ACTIONS:
             if spec.menu.split("/")[0] == menu:
                 place = spec.menu.split("/", 1)[1] + ": " if "/" in spec.menu else ""
-                rows.append((_native(spec.keys), place + spec.text.lstrip("-")))
+                text = place + spec.text.lstrip("-")
+                rows.append(SheetRow(_native(spec.keys), text, f"{_ACTION}{spec.name}"))
         sections.append(Section(menu, tuple(rows)))
-    sections.append(Section("In the picture", tuple(((k,), text) for k, text in GESTURES)))
-    elements = [((key_text(field, name),), field.title_of(name)) for name in element_keys(field)]
+    sections.append(Section("In the picture", tuple(SheetRow((k,), text) for k, text in GESTURES)))
+    elements = [
+        SheetRow((key_text(field, name),), field.title_of(name), f"{_ELEMENT}{name}")
+        for name in element_keys(field)
+    ]
     if elements:
         sections.append(Section("Choose an element", tuple(elements)))
     return tuple(sections)
 
 
 class KeySheet(QDialog):
-    """A window with the sheet; typing searches it, Esc closes it."""
+    """A window with the sheet; typing searches it, a click calls a row, Esc closes it."""
+
+    actionCalled = Signal(str)
+    elementCalled = Signal(str)
 
     def __init__(self, field: Field, parent: QWidget) -> None:
         super().__init__(parent)
@@ -52,11 +60,13 @@ class KeySheet(QDialog):
         self.setWindowTitle("Keys")
         self.search = QLineEdit()
         self.search.setObjectName("keySearch")
-        self.search.setPlaceholderText("Search: a word, or a key")
+        self.search.setPlaceholderText("Search: a word, or a key. A click does what a row says.")
         self.search.setAccessibleName("Search the keys")
         self.search.setClearButtonEnabled(True)
         self.search.textChanged.connect(self._show)
+        self.search.returnPressed.connect(self._call_only)
         self.columns = KeyColumns()
+        self.columns.called.connect(self._call)
         scrolled = QScrollArea()
         scrolled.setFrameShape(QFrame.Shape.NoFrame)
         scrolled.setWidgetResizable(True)
@@ -86,6 +96,19 @@ class KeySheet(QDialog):
         self.search.clear()
         self.search.setFocus()
         self._show()
+
+    def _call(self, calls: str) -> None:
+        self.close()  # first: what is called may ask something itself
+        if calls.startswith(_ACTION):
+            self.actionCalled.emit(calls.removeprefix(_ACTION))
+        else:
+            self.elementCalled.emit(calls.removeprefix(_ELEMENT))
+
+    def _call_only(self) -> None:
+        """Enter calls what alone is found."""
+        rows = [row.calls for section in self.columns.sections for row in section.rows if row.calls]
+        if len(rows) == 1:
+            self._call(rows[0])
 
     def _show(self) -> None:
         words = self.search.text().casefold().split()

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import Any, Literal
 
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import AnnotationError, InputError, UsageError
+from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files import (
     coco,
     cvat,
@@ -21,6 +23,7 @@ from procc_annotator.io.annotation_files import (
     yolo_pose,
 )
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.collections import (
     files_of,
     list_annotations,
@@ -189,6 +192,27 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
     return known, files
 
 
+def read_plain(data: bytes, path: str, field: Field) -> FrameAnnotation:
+    """A frame's annotation of this program, as of `read_annotation`; what is one of another format
+    is told so.
+
+    Raises:
+        AnnotationError: it cannot be used.
+    """
+    try:
+        return read_annotation(data, path=path, field=field)
+    except AnnotationError as error:
+        told = _format_of(data, is_xml=False)
+        if told is None or told.name == PLAIN:
+            raise
+        raise AnnotationError(
+            path,
+            f"is {told.title}, expected {format_named(PLAIN).title}",
+            advice="procc-annotator convert IN OUT --to soccernet writes it so; the window takes it"
+            " in with File > Import annotations",
+        ) from error
+
+
 def told_formats(source: FileSource) -> list[AnnotationFormat]:
     """The formats of the first files of a source; none where there is no file that tells any."""
     told = _told(source, _files(source))
@@ -223,7 +247,11 @@ def _sniffed(source: FileSource, name: str) -> AnnotationFormat | None:
         data = source.read(name)
     except InputError:
         return None
-    if _is_xml(name):
+    return _format_of(data, is_xml=_is_xml(name))
+
+
+def _format_of(data: bytes, *, is_xml: bool) -> AnnotationFormat | None:
+    if is_xml:
         return next((f for f in FORMATS if f.sniff is not None and f.sniff(data)), None)
     content = _decoded(data)
     if is_other_json(content):

@@ -14,7 +14,7 @@ import msgspec
 
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource, read_file
 from procc_annotator.report.release.card import dataset_card
@@ -75,7 +75,7 @@ def gather_frames(
             continue
         try:
             data = source.read(file)
-            annotation = read_annotation(data, path=source.display(file), field=known)
+            annotation = read_plain(data, source.display(file), known)
         except InputError as error:
             found.problems.append(str(error))
             continue
@@ -165,7 +165,7 @@ def changes_since(before: Path, release: Release) -> Changes:
         if entry is None or entry.sha256 == frame.sha256:
             continue
         path = before / ANNOTATIONS / f"{name}.json"
-        was = read_annotation(read_file(path), path=str(path), field=release.field)
+        was = read_plain(read_file(path), str(path), release.field)
         if (found := changed_frame(name, was, frame.annotation)) is not None:
             changed.append(found)
     splits = (n for n, f in now.items() if n in known.frames and known.frames[n].split != f.split)

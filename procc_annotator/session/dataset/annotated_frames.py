@@ -8,7 +8,7 @@ from typing import Protocol
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.workspace import Workspace
@@ -58,8 +58,7 @@ class DatasetFrames:
 
     def read(self, index: int) -> FrameAnnotation | None:
         annotation = self._workspace.read(index)
-        frame = self._workspace.frames[index]
-        if annotation.polylines or annotation.extra or frame.annotation_path.exists():
+        if annotation.polylines or annotation.extra or self._workspace.has_file(index):
             return annotation
         return None
 
@@ -78,6 +77,4 @@ class FileFrames:
 
     def read(self, index: int) -> FrameAnnotation | None:
         file = self._files[index]
-        return read_annotation(
-            self._source.read(file), path=self._source.display(file), field=self.field
-        )
+        return read_plain(self._source.read(file), self._source.display(file), self.field)

@@ -15,7 +15,7 @@ from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 
 # So many annotated frames tell which field a set shows.
-_FRAMES = 20
+MOST_FRAMES = 20
 _SHOWN = 3
 _NEARLY_ALL = 0.8
 
@@ -124,7 +124,7 @@ def mismatch_of(
 
 
 def classes_in(
-    read: Iterable[Callable[[], FrameAnnotation]], most: int = _FRAMES
+    read: Iterable[Callable[[], FrameAnnotation]], most: int = MOST_FRAMES
 ) -> frozenset[str]:
     """The classes with points in some frames; frames that cannot be read tell nothing.
 
@@ -146,7 +146,7 @@ def classes_in(
     return frozenset(found)
 
 
-def classes_of_source(source: FileSource, field: Field, most: int = _FRAMES) -> frozenset[str]:
+def classes_of_source(source: FileSource, field: Field, most: int = MOST_FRAMES) -> frozenset[str]:
     """The same of annotation files, some from all over the set."""
     files = list(list_annotations(source).values())
     step = max(1, len(files) // most)

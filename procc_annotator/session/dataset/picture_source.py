@@ -8,9 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
 from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 from procc_annotator.image.video import open_shared
 from procc_annotator.session.dataset.dataset_folder import frames_folder
+from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame, list_frames
 from procc_annotator.session.dataset.video_frames import video_frame
 
@@ -33,6 +35,19 @@ class PictureSource:
     frames: tuple[Frame, ...]
     is_video: bool = False
     notices: tuple[str, ...] = ()
+
+    def annotated(self, annotations: Path | None, field: Field) -> FrameAnnotations:
+        """What is annotated in them.
+
+        Args:
+            annotations: a folder, archive or file of annotations, if they are not where they would
+                be looked for.
+            field: knows the official names.
+
+        Raises:
+            UsageError, InputError: as of `FrameAnnotations.of`.
+        """
+        return FrameAnnotations.of(self.path, annotations, field)
 
 
 def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:

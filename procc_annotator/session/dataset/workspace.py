@@ -10,6 +10,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.annotation_files.soccernet_annotation import (
     read_annotation,
     write_annotation,
@@ -17,6 +18,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import (
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp_of
+from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frame_state import EMPTY, FrameState
 from procc_annotator.session.dataset.frames import Frame, list_frames
 from procc_annotator.session.dataset.history import History
@@ -43,6 +45,8 @@ class Workspace:
         folder: the dataset's; of a single picture the one it lies in.
         database: what is remembered beside the files (versions, unconfirmed elements); None keeps
             nothing. Annotations never depend on it.
+        given: annotations of any format, for who only reads the dataset; None: the frames' own
+            files, which can be edited.
     """
 
     def __init__(
@@ -60,6 +64,7 @@ class Workspace:
         self.field = field
         self.notices = notices
         self.index = {frame.name: i for i, frame in enumerate(frames)}
+        self.given: FrameAnnotations | None = None
         self._states: dict[int, FrameState] = {}
         self._stamps: FileStamps[int] = FileStamps()
         self._broken: dict[int, FrameState] = {}  # as they were before others broke their files
@@ -160,6 +165,11 @@ class Workspace:
         data = self._bytes(index)
         return self._parse(index, data) if data is not None else None
 
+    def has_file(self, index: int) -> bool:
+        """Whether a frame has an annotation file, be it empty."""
+        frame = self.frames[index]
+        return frame.annotation_path.exists() if self.given is None else self.given.has(frame)
+
     def at_hand(self, index: int) -> FrameAnnotation | None:
         """A frame's annotation as it is now, if it was read in this session; never reads it."""
         state = self._states.get(index)
@@ -181,6 +191,7 @@ class Workspace:
         Raises:
             UsageError: the frame's annotation file is unreadable, so editing could destroy it.
         """
+        assert self.given is None  # opened to be read
         state = self.state(index)
         if state.error is not None:
             raise UsageError(f"this frame cannot be edited: {state.error}")
@@ -390,13 +401,16 @@ class Workspace:
         self.database.set_draft(self.frames[index].name, data)
 
     def _bytes(self, index: int) -> bytes | None:
-        path = self.frames[index].annotation_path
-        self._stamps.note(index, path)
-        return bytes_of(path)
+        frame = self.frames[index]
+        if self.given is not None:
+            return self.given.bytes_of(frame)
+        self._stamps.note(index, frame.annotation_path)
+        return bytes_of(frame.annotation_path)
 
     def _parse(self, index: int, data: bytes) -> FrameAnnotation:
-        path = str(self.frames[index].annotation_path)
-        return read_annotation(data, path=path, field=self.field)
+        frame = self.frames[index]
+        shown = frame.annotation_path if self.given is None else self.given.display(frame)
+        return read_plain(data, str(shown), self.field)
 
     def _keep_found(self, pending: PendingSave) -> bool:
         """Keep what a file holds before it is replaced; whether that is new."""

@@ -15,10 +15,12 @@ from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.camera_files.held_out_table import HeldOut
 from procc_annotator.metric.measure import Measurement, measure, measure_frames
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.runs.held_out import HeldOutTally
 from procc_annotator.session.runs.set_run import AnnotationTask, KeptOpen
 from procc_annotator.session.runs.tags import MODEL
 
@@ -85,6 +87,7 @@ class Tally:
     with_camera: int = 0
     ground_only: bool = False
     fitted: int = 0  # cameras fitted to the annotations they are judged by
+    held_out: HeldOutTally = field(default_factory=HeldOutTally)
     in_pixels: list[str] = field(default_factory=list)  # frames whose coordinates look like that
 
     def of_frame(self, by: tuple[str, ...], groups: tuple[str | None, ...]) -> list[SetAccumulator]:
@@ -94,6 +97,7 @@ class Tally:
     def merge(self, other: Tally) -> None:
         """Add the sums of the frames that follow."""
         self.sums.merge(other.sums)
+        self.held_out.merge(other.held_out)
         self.in_pixels += other.in_pixels
         for key, sums in other.groups.items():
             self._group(key).merge(sums)
@@ -148,6 +152,7 @@ class _Read(NamedTuple):
     model: str = ""
     notices: tuple[str, ...] = ()
     fitted: bool = False
+    held_out: HeldOut | None = None
     error: str | None = None
 
 
@@ -222,6 +227,7 @@ def _scored(
     tally.with_camera += 1
     tally.ground_only |= ground_only
     tally.fitted += read.fitted
+    tally.held_out.add(read.held_out if read.fitted else None)
     result = FrameResult(
         name,
         task.cameras.opened.display(name),
@@ -238,7 +244,7 @@ def _scored(
 
 def _load_camera(
     name: str, annotation: FrameAnnotation, task: ScoreChunk[Any], cameras: CameraCollection
-) -> tuple[CameraOrProjections, str, tuple[str, ...], bool]:
+) -> tuple[CameraOrProjections, str, tuple[str, ...], bool, HeldOut | None]:
     if name not in cameras.frames:  # it was there when the set was listed, on the first machine
         raise CameraError(
             cameras.path, f"holds no camera of frame {name!r} any more", advice="try again"
@@ -247,4 +253,5 @@ def _load_camera(
     camera, scaled = fit_to_size(loaded, task.setup.size, task.camera_size)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
     model = model_name(camera, loaded.model, task.setup.size)
-    return camera, model, notices, is_fitted_on(loaded.fitted_on, annotation)
+    fitted = is_fitted_on(loaded.fitted_on, annotation)
+    return camera, model, notices, fitted, loaded.held_out

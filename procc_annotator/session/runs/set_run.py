@@ -15,11 +15,12 @@ from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import AnnotationFiles, list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import require_lists
+from procc_annotator.session.dataset.what_lies_there import instead_of_annotations
 from procc_annotator.session.runs.execution.executor import Executor, InProcess
 
 # Frames a worker takes at once where each gets a fit: about half a second's work.
@@ -159,7 +160,7 @@ class AnnotationTask:
         """
         source = self.annotations.opened
         data, shown = source.read(file), source.display(file)
-        annotation = read_annotation(data, path=shown, field=field)
+        annotation = read_plain(data, shown, field)
         require_lists(annotation, shown)
         return annotation
 
@@ -182,7 +183,8 @@ def require_annotations(source: FileSource) -> AnnotationFiles:
     files = list_annotations(source)
     if not files:
         raise UsageError(
-            f"nothing to do: no annotation (*.json) in {source.path}" + choice_of(source)
+            f"nothing to do: no annotation in {source.path}"
+            f"{choice_of(source) or instead_of_annotations(source)}"
         )
     return files
 

@@ -11,13 +11,12 @@ from procc_annotator.errors import CameraError, InputError
 from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import read_size
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.session.clicks.anchors import anchor_camera
+from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.dataset.pending_save import bytes_of
 
 
 @dataclass
@@ -65,21 +64,18 @@ class Anchors:
             else:
                 self.cameras[number] = camera
 
-    def add_annotated(self, frames: Sequence[Frame], field: Field) -> None:
+    def add_annotated(self, frames: Sequence[Frame], given: FrameAnnotations, field: Field) -> None:
         """Add a fit to every annotated frame that gives a camera to rely on.
 
         Args:
-            frames: by number, with the files their annotations are in.
+            frames: by number.
+            given: what is annotated in them.
             field: the elements, metres.
         """
         for number, frame in enumerate(frames):
-            path = frame.annotation_path
             try:
-                data = bytes_of(path)
-                if data is None:
-                    continue
-                annotation = read_annotation(data, path=str(path), field=field)
-                if not annotation.annotated:
+                annotation = given.read(frame, field)
+                if annotation is None or not annotation.annotated:
                     continue
                 size = read_size(frame.image_path)
             except InputError as error:

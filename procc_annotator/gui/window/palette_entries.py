@@ -1,0 +1,211 @@
+"""What can be called by its name: actions, elements, frames, sources, models, panels, folders."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from itertools import islice
+from pathlib import Path
+
+from PySide6.QtGui import QAction, QKeySequence
+
+from procc_annotator.gui.actions import ACTIONS
+from procc_annotator.gui.element_keys import key_text
+from procc_annotator.gui.settings import RECENT, Settings
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.live_fit import MODELS
+from procc_annotator.gui.window.docks import TITLES
+from procc_annotator.gui.window.menus import Actions
+from procc_annotator.gui.window.welcome import described
+from procc_annotator.interact.type_ahead import loose_rank, match_rank, misspelt
+
+_MOST_FRAMES = 30  # that are listed of those whose names fit
+_BY_DETAIL = 10  # the rank of what fits by what is said of it, behind all that fit by name
+_SELF = "palette"  # the action that shows the list, which need not be in it
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One thing that can be called.
+
+    Attributes:
+        key: what it is remembered by as called last; "" for things of one dataset.
+        kind: what sort of thing it is, in a word.
+        title: its name, as menus and panels have it.
+        detail: what it does, or where it lies.
+        keys: what else calls it, as people write it.
+        run: calls it.
+        on: whether it is on; None for what is neither.
+        enabled: whether it can be called now.
+    """
+
+    key: str
+    kind: str
+    title: str
+    detail: str
+    keys: str
+    run: Callable[[], object]
+    on: bool | None = None
+    enabled: bool = True
+
+
+class PaletteEntries:
+    """Lists what a window can be asked for, by what is typed."""
+
+    def __init__(
+        self,
+        document: Document,
+        actions: Actions,
+        settings: Settings,
+        show_panel: Callable[[str], object],
+        open_path: Callable[[Path], object],
+    ) -> None:
+        self._document = document
+        self._actions = actions
+        self._settings = settings
+        self._show_panel = show_panel
+        self._open_path = open_path
+
+    def found(self, text: str, called: Iterable[str] = ()) -> list[Entry]:
+        """What fits a text, best first; for an empty one what was called last, then all actions.
+
+        Args:
+            text: as it was typed.
+            called: keys of what was called last, newest first.
+        """
+        if not text.strip():
+            actions = {entry.key: entry for entry in self._of_actions()}
+            last = [actions.pop(key) for key in called if key in actions]
+            return [*last, *actions.values()]
+        entries = [*self._of_actions(), *self._of_the_window()]
+        fitting = [*entries, *islice(self._of_frames(text), _MOST_FRAMES)]
+        ranked = [(rank, e) for e in fitting if (rank := _rank(text, e)) is not None]
+        ranked.sort(key=lambda pair: (pair[0], len(pair[1].title)))
+        best = [*self._of_numbers(text), *(entry for _, entry in ranked)]
+        return best or [entry for entry in entries if misspelt(text, entry.title)]
+
+    # --- what there is ------------------------------------------------------------------------
+
+    def _of_actions(self) -> Iterator[Entry]:
+        for spec in ACTIONS:
+            if spec.name == _SELF:
+                continue
+            action = self._actions[spec.name]
+            place = spec.menu.split("/", 1)[1] + ": " if "/" in spec.menu else ""
+            yield Entry(
+                f"action:{spec.name}",
+                spec.menu.split("/")[0],
+                place + action.text(),
+                spec.tip,
+                _keys_of(action),
+                action.trigger,
+                action.isChecked() if action.isCheckable() else None,
+                action.isEnabled(),
+            )
+
+    def _of_the_window(self) -> Iterator[Entry]:
+        document = self._document
+        field = document.field
+        for name in (*(e.name for e in field.elements), *field.classes_without_geometry):
+            yield Entry(
+                "",
+                "Element",
+                field.title_of(name),
+                name,
+                key_text(field, name),
+                partial(document.select_class, name),
+                document.selected_class == name,
+            )
+        for index, source in enumerate(document.sources):
+            yield Entry(
+                "",
+                "Cameras",
+                f"Judge {source.name}",
+                "Judge with this source",
+                "",
+                partial(document.set_active_camera, index),
+                source is document.active_source,
+            )
+        for model in MODELS:
+            yield Entry(
+                f"model:{model}",
+                "Camera",
+                f"Live fit: model {model}",
+                "Fit this model to the clicks; auto takes the simplest that they support",
+                "",
+                partial(document.live_fit.set_model, model),
+                document.live_fit.model == model,
+            )
+        for name, title in TITLES.items():
+            yield Entry(
+                f"panel:{name}",
+                "Panel",
+                f"Panel {title}",
+                "Open this panel and bring it to the front",
+                "",
+                partial(self._show_panel, name),
+            )
+        for path in self._settings.get(RECENT):
+            yield Entry("", "Open", described(path), str(path), "", partial(self._open_path, path))
+
+    def _of_numbers(self, text: str) -> Iterator[Entry]:
+        """What a number alone may mean: a threshold, a frame."""
+        document = self._document
+        try:
+            number = float(text.replace(",", "."))
+        except ValueError:
+            return
+        if 0 < number <= 100:
+            yield Entry(
+                "",
+                "Camera",
+                f"Threshold {number:g} px",
+                "Judge elements by this tau",
+                "",
+                lambda: document.set_tau(number),
+                document.tau == number,
+            )
+        count = len(document.workspace.frames) if document.workspace is not None else 0
+        if number.is_integer() and 1 <= number <= count:
+            index = int(number) - 1
+            yield self._frame(index, f"Frame {int(number)} of {count}")
+
+    def _of_frames(self, text: str) -> Iterator[Entry]:
+        """Frames whose names hold every word."""
+        workspace = self._document.workspace
+        wanted = text.casefold().split()
+        for index, frame in enumerate(workspace.frames if workspace is not None else ()):
+            name = frame.name.casefold()
+            if all(word in name for word in wanted):
+                yield self._frame(index, frame.name)
+
+    def _frame(self, index: int, title: str) -> Entry:
+        document = self._document
+        assert document.workspace is not None
+        name = document.workspace.frames[index].name
+        return Entry(
+            "",
+            "Frame",
+            title,
+            name if name != title else "Go to this frame",
+            "",
+            lambda: document.go_to(index),
+            index == document.frame_index,
+        )
+
+
+def _rank(text: str, entry: Entry) -> int | None:
+    rank = loose_rank(text, entry.title)
+    if rank == 0 or match_rank(text, entry.keys) == 0:
+        return 0
+    if rank is not None:
+        return rank
+    if match_rank(text, f"{entry.kind} {entry.title} {entry.detail}") is not None:
+        return _BY_DETAIL
+    return None
+
+
+def _keys_of(action: QAction) -> str:
+    native = QKeySequence.SequenceFormat.NativeText
+    return "  ".join(keys.toString(native) for keys in action.shortcuts())
