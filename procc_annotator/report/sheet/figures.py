@@ -135,6 +135,14 @@ ONLY_A = Figure("only_a", "only A", "", None, 0, "Elements only the first annota
 ONLY_B = Figure("only_b", "only B", "", None, 0, "Elements only the second annotated.")
 POINTS = Figure("points", "points", "", None, 0, "Points whose distance was taken.")
 LEFT_OUT = Figure("left_out", "beyond", "", None, 0, "Clicks beyond the other's ends.")
+ADDED = Figure(
+    "added", "added", "", None, 0,
+    "Elements that an annotator has, and at least half of the others not.", attribute="only_a",
+)  # fmt: skip
+MISSED = Figure(
+    "missed", "missed", "", None, 0,
+    "Elements that more than half of the others have, and an annotator not.", attribute="only_b",
+)  # fmt: skip
 OF_AGREEMENT = (COMMON, APART, ONLY_A, ONLY_B, POINTS, LEFT_OUT, *DISTANCES)
 
 # --- two sources of cameras: attributes of `Spread` and `LegacyMetrics`, keys of comparisons ------
