@@ -19,10 +19,11 @@ from procc_annotator.session.database.file import FOLDER as WORKSPACE_FOLDER
 FIELD_FILE = "field.toml"
 VIEWS_FILE = "views.csv"
 FRAMES_FILE = "frames.csv"
+STADIUMS_FILE = "stadiums.csv"
 
 _ARCHIVES = frozenset({".zip"})
 _ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
-_OWN_THINGS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE)
+_OWN_THINGS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE, STADIUMS_FILE)
 
 
 def pictures_in(folder: Path) -> list[str]:
