@@ -54,6 +54,10 @@ COMMANDS = (
         "Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.",
     ),
     LazyCommand("convert", "Write annotations or cameras in another format."),
+    LazyCommand(
+        "propose-map",
+        "Propose which classes of the field the labels of another program stand for.",
+    ),
     LazyCommand("release", "Write what the keeper of a dataset publishes, for people and hubs."),
     LazyCommand(
         "render",
