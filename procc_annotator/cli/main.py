@@ -66,6 +66,7 @@ COMMANDS = (
     LazyCommand(
         "check-submission", "Say what the official SoccerNet evaluation would refuse or pass over."
     ),
+    LazyCommand("desktop-entry", "Put the program into the menus of a Linux desktop."),
     LazyCommand(
         "headless",
         "Evaluate every camera set of a dataset, write the exports and one overlay picture"
