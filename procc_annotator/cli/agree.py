@@ -1,26 +1,34 @@
-"""``procc-annotator agree``: compare two annotators of the same frames."""
+"""``procc-annotator agree``: compare two annotators of the same frames, or more."""
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from pathlib import Path
+from string import ascii_uppercase
 from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import options, outputs
+from procc_annotator.cli import chance_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
 from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.errors import UsageError
 from procc_annotator.report import agreement
 from procc_annotator.report.agreement import Agreed, agree_sets
+from procc_annotator.report.consensus import agree_all, floor_line, sheets_of, write_agreed
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.agreement_run import AgreementRun
+from procc_annotator.session.runs.clusters import clusters_of
+from procc_annotator.session.runs.consensus_run import MOST, ConsensusRun
+from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import listed
 
 HELP = """\
-A and B are dataset folders, or folders or zip archives of annotation files, paired by frame name.
+Two or more (up to 26) dataset folders, or folders or zip archives of annotation files, one for each
+annotator, paired by frame name: A, B, C, ...
 
 Every click of one is measured against the course the other's clicks give the element, and the
 reverse. The median and 95 % of all distances are the noise floor: no camera can be asked to agree
@@ -31,6 +39,10 @@ Clicks beyond the other's ends (5 % of its length, at least 3 px) are left out a
 "beyond". An element of which the two share (almost) no stretch is "apart", and no agreement: none
 of its clicks is compared, all count as "beyond". Swapped classes look like that where they meet.
 
+Of three and more every two are compared, and each with the consensus of the others: the median of
+their courses, of elements that more than half of them have. An element that exactly half have
+counts for nothing. Intervals (95 %) say how far figures would differ on other frames.
+
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 """
 
@@ -39,12 +51,14 @@ Example:
 
 \b
   procc-annotator agree anna/annotations ben/annotations --tau 5 --tau 2 --output agreement.csv
+  procc-annotator agree anna/ ben/ cleo/ --cluster shot --consensus agreed/ --output agreement.json
 """
 
 
 def agree(
-    a: Annotated[Path, typer.Argument(help="Annotations of the first annotator.")],
-    b: Annotated[Path, typer.Argument(help="Annotations of the second.")],
+    annotators: Annotated[
+        list[Path], typer.Argument(metavar="A B [C]...", help="Annotations of each annotator.")
+    ],
     threshold: Annotated[
         list[float] | None,
         typer.Option(
@@ -58,6 +72,16 @@ def agree(
     ] = None,
     size: options.Size = "960x540",
     field: options.FieldName = None,
+    tags: chance_options.TagsFile = None,
+    cluster: chance_options.Cluster = None,
+    consensus: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            help="Write the consensus of every frame, as annotations, to a folder or .zip; of three"
+            " or more.",
+        ),
+    ] = None,
     labels: options.LabelsFile = None,
     output: Annotated[
         Path | None,
@@ -66,28 +90,79 @@ def agree(
         ),
     ] = None,
 ) -> None:
+    if not 2 <= len(annotators) <= MOST:
+        raise UsageError(f"annotations of {len(annotators)} given, expected those of 2 to {MOST}")
     if output is not None:
         score_format(output)
         outputs.check_output_folder(output)
     thresholds = options.thresholds_or_default(threshold)
-    shown = chosen_field(field, a, b)
+    shown = chosen_field(field, *annotators)
     names = options.label_map(labels, shown)
-    with (
-        open_annotations(annotations_of(a), shown, names) as source_a,
-        open_annotations(annotations_of(b), shown, names) as source_b,
-    ):
+    with ExitStack() as opened:
+        sources = [
+            opened.enter_context(open_annotations(annotations_of(path), shown, names))
+            for path in annotators
+        ]
         if output is not None:
-            outputs.check_not_an_input(output, (source_a, source_b))
-        for source, of in ((source_a, "A: "), (source_b, "B: ")):
-            report_mismatch(source, shown, of)
-            report_like_cameras(source, of)
-        run = AgreementRun(source_a, source_b, shown, options.parse_size(size), thresholds)
-        agreed = agree_sets(run, output=output, progress=with_progress)
-    _print_agreement(agreed)
+            outputs.check_not_an_input(output, sources)
+        for source, letter in zip(sources, ascii_uppercase, strict=False):
+            report_mismatch(source, shown, f"{letter}: ")
+            report_like_cameras(source, f"{letter}: ")
+        call = shown, options.parse_size(size), thresholds
+        if len(sources) > 2:
+            several = ConsensusRun(sources, *call)
+            errors = _agree_all(several, (tags, cluster), consensus, output)
+        elif tags or cluster or consensus:
+            raise UsageError("--tags, --cluster and --consensus are for three annotators or more")
+        else:
+            agreed = agree_sets(
+                AgreementRun(sources[0], sources[1], *call), output=output, progress=with_progress
+            )
+            _print_agreement(agreed)
+            errors = agreed.errors
     if output is not None:
         typer.echo(f"written: {output}")
-    _report_frames(agreed)
-    raise typer.Exit(report_unreadable(agreed.errors))
+    if len(sources) == 2:
+        _report_frames(agreed)
+    raise typer.Exit(report_unreadable(errors))
+
+
+def _agree_all(
+    run: ConsensusRun,
+    clustering: tuple[Path | None, str | None],
+    consensus: Path | None,
+    output: Path | None,
+) -> list[str]:
+    """Compare, print and write; the errors of files that could not be read."""
+    tags, by = clustering
+    read = None if tags is None else Tags.read(tags)
+    cluster = chance_options.cluster_of(by, read)
+    if consensus is not None:
+        outputs.check_place(consensus, run.sources)
+        names = [f"{name}.json" for name in run.names]
+        outputs.check_replaces_nothing(consensus, names, overwrite=False)
+    # The first dataset that has a table of frames tells the shots of all.
+    orders = chance_options.orders_by_set({str(s.path): s.path for s in run.sources}, None)
+    order = next(iter(orders.values()), None)
+    values = chance_options.tags_by_set(read, [""]).get("", {}).get(cluster or "", {})
+    agreed = agree_all(
+        run,
+        lambda frames: clusters_of(frames, cluster, values, order),
+        consensus=consensus,
+        progress=with_progress,
+    )
+    console = stdout_console()
+    for sheet in sheets_of(agreed):
+        console.print(sheet)
+    console.print(floor_line(agreed))
+    if consensus is not None:
+        typer.echo(f"written: {consensus}")
+    if output is not None:
+        write_agreed(agreed, run, output)
+    for letter, alone in zip(ascii_uppercase, run.alone, strict=False):
+        if alone:
+            typer.echo(f"note: only in {letter}, not compared: {listed(alone, 'frame')}", err=True)
+    return list(agreed.errors)
 
 
 def _print_agreement(agreed: Agreed) -> None:

@@ -14,6 +14,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.fit.determined import LIMITS
 from procc_annotator.fit.fitting import check_model
 from procc_annotator.io.camera_files.fitted_on import TABLE_FILE
+from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report import calibration, together
@@ -56,7 +57,8 @@ enough for a camera. positions.csv tells the positions and how the frames' own o
 The JaC compares the cameras with the points they were fitted to. It tells how well the model can
 explain the annotation, not how well it would show what nobody annotated. --held-out tells that:
 every element is left out in turn and judged by the camera of the others, which takes some ten times
-as long.
+as long. The distances go to held_out.csv, and evaluate and report tell them beside the cameras'
+figures.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is listed with the reason and is no error.
@@ -159,6 +161,7 @@ def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str |
     _print_report(report, out)
     if hold_out:
         stdout_console().print(calibration.held_out_table(report))
+        typer.echo(f"written: {HELD_OUT_FILE}, which evaluate and report tell beside these cameras")
     if (out / POSITIONS_FILE).exists():
         typer.echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"
@@ -214,6 +217,7 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
         "*.yml",
         TABLE_FILE,
         *([POSITIONS_FILE] if positions else []),
+        HELD_OUT_FILE,
     ]
     there = [kind for kind in kinds if any(True for _ in out.glob(kind))]
     if (there or out.is_file()) and not overwrite:

@@ -28,6 +28,7 @@ from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.over_time import SourceOverTime
 from procc_annotator.report.scores import tables
 from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet
+from procc_annotator.report.scores.held_out_sheet import held_out_sheet
 from procc_annotator.report.scores.score_table import append_rows, check_table
 from procc_annotator.report.scores.scoring import Evaluations, Outcome, Scored
 from procc_annotator.report.scores.tables import EvaluationRow, evaluations_table
@@ -86,10 +87,11 @@ Sets = Annotated[
 By = Annotated[
     list[str] | None,
     typer.Option(
-        metavar="TAG|model|zoom|elements|side|shot",
+        metavar="TAG|model|zoom|elements|spread|side|shot",
         show_default=False,
         help="Also the figures by this tag, or by the model of the camera; with intervals by zoom,"
-        " number of elements, the camera's side and shot, too; repeat for several."
+        " number of elements, how much of the picture they enclose, the camera's side and shot;"
+        " repeat for several."
         "  [default: every tag of --tags]",
     ),
 ]
@@ -282,6 +284,13 @@ def print_all(scored: list[Scored]) -> None:
     else:
         rows = [EvaluationRow((s.set_name, s.method), s.described, s.summaries) for s in scored]
         console.print(evaluations_table("Evaluations", ("set", "method"), rows))
+    fits = [(" ".join(filter(None, (s.set_name, s.method))) or "cameras", s) for s in scored]
+    for size in dict.fromkeys(s.setup.size for s in scored):
+        of_size = [(name, s) for name, s in fits if s.setup.size == size]
+        taus = list(of_size[0][1].summaries)
+        held_out = held_out_sheet(of_size, taus, of_size[0][1].setup.describe())
+        if held_out is not None:
+            console.print(held_out)
     for by in dict.fromkeys(group.by for s in scored for group in s.groups):
         rows = [
             EvaluationRow((group.value or "–", s.set_name, s.method), s.described, group.summaries)

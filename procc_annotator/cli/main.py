@@ -27,7 +27,7 @@ Examples:
 COMMANDS = (
     LazyCommand("open", "Open the window.", "open_window"),
     LazyCommand("evaluate", "Score cameras against annotations."),
-    LazyCommand("agree", "Compare two annotators of the same frames."),
+    LazyCommand("agree", "Compare two or more annotators of the same frames."),
     LazyCommand(
         "compare",
         "Compare two sources of cameras: how far apart is what each pixel means to them?",
@@ -54,6 +54,10 @@ COMMANDS = (
         "Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.",
     ),
     LazyCommand("convert", "Write annotations or cameras in another format."),
+    LazyCommand(
+        "propose-map",
+        "Propose which classes of the field the labels of another program stand for.",
+    ),
     LazyCommand("release", "Write what the keeper of a dataset publishes, for people and hubs."),
     LazyCommand(
         "render",
@@ -62,6 +66,7 @@ COMMANDS = (
     LazyCommand(
         "check-submission", "Say what the official SoccerNet evaluation would refuse or pass over."
     ),
+    LazyCommand("desktop-entry", "Put the program into the menus of a Linux desktop."),
     LazyCommand(
         "headless",
         "Evaluate every camera set of a dataset, write the exports and one overlay picture"
@@ -122,9 +127,9 @@ class CommandOrPath(TyperGroup):
         except ImportError as error:
             if not _is_of_qt(error):
                 raise
-            typer.echo(
-                f"procc-annotator: this needs Qt, which cannot be loaded here: {error}", err=True
-            )
+            from procc_annotator.cli.qt_libraries import words_for
+
+            typer.echo(f"procc-annotator: {words_for(error)}", err=True)
             raise typer.Exit(2) from error
         except OSError as error:
             # Files are written by functions that name them; what is left is the standard output.

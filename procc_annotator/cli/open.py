@@ -11,11 +11,18 @@ import typer
 
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.options import Lines, Sources
+from procc_annotator.cli.qt_libraries import require_qt_libraries
 from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import UsageError
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 
 HELP = """\
-PATH is a folder of pictures, one picture, a video, or nothing. The word "open" may be left out.
+PATH is a folder of pictures (or its field.toml), one picture, a video, or nothing. The word "open"
+may be left out.
+
+With --selftest the program tries itself: the window opens (out of sight, unless QT_QPA_PLATFORM
+says otherwise), one element is annotated in a copy of a picture, saved and read back, and the
+window closes. Exit code: 0 if all went well, 2 if not. No setting and no file of yours is changed.
 """
 
 EXAMPLE = """
@@ -52,7 +59,16 @@ def open_window(
         ),
     ] = None,
     lines: Lines = None,
+    selftest: Annotated[
+        bool,
+        typer.Option("--selftest", help="Try the window on a copy of a picture, and end."),
+    ] = False,
 ) -> None:
+    if path is not None and path.name == FIELD_FILE and path.is_file():
+        path = path.parent  # a dataset's own, opened from a file manager
+    if selftest:
+        os.environ["QT_QPA_PLATFORM"] = os.environ.get("QT_QPA_PLATFORM") or "offscreen"
+        raise typer.Exit(_selftest(path, field, lines))
     texts = cameras or []
     sources = parse_sources(texts)
     for given in (path, annotations, *(source.path for source in sources)):
@@ -62,6 +78,7 @@ def open_window(
         raise UsageError(
             "there is no display for the window; `evaluate`, `export` and `render` work without"
         )
+    require_qt_libraries()
     from procc_annotator.gui.app import CameraChoice, main
 
     shown = None
@@ -75,6 +92,17 @@ def open_window(
         for s, text in zip(sources, texts, strict=True)
     ]
     raise typer.Exit(main(path, annotations=annotations, cameras=choices, field=shown))
+
+
+def _selftest(path: Path | None, field: str | None, lines: str | None) -> int:
+    if path is not None and not path.exists():
+        raise UsageError(f"{path}: does not exist")
+    require_qt_libraries()
+    from procc_annotator.gui.selftest import run_selftest
+
+    shown = chosen_field(field, lines=lines) if field is not None else None
+    typer.echo(run_selftest(path, shown))
+    return 0
 
 
 def display_available() -> bool:

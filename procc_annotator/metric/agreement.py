@@ -23,7 +23,7 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.field.model import Field
-from procc_annotator.metric.overlap import overlap
+from procc_annotator.metric.overlap import extent, overlap
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.metric.trace import Trace, trace_of
 
@@ -34,7 +34,7 @@ _MIRROR_TAU_OF_WIDTH = 0.01
 
 # Two neighbours that meet in a corner share what clicking there is unsure about, a few pixels; two
 # who saw a line's opposite ends and both its middle fifth share a third of what each has.
-_LEAST_OVERLAP = 0.1
+LEAST_OVERLAP = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,9 +121,16 @@ class FrameAgreement:
 
 
 @dataclass(frozen=True, eq=False)
-class _Clicked:
+class Clicked:
+    """One element as somebody clicked it: (n, 2) px, and the course through them."""
+
     points: FloatArray
     trace: Trace
+
+    @cached_property
+    def extent(self) -> tuple[float, float]:
+        """Where along the course the first and the last click lie, px from its first vertex."""
+        return extent(self.trace, self.points)
 
 
 def compare_annotations(
@@ -145,7 +152,7 @@ def compare_annotations(
         field: knows which elements are straight, and the mirrored labels.
         size: (width, height) in px of the picture in which distances are taken.
     """
-    first, second = _traces(a, field, size), _traces(b, field, size)
+    first, second = traces(a, field, size), traces(b, field, size)
     plain = _compare(first, second)
     tau = _MIRROR_TAU_OF_WIDTH * size[0]
     to_beat = plain.jac(tau) + _MIRROR_GAIN
@@ -158,19 +165,18 @@ def compare_annotations(
     return replace(plain, mirrored_hint=any(found.jac(tau) >= to_beat for found in turned))
 
 
-def _traces(
-    annotation: FrameAnnotation, field: Field, size: tuple[int, int]
-) -> dict[str, _Clicked]:
+def traces(annotation: FrameAnnotation, field: Field, size: tuple[int, int]) -> dict[str, Clicked]:
+    """The courses of the elements that the field knows, by class name; size as (width, height)."""
     found = {}
     for polyline in annotation:
         element = field.element(polyline.class_name)
         if element is not None and polyline.points:
             points = points_px(polyline, size)
-            found[polyline.class_name] = _Clicked(points, trace_of(points, element))
+            found[polyline.class_name] = Clicked(points, trace_of(points, element))
     return found
 
 
-def _compare(a: Mapping[str, _Clicked], b: Mapping[str, _Clicked]) -> FrameAgreement:
+def _compare(a: Mapping[str, Clicked], b: Mapping[str, Clicked]) -> FrameAgreement:
     return FrameAgreement(
         {name: _compare_class(name, a[name], b[name]) for name in a if name in b},
         tuple(name for name in a if name not in b),
@@ -178,7 +184,7 @@ def _compare(a: Mapping[str, _Clicked], b: Mapping[str, _Clicked]) -> FrameAgree
     )
 
 
-def _compare_class(name: str, a: _Clicked, b: _Clicked) -> ClassAgreement:
+def _compare_class(name: str, a: Clicked, b: Clicked) -> ClassAgreement:
     of_a, of_b = b.trace.distances(a.points), a.trace.distances(b.points)
     # Whoever tells less of the course is measured by the other, not the reverse.
     told = [
@@ -188,7 +194,7 @@ def _compare_class(name: str, a: _Clicked, b: _Clicked) -> ClassAgreement:
     measured = np.concatenate(told)
     # Where all clicks of one are beside the other, their distances say what there is to say.
     both_go_beyond = bool(np.isnan(of_a).any() and np.isnan(of_b).any())
-    if both_go_beyond and overlap(a.trace, a.points, b.trace, b.points) < _LEAST_OVERLAP:
+    if both_go_beyond and overlap(a.trace, a.points, b.trace, b.points) < LEAST_OVERLAP:
         return ClassAgreement(name, np.empty(0), len(measured))
     known = measured[~np.isnan(measured)]
     return ClassAgreement(name, known, len(measured) - len(known))

@@ -31,15 +31,15 @@ def overlap(a: Trace, clicks_a: FloatArray, b: Trace, clicks_b: FloatArray) -> f
         0 (at most a place in common) to 1 (the shorter lies all along the longer).
     """
     (own, first, last), (other, low, high) = sorted(
-        ((a, *_extent(a, clicks_a)), (b, *_extent(b, clicks_b))), key=lambda c: c[2] - c[1]
+        ((a, *extent(a, clicks_a)), (b, *extent(b, clicks_b))), key=lambda c: c[2] - c[1]
     )
     if not last > first:
         return 0.0
     at = _lengths(own)
     walked = np.linspace(first, last, _STEPS + 1)
     places = np.column_stack([np.interp(walked, at, own.vertices[:, axis]) for axis in (0, 1)])
-    feet = np.clip(_feet(other, places), low, high)
-    advance = np.abs(np.diff(feet))
+    at_other = np.clip(feet(other, places), low, high)
+    advance = np.abs(np.diff(at_other))
     if other.closed:  # past the first vertex they begin anew
         advance = np.minimum(advance, high - low - advance)
     # A foot that jumps to another branch goes no further along than the walk itself.
@@ -48,12 +48,12 @@ def overlap(a: Trace, clicks_a: FloatArray, b: Trace, clicks_b: FloatArray) -> f
     return float(advance[beside[1:] & beside[:-1]].sum() / (last - first))
 
 
-def _extent(trace: Trace, clicks: FloatArray) -> tuple[float, float]:
+def extent(trace: Trace, clicks: FloatArray) -> tuple[float, float]:
     """Where along a course its first and its last click lie, px from its first vertex."""
     if trace.closed:
         return 0.0, float(_lengths(trace)[-1])
-    feet = _feet(trace, clicks)
-    return float(feet.min()), float(feet.max())
+    at = feet(trace, clicks)
+    return float(at.min()), float(at.max())
 
 
 def _lengths(trace: Trace) -> FloatArray:
@@ -61,7 +61,7 @@ def _lengths(trace: Trace) -> FloatArray:
     return np.concatenate(((0.0,), np.hypot(*np.diff(trace.vertices, axis=0).T).cumsum()))
 
 
-def _feet(trace: Trace, points: FloatArray) -> FloatArray:
+def feet(trace: Trace, points: FloatArray) -> FloatArray:
     """(n,) px along the course to its nearest position to each of (n, 2) points."""
     start = trace.vertices[:-1]
     along = np.diff(trace.vertices, axis=0)

@@ -10,6 +10,12 @@ from typing import Protocol
 import numpy as np
 
 from procc_annotator.io.camera_files.fitted_on import DIGEST, TABLE_FILE
+from procc_annotator.io.camera_files.held_out_table import (
+    COLUMNS,
+    HELD_OUT_FILE,
+    HeldOutElement,
+    camera_hash,
+)
 from procc_annotator.io.collections import camera_names
 from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
@@ -27,7 +33,7 @@ from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whol
 from procc_annotator.report.targets import Interrupted, is_archive, open_target
 from procc_annotator.session.dataset.fit_sizes import SizesUsed
 from procc_annotator.session.runs.calibration_run import Calibrated
-from procc_annotator.session.runs.held_out import HeldOutElement, passed
+from procc_annotator.session.runs.held_out import passed
 from procc_annotator.words import count_of
 
 _FAILURES_SHOWN = 20
@@ -115,6 +121,7 @@ def calibrate_set(
     written: set[str] = set()
     with open_target(out) as target:
         rows: list[Row] = []
+        element_rows: list[Row] = []
         try:
             for result in progress(run, run.total, "calibrating"):
                 if result.has_camera:
@@ -123,6 +130,7 @@ def calibrate_set(
                     worst.add(FrameRow.of(result.name, result.scores[thresholds[0]]))
                 told = _held_out_row(result, thresholds) if hold_out else ()
                 rows.append((*_row(result, thresholds), *told))
+                element_rows += _element_rows(result)
                 _note(result, report)
         except KeyboardInterrupt:
             raise Interrupted(len(written), run.total) from None
@@ -130,6 +138,9 @@ def calibrate_set(
         columns += _held_out_columns(thresholds) if hold_out else ()
         table = Sheet("calibration", "", columns, tuple(rows))
         target.write(TABLE_FILE, csv_bytes(table))
+        if hold_out:
+            elements = Sheet("held_out", "", _ELEMENT_COLUMNS, tuple(element_rows))
+            target.write(HELD_OUT_FILE, csv_bytes(elements))
         for file_name, data in (more or {}).items():
             target.write(file_name, data)
     report.described, report.summaries = run.describe(), run.summary()
@@ -147,7 +158,7 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
     elif result.failure is not None:
         report.failures.append((result.name, result.failure))
     report.left_out += bool(result.left_out)
-    report.held_out += result.held_out
+    report.held_out += result.held_out.elements if result.held_out else ()
     if result.open:
         report.open.append(result.name)
     if result.folds:
@@ -198,8 +209,30 @@ def _held_out_columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:
 def _held_out_row(result: Calibrated, thresholds: tuple[float, ...]) -> Row:
     if not result.has_camera:
         return (None,) * (1 + len(thresholds))
-    predicted = [element.predicted_px for element in result.held_out]
+    predicted = [e.predicted_px for e in result.held_out.elements] if result.held_out else []
     return (len(predicted), *(passed(predicted, threshold) for threshold in thresholds))
+
+
+# Those of `held_out_table.COLUMNS`, after the name.
+_ELEMENT_COLUMNS = (
+    Column("name"), *(
+        whole(key) if key in ("width", "height")
+        else Column(key, kind="number" if key.endswith("_px") else "text")
+        for key in COLUMNS
+    ),
+)  # fmt: skip
+
+
+def _element_rows(result: Calibrated) -> Iterator[Row]:
+    """A row an element left out; one without an element for a frame of which none counts."""
+    if result.held_out is None or not result.has_camera:
+        return
+    terms = result.held_out.terms
+    said = (terms.protocol, *terms.size, terms.field_sha256, camera_hash(result.data))
+    for e in result.held_out.elements:
+        yield (result.name, e.name, e.predicted_px, e.explained_px, *said)
+    if not result.held_out.elements:
+        yield (result.name, None, None, None, *said)
 
 
 def held_out_table(report: CalibrationReport) -> Sheet:

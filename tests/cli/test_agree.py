@@ -219,3 +219,96 @@ def test_dataset_folders_stand_for_their_annotations(cli, dataset) -> None:
     done = cli("agree", dataset.root, dataset.annotations)
     assert done.exit_code == 0, done.output
     assert "Agreement of 5 frames both annotated" in done.stdout
+
+
+# --------------------------------------------------------------------------- several annotators
+
+
+@pytest.fixture
+def third(dataset, tmp_path: Path) -> Path:
+    """A third annotator: 1 px lower, without frame 11, and alone with frame 12."""
+    folder = tmp_path / "third"
+    shutil.copytree(dataset.annotations, folder)
+    for path in folder.iterdir():
+        content = json.loads(path.read_text())
+        for points in content.values():
+            for point in points:
+                point["y"] += 1 / 539
+        path.write_text(json.dumps(content))
+    (folder / "11.json").rename(folder / "12.json")
+    return folder
+
+
+def test_three_annotators_in_pairs_and_against_the_others(
+    cli, dataset, other, third, tmp_path
+) -> None:
+    out, agreed = tmp_path / "out.json", tmp_path / "agreed"
+    three = dataset.annotations, other, third
+    done = cli("agree", *three, "-t", "2.5", "--consensus", agreed, "-o", out)
+    assert done.exit_code == 0, done.output
+    assert "Each annotator against the consensus of the others" in done.stdout
+    assert "Noise floor: median " in done.stdout
+    assert "note: only in C, not compared: 1 frame (12)" in done.stderr
+    content = load(out)
+    summary = content["summary"]
+    assert [who["annotator"] for who in content["annotators"]] == ["A", "B", "C"]
+    assert content["annotators"][2]["alone"] == ["12"]
+    pairs = {(row["a"], row["b"]): row for row in summary["pairs"]["rows"]}
+    assert {pair: row["frames"] for pair, row in pairs.items()} == {
+        ("A", "B"): 5, ("A", "C"): 4, ("B", "C"): 4,
+    }  # fmt: skip
+    # B lies 3 px below A and 2 px below C: only what runs up the picture agrees within 2.5 px.
+    assert pairs["A", "C"]["jac"] == 1.0
+    assert pairs["A", "B"]["jac"] < pairs["B", "C"]["jac"]
+    rows = {row["annotator"]: row for row in summary["annotators"]["rows"]}
+    assert rows["B"]["missed"] == 1  # of frame 3
+    assert rows["C"]["frames"] == 4
+    assert rows["B"]["median"] > rows["C"]["median"]
+    assert rows["A"]["jac_low"] <= rows["A"]["jac"] <= rows["A"]["jac_high"]
+    assert "Of 1 frame with two annotators" in done.stdout
+    low, high = summary["noise_floor"]["median_interval"]
+    assert low <= summary["noise_floor"]["median"] <= high
+    # What all agree on is C's course, in the middle; of frame 11 what A and B do.
+    assert sorted(path.stem for path in agreed.iterdir()) == ["1", "10", "11", "2", "3"]
+    again = tmp_path / "again.json"
+    assert cli("agree", third, agreed, "-o", again).exit_code == 0
+    floor = load(again)["summary"]["noise_floor"]
+    assert floor["median"] < 0.05
+    assert floor["max"] < 0.6  # at ends, where only two run
+
+
+def test_of_three_every_frame_annotator_and_class_is_a_row(
+    cli, dataset, other, third, tmp_path
+) -> None:
+    (other / "2.json").write_text("{")
+    out = tmp_path / "out.csv"
+    done = cli("agree", dataset.annotations, other, third, "-o", out)
+    assert done.exit_code == 1
+    table = rows(out)
+    missed = [(r["name"], r["annotator"], r["class"]) for r in table if r["status"] == "missed"]
+    assert missed == [("3", "B", "Middle line")]
+    assert [(r["name"], r["annotator"]) for r in table if r["status"] == "alone"] == [("12", "C")]
+    (unreadable,) = [r for r in table if r["status"] == "unreadable"]
+    assert "2.json" in unreadable["error"]
+    assert {r["annotator"] for r in table if r["name"] == "2"} == {"A", "C", ""}
+
+
+def test_intervals_of_agreement_are_clustered_by_a_tag(
+    cli, dataset, other, third, tmp_path
+) -> None:
+    tags = tmp_path / "tags.csv"
+    tags.write_text("frame,match\n1,a\n2,a\n3,b\n10,b\n11,b\n")
+    three = dataset.annotations, other, third
+    done = cli("agree", *three, "--tags", tags, "--cluster", "match")
+    assert done.exit_code == 0, done.output
+    assert "2 clusters by match" in done.stdout
+    assert cli("agree", *three, "--cluster", "match").exit_code == 2
+    assert cli("agree", *three[:2], "--cluster", "none").exit_code == 2
+
+
+def test_a_consensus_replaces_nothing(cli, dataset, other, third) -> None:
+    three = dataset.annotations, other, third
+    done = cli("agree", *three, "--consensus", other)
+    assert done.exit_code == 2
+    assert "holds the files to be read" in done.stderr
+    assert cli("agree", dataset.annotations).exit_code == 2

@@ -15,6 +15,7 @@ from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_an
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.camera_files.fitted_on import FittedOn
+from procc_annotator.io.camera_files.held_out_table import HeldOutTables
 from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.paired_files import paired_format, paired_records
@@ -53,6 +54,7 @@ class CameraCollection:
         self.format = fmt
         self._source = source
         self._fitted_on = FittedOn(source)
+        self._held_out = HeldOutTables(self._fitted_on.beside)
         self._records: dict[str, CameraRecords] = {}
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
@@ -89,9 +91,16 @@ class CameraCollection:
                 self._records[file].read(self.frames.name_there(frame) or frame), frame, field
             )
         shown = self._source.display(file)
-        loaded = read_camera_file(self._read_file(file), path=shown, fmt=self.format)
+        data = self._read_file(file)
+        loaded = read_camera_file(data, path=shown, fmt=self.format)
         own = self.frames.name_there(frame) or frame
-        loaded = replace(loaded, fitted_on=self._fitted_on.of(own, file, loaded.extra))
+        held_out, remark = self._held_out.of(file, data)
+        loaded = replace(
+            loaded,
+            fitted_on=self._fitted_on.of(own, file, loaded.extra),
+            held_out=held_out,
+            notices=(*loaded.notices, remark) if remark else loaded.notices,
+        )
         return self._of_field(loaded, frame, field)
 
     def _of_field(self, loaded: LoadedCamera, frame: str, field: Field | None) -> LoadedCamera:

@@ -70,14 +70,15 @@ class FittedOn:
             return own
         folder = PurePosixPath(file).parent
         if folder not in self._tables:
-            self._tables[folder] = _table(self._read(folder / TABLE_FILE))
+            self._tables[folder] = _table(self.beside(folder / TABLE_FILE))
         beside = self._tables[folder].get(frame)
         if beside is not None:
             return beside
-        note = self._read(folder / f"{frame}{BESIDE}")
+        note = self.beside(folder / f"{frame}{BESIDE}")
         return None if note is None else _digest_in(_object(note))
 
-    def _read(self, file: PurePosixPath) -> bytes | None:
+    def beside(self, file: PurePosixPath) -> bytes | None:
+        """The content of a file of the source; None where there is none that can be read."""
         if self._files is None:
             self._files = frozenset(self._source.files())
         if str(file) not in self._files:

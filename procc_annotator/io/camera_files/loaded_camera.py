@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.io.camera_files.held_out_table import HeldOut
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,6 +27,8 @@ class LoadedCamera:
             says so and nobody named it; empty otherwise.
         content: all of the file's keys and values, so that saving spells unchanged numbers alike.
         fitted_on: `annotation_digest` of the annotation it was fitted to, where that is told.
+        held_out: how well the elements it was fitted to are shown by the cameras of the others,
+            where that is told.
     """
 
     camera: CameraOrProjections
@@ -35,4 +38,5 @@ class LoadedCamera:
     notices: tuple[str, ...] = ()
     content: Mapping[str, Any] = field(default_factory=dict)
     fitted_on: str | None = None
+    held_out: HeldOut | None = None
     assumed_field: str = ""

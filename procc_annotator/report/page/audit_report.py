@@ -27,6 +27,7 @@ from procc_annotator.session.runs.evaluation_run import (
 )
 from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
+from procc_annotator.session.runs.held_out import HeldOutFigures
 from procc_annotator.session.runs.moved_clicks import ClickNoise
 
 
@@ -105,6 +106,7 @@ class ReportedSource:
         in_pixels: frames whose annotations look like pixels.
         failure: why nothing could be evaluated; empty when something was.
         fitted: how many of its cameras were fitted to the annotations they are judged by.
+        held_out: what is known of elements left out of these fits.
     """
 
     name: str
@@ -119,6 +121,7 @@ class ReportedSource:
     failure: str = ""
     in_pixels: tuple[str, ...] = ()
     fitted: int = 0
+    held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
 
     @property
     def marked_name(self) -> str:
@@ -349,6 +352,7 @@ def _gather(
         run.unmatched_cameras,
         in_pixels=run.in_pixels,
         fitted=run.fitted,
+        held_out=run.held_out,
     )
 
 

@@ -18,6 +18,7 @@ from procc_annotator.report.page.report_tables import (
     comparison_table,
     errors_table,
     every_frame_table,
+    fits_table,
     frames_table,
     terms,
 )
@@ -81,12 +82,14 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
         for source in report.sources
         for text, count in source.notices.items()
     ]
+    tables = [comparison_table(report), fits_table(report), frames_table(report)]
+    tables.append(errors_table(report))
     text = _template().render(
         heading=heading,
         report=report,
         page=page,
         terms=terms(report),
-        tables=[comparison_table(report), frames_table(report), errors_table(report)],
+        tables=[table for table in tables if table is not None],
         chance=report.told.sheets,
         classes=classes_section(report),
         frames=every_frame_table(report) if len(report.frames) <= MOST_FRAMES else None,

@@ -14,12 +14,20 @@ from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.page.report_pairs import ReportedPair
 from procc_annotator.report.scores.chance import chance_entries
 from procc_annotator.report.scores.chance_sheets import WITH_INTERVAL, ends_of, interval_columns
+from procc_annotator.report.scores.held_out_sheet import held_out_entry
 from procc_annotator.report.scores.score_columns import COUNTS
 from procc_annotator.report.scores.score_files import frame_entry, summary_entry
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import json_bytes
 from procc_annotator.report.sheet.figure import shortest, values_of
-from procc_annotator.report.sheet.figures import MEAN_JAC, MEAN_PRECISION, MEAN_RECALL, OF_SET
+from procc_annotator.report.sheet.figures import (
+    HELD_OUT,
+    IN_SAMPLE,
+    MEAN_JAC,
+    MEAN_PRECISION,
+    MEAN_RECALL,
+    OF_SET,
+)
 from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
 
 _COLUMNS = (
@@ -29,6 +37,7 @@ _COLUMNS = (
     *(end for figure in WITH_INTERVAL for end in interval_columns(figure)), whole("rank"),
     Column("clusters"),
     whole("fitted_on_these_clicks"),  # of the cameras: so many
+    whole("held_out_elements"), of(HELD_OUT), of(IN_SAMPLE),
 )  # fmt: skip
 
 
@@ -61,6 +70,7 @@ def _source_entry(source: ReportedSource) -> dict[str, Any]:
         "model": source.model or None,
         "described": source.described,
         **({"fitted_on_these_clicks": source.fitted} if source.fitted else {}),
+        **held_out_entry(source, list(source.summaries)),
         "failure": source.failure or None,
         "summary": {shortest(t): summary_entry(s) for t, s in source.summaries.items()},
         "unmatched_cameras": list(source.unmatched),
@@ -94,10 +104,21 @@ def report_csv(report: AuditReport) -> bytes:
         for tau, summary in source.summaries.items():
             within = [end for f in WITH_INTERVAL for end in ends_of(ends[f.key, tau])]
             clusters = report.certainty.clusters.described
+            shares = source.held_out.shares(tau) or (None, None)
             known = (*within, ranks[tau][place], clusters, source.fitted)
+            known += (len(source.held_out.elements) or None, *shares)
             rows.append((*_row(report, source, tau, summary), *known))
             for name, found in summary.per_class.items():
-                rows.append((*_row(report, source, tau, found, name), *unknown, source.fitted))
+                rows.append(
+                    (
+                        *_row(report, source, tau, found, name),
+                        *unknown,
+                        source.fitted,
+                        None,
+                        None,
+                        None,
+                    )
+                )
     return csv_bytes(Sheet("report", "", _COLUMNS, tuple(rows)))
 
 

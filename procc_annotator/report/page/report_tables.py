@@ -7,6 +7,7 @@ import numpy as np
 from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.io.camera_files.fitted_on import FITTED
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
+from procc_annotator.report.scores.held_out_sheet import held_out_sheet
 from procc_annotator.report.sheet.figure import shortest
 from procc_annotator.report.sheet.figures import (
     BIAS_DOWN,
@@ -89,6 +90,12 @@ def _rests_on(report: AuditReport) -> str:
         f"{rests} Bold is what is better than every other source beyond chance, on the frames both"
         " have; completeness and final score over all frames."
     )
+
+
+def fits_table(report: AuditReport) -> Sheet | None:
+    """The fits among the sources by elements left out; None without fits."""
+    sources = [(source.name, source) for source in report.evaluated]
+    return held_out_sheet(sources, sorted(report.thresholds), report.setup.describe())
 
 
 def frames_table(report: AuditReport) -> Sheet:

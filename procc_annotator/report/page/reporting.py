@@ -35,7 +35,7 @@ from procc_annotator.report.page.report_pictures import (
     Painters,
     choose_frames,
 )
-from procc_annotator.report.page.report_tables import comparison_table, terms
+from procc_annotator.report.page.report_tables import comparison_table, fits_table, terms
 from procc_annotator.report.sheet.as_latex import ARTICLE_PT, latex_tables
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.camera_set import CameraSet
@@ -177,7 +177,8 @@ def write_report(
     if "tex" in kinds:
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
         remarks += [f"recipe: {request.recipe}"] if request.recipe else []
-        first = [comparison_table(report), *report.told.sheets]
+        fits = fits_table(report)
+        first = [comparison_table(report), *([fits] if fits else []), *report.told.sheets]
         contents["tex"] = latex_tables(
             [*first, *steady, *tables], remarks, request.latex_width_pt
         ).encode()

@@ -22,6 +22,7 @@ from procc_annotator.report.scores.chance import (
     chance_entries,
     chance_told,
 )
+from procc_annotator.report.scores.held_out_sheet import held_out_entry
 from procc_annotator.report.scores.score_columns import Row
 from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
 from procc_annotator.report.scores.score_files import JsonList, JsonScores, ScoreWriter
@@ -36,6 +37,7 @@ from procc_annotator.session.runs.evaluation_run import (
 )
 from procc_annotator.session.runs.execution.executor import Executor, make_executor
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
+from procc_annotator.session.runs.held_out import HeldOutFigures
 from procc_annotator.session.runs.tags import MODEL, Grouping
 
 
@@ -109,6 +111,7 @@ class Scored:
     in_pixels: tuple[str, ...] = ()
     sums: SourceSums | None = None
     fitted: int = 0
+    held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
 
     @property
     def first_threshold(self) -> float:
@@ -364,10 +367,12 @@ class _Scoring:
             run.in_pixels,
             SourceSums.of(self._asked.method, self._thresholds, self._sums),
             run.fitted,
+            run.held_out,
         )
 
     def write_end(self, more: Mapping[str, Any]) -> None:
         """Write the end of the outputs, with more entries where they hold any."""
         scored, ground_only = self.scored, self.run.ground_only
+        more = {**held_out_entry(scored, self._thresholds), **more}
         for writer in self._writers:
             writer.end(scored.summaries, ground_only=ground_only, groups=scored.groups, more=more)

@@ -51,6 +51,18 @@ FRAME_ERROR = Figure(
 # Besides JaC and the counts it comes from.
 OF_FRAME = (PRECISION, RECALL, FRAME_ERROR_COUNTED, FRAME_ERROR)
 
+# --- how much of a frame is annotated, whatever the threshold: attributes of `Clicked` ------------
+
+ANNOTATED = Figure(
+    "annotated_elements", "elements annotated", "", None, 0,
+    "Elements of the field that have points in the frame.",
+)  # fmt: skip
+SPREAD = Figure(
+    "spread", "spread", "%", "higher", 1,
+    "The share of the picture that the annotated points enclose (their convex hull).",
+)  # fmt: skip
+OF_ANNOTATION = (ANNOTATED, SPREAD)
+
 # --- a set at a threshold: attributes of `SetSummary`, keys of score files and reports ------------
 
 MEAN_JAC = Figure(
@@ -123,6 +135,14 @@ ONLY_A = Figure("only_a", "only A", "", None, 0, "Elements only the first annota
 ONLY_B = Figure("only_b", "only B", "", None, 0, "Elements only the second annotated.")
 POINTS = Figure("points", "points", "", None, 0, "Points whose distance was taken.")
 LEFT_OUT = Figure("left_out", "beyond", "", None, 0, "Clicks beyond the other's ends.")
+ADDED = Figure(
+    "added", "added", "", None, 0,
+    "Elements that an annotator has, and at least half of the others not.", attribute="only_a",
+)  # fmt: skip
+MISSED = Figure(
+    "missed", "missed", "", None, 0,
+    "Elements that more than half of the others have, and an annotator not.", attribute="only_b",
+)  # fmt: skip
 OF_AGREEMENT = (COMMON, APART, ONLY_A, ONLY_B, POINTS, LEFT_OUT, *DISTANCES)
 
 # --- two sources of cameras: attributes of `Spread` and `LegacyMetrics`, keys of comparisons ------

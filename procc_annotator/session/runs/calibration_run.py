@@ -17,6 +17,7 @@ from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.result import FitResult, PoseDeviations
 from procc_annotator.io.camera_files.camera_writers import encode_camera
 from procc_annotator.io.camera_files.fitted_on import DIGEST, FIT_KEY, annotation_digest
+from procc_annotator.io.camera_files.held_out_table import HeldOut
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.io.collections import camera_name
@@ -28,7 +29,7 @@ from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes, FrameSize, SizesUsed
-from procc_annotator.session.runs.held_out import HeldOutElement, held_out_elements
+from procc_annotator.session.runs.held_out import held_out_elements, held_out_terms
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     FrameFile,
@@ -75,7 +76,7 @@ class Calibrated:
     open: str = ""
     folds: bool = False
     digest: str = ""
-    held_out: tuple[HeldOutElement, ...] = ()
+    held_out: HeldOut | None = None
 
     @property
     def has_camera(self) -> bool:
@@ -109,7 +110,8 @@ class CalibrateChunk(AnnotationTask):
         if not self.hold_out:
             return result
         own = self.setup.at(fit.size).of_frame(name)
-        return replace(result, held_out=held_out_elements(annotation, fit, own, self.model))
+        elements = held_out_elements(annotation, fit, own, self.model)
+        return replace(result, held_out=HeldOut(held_out_terms(self.setup.at(fit.size)), elements))
 
 
 def scored(

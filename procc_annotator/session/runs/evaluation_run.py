@@ -17,6 +17,7 @@ from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
 from procc_annotator.session.runs.execution.executor import Executor
+from procc_annotator.session.runs.held_out import HeldOutFigures
 from procc_annotator.session.runs.score_chunk import (
     Evaluated,
     FrameFiles,
@@ -139,6 +140,11 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         self.with_camera += sums.with_camera
         self.ground_only |= sums.ground_only
         self.fitted += sums.fitted
+
+    @property
+    def held_out(self) -> HeldOutFigures:
+        """What is known of elements left out of the fits among the cameras so far."""
+        return self._sums.held_out.at(self.setup)
 
     @property
     def in_pixels(self) -> tuple[str, ...]:

@@ -3,29 +3,75 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
+from procc_annotator.io.camera_files.held_out_table import HeldOut, HeldOutElement, HeldOutTerms
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.setup import EvaluationSetup
 
 
-@dataclass(frozen=True, slots=True)
-class HeldOutElement:
-    """One element under the camera of the others, and under that of all.
+@dataclass
+class HeldOutTally:
+    """The elements left out of a source's fits, of all its frames, by what they were judged with.
 
     Attributes:
-        name: the class.
-        predicted_px, explained_px: how far its farthest point is from where the camera of the
-            others, and that of all, shows it; None where it does not show it.
+        found: terms -> the elements of each frame.
     """
 
-    name: str
-    predicted_px: float | None
-    explained_px: float | None
+    found: dict[HeldOutTerms, list[tuple[HeldOutElement, ...]]] = field(default_factory=dict)
+
+    def add(self, of_frame: HeldOut | None) -> None:
+        """What is known of a frame's camera."""
+        if of_frame is not None:
+            self.found.setdefault(of_frame.terms, []).append(of_frame.elements)
+
+    def merge(self, other: HeldOutTally) -> None:
+        """Add the frames that follow."""
+        for terms, frames in other.found.items():
+            self.found.setdefault(terms, []).extend(frames)
+
+    def at(self, setup: EvaluationSetup) -> HeldOutFigures:
+        """What counts where cameras are judged so."""
+        if not self.found:
+            return HeldOutFigures()
+        own = held_out_terms(setup)
+        frames = self.found.get(own, [])
+        others = tuple(sorted({(t.protocol, t.size) for t in self.found if t != own}))
+        return HeldOutFigures(len(frames), tuple(e for frame in frames for e in frame), others)
+
+
+@dataclass(frozen=True)
+class HeldOutFigures:
+    """The elements left out of a source's fits.
+
+    Attributes:
+        frames: that these are of.
+        elements: left out, of all frames.
+        others: protocol and size of figures that were made with other terms, and do not count.
+    """
+
+    frames: int = 0
+    elements: tuple[HeldOutElement, ...] = ()
+    others: tuple[tuple[str, tuple[int, int]], ...] = ()
+
+    def shares(self, tau: float) -> tuple[float, float] | None:
+        """The shares of elements that are correct at a threshold under the cameras of the others,
+        and under those of all; None without elements."""
+        if not self.elements:
+            return None
+        predicted = passed((e.predicted_px for e in self.elements), tau)
+        explained = passed((e.explained_px for e in self.elements), tau)
+        return predicted / len(self.elements), explained / len(self.elements)
+
+
+def held_out_terms(setup: EvaluationSetup) -> HeldOutTerms:
+    """What elements are judged with."""
+    return HeldOutTerms(setup.protocol, setup.size, field_fingerprint(setup.field))
 
 
 def held_out_elements(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
@@ -15,10 +15,13 @@ from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.camera_files.held_out_table import HeldOut
+from procc_annotator.metric.clicked import Clicked, clicked
 from procc_annotator.metric.measure import Measurement, measure, measure_frames
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.runs.held_out import HeldOutTally
 from procc_annotator.session.runs.set_run import AnnotationTask, KeptOpen
 from procc_annotator.session.runs.tags import MODEL
 
@@ -36,7 +39,8 @@ class FrameResult:
     set, for nobody knows what a camera should have agreed with. A frame whose camera is missing or
     unreadable is counted (it lowers the completeness) and has no scores. ``groups`` are its values
     of what the set is grouped by, None where it has none; ``model`` is empty without a camera;
-    ``fitted`` says that the camera was fitted to this very annotation.
+    ``fitted`` says that the camera was fitted to this very annotation; ``clicked`` is how much of
+    the frame is annotated, None where the annotation could not be read.
     """
 
     name: str
@@ -49,6 +53,7 @@ class FrameResult:
     model: str = ""
     groups: tuple[str | None, ...] = ()
     fitted: bool = False
+    clicked: Clicked | None = None
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -85,6 +90,7 @@ class Tally:
     with_camera: int = 0
     ground_only: bool = False
     fitted: int = 0  # cameras fitted to the annotations they are judged by
+    held_out: HeldOutTally = field(default_factory=HeldOutTally)
     in_pixels: list[str] = field(default_factory=list)  # frames whose coordinates look like that
 
     def of_frame(self, by: tuple[str, ...], groups: tuple[str | None, ...]) -> list[SetAccumulator]:
@@ -94,6 +100,7 @@ class Tally:
     def merge(self, other: Tally) -> None:
         """Add the sums of the frames that follow."""
         self.sums.merge(other.sums)
+        self.held_out.merge(other.held_out)
         self.in_pixels += other.in_pixels
         for key, sums in other.groups.items():
             self._group(key).merge(sums)
@@ -140,7 +147,7 @@ class ScoreChunk(AnnotationTask, Generic[T]):
 
 class _Read(NamedTuple):
     """What was read of a frame: the annotation unless it is unreadable, the camera if there is one,
-    with its model and the remarks on it; and what went wrong."""
+    with its model and the remarks on it; what went wrong; and how much is annotated."""
 
     frame: FrameFiles
     annotation: FrameAnnotation | None
@@ -148,7 +155,9 @@ class _Read(NamedTuple):
     model: str = ""
     notices: tuple[str, ...] = ()
     fitted: bool = False
+    held_out: HeldOut | None = None
     error: str | None = None
+    clicked: Clicked | None = None
 
 
 def _read(frame: FrameFiles, task: ScoreChunk[Any]) -> _Read:
@@ -156,13 +165,14 @@ def _read(frame: FrameFiles, task: ScoreChunk[Any]) -> _Read:
         annotation = task.read(frame.annotation_file, task.setup.field)
     except InputError as error:
         return _Read(frame, None, error=str(error))
+    how_much = clicked(annotation, task.setup.field)
     if not frame.has_camera:
-        return _Read(frame, annotation)
+        return _Read(frame, annotation, clicked=how_much)
     try:
         found = _load_camera(frame.name, annotation, task, task.cameras.opened)
-        return _Read(frame, annotation, *found)
+        return _Read(frame, annotation, *found, clicked=how_much)
     except InputError as error:
-        return _Read(frame, annotation, error=str(error))
+        return _Read(frame, annotation, error=str(error), clicked=how_much)
 
 
 def _evaluated(frames: Sequence[_Read], task: ScoreChunk[Any], tally: Tally) -> Iterator[Evaluated]:
@@ -179,7 +189,8 @@ def _evaluated(frames: Sequence[_Read], task: ScoreChunk[Any], tally: Tally) -> 
         if read.camera is None:
             for sums in tally.of_frame(task.by, groups):
                 sums.add_missing_camera(name)
-            yield Evaluated(FrameResult(name, None, read.error, (), {}, groups=groups))
+            without = FrameResult(name, None, read.error, (), {}, groups=groups)
+            yield Evaluated(replace(without, clicked=read.clicked))
             continue
         yield _scored(read, measured[name], task, tally)
 
@@ -222,6 +233,7 @@ def _scored(
     tally.with_camera += 1
     tally.ground_only |= ground_only
     tally.fitted += read.fitted
+    tally.held_out.add(read.held_out if read.fitted else None)
     result = FrameResult(
         name,
         task.cameras.opened.display(name),
@@ -232,13 +244,14 @@ def _scored(
         model=read.model,
         groups=groups,
         fitted=read.fitted,
+        clicked=read.clicked,
     )
     return Evaluated(result, read.camera, read.model, measurement, read.annotation)
 
 
 def _load_camera(
     name: str, annotation: FrameAnnotation, task: ScoreChunk[Any], cameras: CameraCollection
-) -> tuple[CameraOrProjections, str, tuple[str, ...], bool]:
+) -> tuple[CameraOrProjections, str, tuple[str, ...], bool, HeldOut | None]:
     if name not in cameras.frames:  # it was there when the set was listed, on the first machine
         raise CameraError(
             cameras.path, f"holds no camera of frame {name!r} any more", advice="try again"
@@ -247,4 +260,5 @@ def _load_camera(
     camera, scaled = fit_to_size(loaded, task.setup.size, task.camera_size)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
     model = model_name(camera, loaded.model, task.setup.size)
-    return camera, model, notices, is_fitted_on(loaded.fitted_on, annotation)
+    fitted = is_fitted_on(loaded.fitted_on, annotation)
+    return camera, model, notices, fitted, loaded.held_out

@@ -1,0 +1,414 @@
+"""The agreement of several annotators: every two, and each with the consensus of the others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from pathlib import Path, PurePath
+from string import ascii_uppercase
+from typing import Any
+
+import numpy as np
+
+from procc_annotator.errors import UsageError
+from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
+from procc_annotator.metric.agreement import ClassAgreement, FrameAgreement
+from procc_annotator.metric.chance.intervals import Interval
+from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.report.field_terms import field_terms
+from procc_annotator.report.scores.chance_sheets import ends_of, interval_columns
+from procc_annotator.report.scores.score_files import replacing, score_format
+from procc_annotator.report.scores.tables import pixels, worst_words
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.as_json import figure_entry, json_bytes, sheet_entry
+from procc_annotator.report.sheet.figure import Figure, shortest, values_of
+from procc_annotator.report.sheet.figures import (
+    ADDED,
+    APART,
+    COMMON,
+    DISTANCES,
+    JAC,
+    LARGEST_PX,
+    LEFT_OUT,
+    MEDIAN_PX,
+    MISSED,
+    ONLY_A,
+    ONLY_B,
+    P95_PX,
+    POINTS,
+)  # fmt: skip
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, Value, of, whole
+from procc_annotator.report.targets import open_target
+from procc_annotator.session.runs.clusters import Clusters
+from procc_annotator.session.runs.consensus_run import (
+    ConsensusRun,
+    SeveralResult,
+    SureAgreement,
+    sure_agreement,
+)
+from procc_annotator.words import count_of
+
+WORST = 10
+_COUNTS = (COMMON, APART, ADDED, MISSED, LEFT_OUT)
+
+Progress = Callable[[Iterable[SeveralResult], int, str], Iterator[SeveralResult]]
+ClustersOf = Callable[[Sequence[str]], Clusters]
+
+
+@dataclass(frozen=True)
+class AgreedAll:
+    """The agreement of several annotators over a set.
+
+    Attributes:
+        names: of each annotator, what tells their paths apart.
+        pairs: every two of them that share frames, by their places.
+        others: each against the consensus of the others; a place is missing where nobody shares a
+            frame with that annotator.
+        floor: of every two together.
+        results: of all frames. described: field and size; known: what intervals rest on.
+        errors: of files that could not be read.
+    """
+
+    names: tuple[str, ...]
+    pairs: dict[tuple[int, int], SureAgreement]
+    others: dict[int, SureAgreement]
+    floor: SureAgreement
+    results: tuple[SeveralResult, ...]
+    thresholds: tuple[float, ...]
+    described: str
+    known: str
+    errors: tuple[str, ...]
+
+    @property
+    def of_one_other(self) -> int:
+        """How many frames only two annotated: each is compared with the other one alone."""
+        return sum(len(result.pairs) == 1 for result in self.results)
+
+
+def agree_all(
+    run: ConsensusRun,
+    clusters_of: ClustersOf,
+    *,
+    draws: Draws | None = None,
+    consensus: Path | None = None,
+    progress: Progress = lambda items, _total, _what: iter(items),
+) -> AgreedAll:
+    """Compare several annotators' files.
+
+    Args:
+        run: not yet iterated.
+        clusters_of: which of the frames, by name, are alike.
+        draws: says the level of intervals.
+        consensus: folder or archive that the consensus of each frame is written to.
+
+    Raises:
+        UsageError: no frame of which two files can be read; frames that cannot be clustered.
+        SaveError: the consensus cannot be written.
+    """
+    results = list(progress(run, run.total, "comparing"))
+    errors = tuple(error for result in results for error in result.errors)
+    there = tuple(result for result in results if result.consensus is not None)
+    if not there:
+        raise UsageError(
+            f"of none of the {run.total} frames two annotations can be read; the first: {errors[0]}"
+        )
+    frames = [result.name for result in there]
+    clusters = clusters_of(frames)
+    level = draws or Draws()
+
+    def sure(found: list[tuple[str, FrameAgreement]]) -> SureAgreement:
+        return sure_agreement(frames, found, run.thresholds, clusters, level)
+
+    count = len(run.sources)
+    pairs = {
+        pair: [(r.name, r.pairs[pair]) for r in there if pair in r.pairs]
+        for pair in combinations(range(count), 2)
+    }
+    others = {
+        at: [(r.name, r.against_others[at]) for r in there if at in r.against_others]
+        for at in range(count)
+    }
+    if consensus is not None:
+        _write_consensus(there, consensus)
+    return AgreedAll(
+        short_names([source.path for source in run.sources]),
+        {pair: sure(found) for pair, found in pairs.items() if found},
+        {at: sure(found) for at, found in others.items() if found},
+        sure([(r.name, agreement) for r in there for agreement in r.pairs.values()]),
+        tuple(results),
+        run.thresholds,
+        run.describe(),
+        f"{100 * level.level:g} % intervals (t, jackknife of clusters); {clusters.described}",
+        errors,
+    )
+
+
+def short_names(paths: Sequence[PurePath]) -> tuple[str, ...]:
+    """What tells paths apart: the last part in which all differ, or else the whole of each."""
+    for part in range(1, min(len(path.parts) for path in paths) + 1):
+        found = tuple(path.parts[-part] for path in paths)
+        if len(set(found)) == len(found):
+            return found
+    return tuple(map(str, paths))
+
+
+def _write_consensus(results: Iterable[SeveralResult], out: Path) -> None:
+    with open_target(out) as target:
+        for result in results:
+            if result.consensus is not None:
+                target.write(f"{result.name}.json", write_annotation(result.consensus.annotation))
+
+
+# ---------------------------------------------------------------------------------------- tables
+
+
+def floor_line(agreed: AgreedAll) -> str:
+    """The one line a paper would quote."""
+    found, known = agreed.floor.summary.overall, agreed.floor.known
+
+    def told(value: float | None, interval: Interval | None) -> str:
+        low, high = ends_of(interval)
+        around = "" if interval is None else f" [{pixels(low)}, {pixels(high)}]"
+        return f"{pixels(value)} px{around}"
+
+    return (
+        f"Noise floor: median {told(found.median, known.median)},"
+        f" 95 % {told(found.p95, known.p95)},"
+        f" over {count_of(found.points, 'distance')} of every two annotators ({agreed.described})"
+    )
+
+
+def sheets_of(agreed: AgreedAll) -> tuple[Sheet, ...]:
+    """All tables, in the order they are read."""
+    return (others_sheet(agreed), pairs_sheet(agreed), worst_sheet(agreed), classes_sheet(agreed))
+
+
+def others_sheet(agreed: AgreedAll) -> Sheet:
+    """Each annotator against the consensus of the others, with intervals."""
+    columns = (
+        Column("annotator", "annotator"), Column("name", "name"), TAU, whole("frames"),
+        *_with_intervals(), of(LARGEST_PX), *_counts(_COUNTS),
+    )  # fmt: skip
+    rows = [
+        (ascii_uppercase[at], agreed.names[at], tau, found.summary.frames,
+         *_sure_values(found, tau), found.summary.overall.largest,
+         *values_of(_COUNTS, found.summary.overall))
+        for at, found in agreed.others.items()
+        for tau in agreed.thresholds
+    ]  # fmt: skip
+    notes = [f"In brackets {agreed.known}."]
+    if agreed.of_one_other:
+        alone = count_of(agreed.of_one_other, "frame")
+        notes.append(f"Of {alone} with two annotators each is compared with the other one.")
+    return Sheet(
+        "annotators", "Each annotator against the consensus of the others", columns, tuple(rows),
+        agreed.described, tuple(notes),
+    )  # fmt: skip
+
+
+def pairs_sheet(agreed: AgreedAll) -> Sheet:
+    """Every two annotators."""
+    counts = (COMMON, APART, ONLY_A, ONLY_B)
+    columns = (
+        Column("a", "A"), Column("b", "B"), TAU, whole("frames"), *_with_intervals(),
+        of(LARGEST_PX), *_counts(counts),
+    )  # fmt: skip
+    rows = [
+        (ascii_uppercase[a], ascii_uppercase[b], tau, found.summary.frames,
+         *_sure_values(found, tau), found.summary.overall.largest,
+         *values_of(counts, found.summary.overall))
+        for (a, b), found in agreed.pairs.items()
+        for tau in agreed.thresholds
+    ]  # fmt: skip
+    return Sheet("pairs", "Every two annotators", columns, tuple(rows), agreed.described)
+
+
+def classes_sheet(agreed: AgreedAll) -> Sheet:
+    """Per class, all annotators against the consensus of the others."""
+    found: dict[str, list[tuple[int, ClassAgreement]]] = {}
+    lone: dict[tuple[str, str], int] = {}
+    for result in agreed.results:
+        for at, frame in result.against_others.items():
+            for name, own in frame.by_class.items():
+                found.setdefault(name, []).append((at, own))
+            for key, names in (("added", frame.only_a), ("missed", frame.only_b)):
+                for name in names:
+                    found.setdefault(name, [])
+                    lone[name, key] = lone.get((name, key), 0) + 1
+    columns = (
+        Column("class", "class"), *_counts((POINTS, *_COUNTS)), *map(of, DISTANCES),
+    )  # fmt: skip
+    rows = []
+    for name in sorted(found):
+        pooled = ClassAgreement(
+            name,
+            _joined([own for _, own in found[name]]),
+            sum(own.left_out for _, own in found[name]),
+        )
+        apart = sum(own.apart for _, own in found[name])
+        counts = (
+            len(pooled.distances), len(found[name]), apart, lone.get((name, "added"), 0),
+            lone.get((name, "missed"), 0), pooled.left_out,
+        )  # fmt: skip
+        rows.append((name.strip(), *counts, *values_of(DISTANCES, pooled)))
+    title = "Classes, all annotators against the others"
+    return Sheet("classes", title, columns, tuple(rows), agreed.described)
+
+
+def worst_sheet(agreed: AgreedAll) -> Sheet:
+    """The frames and annotators to look at first: lowest JaC against the others, then farthest."""
+    tau = agreed.thresholds[0]
+    rows = []
+    for result in agreed.results:
+        for at, frame in result.against_others.items():
+            if not frame.element_count:
+                continue
+            by_size = [(c.largest, n) for n, c in frame.by_class.items() if c.largest is not None]
+            largest, farthest = max(by_size, default=(None, ""))
+            rows.append(
+                (result.name, ascii_uppercase[at], frame.jac(tau), len(frame.only_a),
+                 len(frame.only_b), largest, farthest.strip(),
+                 "mirrored?" if frame.mirrored_hint else None)
+            )  # fmt: skip
+    rows.sort(key=lambda row: (row[2], -(row[5] or 0.0)))
+    columns = (
+        Column("frame", "frame"), Column("annotator", "annotator"), of(JAC),
+        *_counts((ADDED, MISSED)), of(LARGEST_PX), Column("farthest", "farthest element"),
+        Column("labels", "labels"),
+    )  # fmt: skip
+    shown = tuple(rows[:WORST])
+    title = f"{worst_words(len(shown))} and annotators at {tau:g} px"
+    return Sheet("worst_frames", title, columns, shown, agreed.described)
+
+
+def _joined(several: Sequence[ClassAgreement]) -> FloatArray:
+    return np.concatenate([np.empty(0), *(own.distances for own in several)])
+
+
+def _counts(figures: Iterable[Figure]) -> list[Column]:
+    return [whole(figure.key, figure.title) for figure in figures]
+
+
+def _with_intervals() -> list[Column]:
+    return [
+        column
+        for figure in (JAC, MEDIAN_PX, P95_PX)
+        for column in (of(figure), *interval_columns(figure))
+    ]
+
+
+def _sure_values(found: SureAgreement, tau: float) -> tuple[Value, ...]:
+    overall, known = found.summary.overall, found.known
+    return (
+        found.summary.mean_jac[tau], *ends_of(known.jac[tau]),
+        overall.median, *ends_of(known.median), overall.p95, *ends_of(known.p95),
+    )  # fmt: skip
+
+
+# ----------------------------------------------------------------------------------------- files
+
+
+def write_agreed(agreed: AgreedAll, run: ConsensusRun, output: Path) -> None:
+    """Write every figure to a ``.json``, or one row a frame, annotator and class to a ``.csv``.
+
+    Raises:
+        UsageError: an output of another kind.
+        SaveError: it cannot be written.
+    """
+    if score_format(output) == "json":
+        content = json_bytes(_content(agreed, run), indent=0)
+    else:
+        content = csv_bytes(frames_sheet(agreed, run))
+    with replacing(output) as stream:
+        stream.write(content)
+
+
+def frames_sheet(agreed: AgreedAll, run: ConsensusRun) -> Sheet:
+    """One row a frame, annotator and class, against the consensus of the others.
+
+    The status of a class is ``common``, ``apart``, ``added`` or ``missed``; that of a row without
+    class ``empty``, ``unreadable`` or ``alone``.
+    """
+    columns = (
+        Column("name"), Column("field"), whole("width"), whole("height"), Column("annotator"),
+        Column("class"), Column("status"), whole("points"), whole("left_out"), *map(of, DISTANCES),
+        Column("mirrored_hint", kind="yes_no"), Column("error"),
+    )  # fmt: skip
+    terms = (run.field.described, *run.size)
+    nothing: Row = (None,) * 5
+    rows: list[Row] = []
+    for result in agreed.results:
+        for at, frame in result.against_others.items():
+            who = (result.name, *terms, ascii_uppercase[at])
+            hint = (frame.mirrored_hint, None)
+            own: list[Row] = [
+                (*who, c.class_name, "apart" if c.apart else "common", len(c.distances), c.left_out,
+                 *values_of(DISTANCES, c), *hint)
+                for c in frame.by_class.values()
+            ]  # fmt: skip
+            for status, names in (("added", frame.only_a), ("missed", frame.only_b)):
+                own += [(*who, name, status, *nothing, *hint) for name in names]
+            rows += own or [(*who, None, "empty", *nothing, *hint)]
+        if result.errors:
+            error = "; ".join(result.errors)
+            rows.append((result.name, *terms, None, None, "unreadable", *nothing, None, error))
+    for at, names in enumerate(run.alone):
+        letter = ascii_uppercase[at]
+        rows += [(n, *terms, letter, None, "alone", *nothing, None, None) for n in names]
+    return Sheet("frames", "Frames", columns, tuple(rows))
+
+
+def _content(agreed: AgreedAll, run: ConsensusRun) -> dict[str, Any]:
+    return {
+        **field_terms(run.field),
+        "size": list(run.size),
+        "thresholds": list(run.thresholds),
+        "annotators": [
+            {
+                "annotator": ascii_uppercase[at],
+                "path": str(source.path),
+                "alone": list(run.alone[at]),
+            }
+            for at, source in enumerate(run.sources)
+        ],
+        "images": [_frame_entry(result, run.thresholds) for result in agreed.results],
+        "summary": {
+            "frames": agreed.floor.summary.frames,
+            "noise_floor": floor_entry(agreed.floor),
+            **{sheet.name: sheet_entry(sheet) for sheet in sheets_of(agreed)},
+        },
+    }
+
+
+def floor_entry(floor: SureAgreement) -> dict[str, Any]:
+    """The distances of every two annotators together, with the intervals of median and 95 %."""
+    known = floor.known
+    return figure_entry((POINTS, *DISTANCES), floor.summary.overall) | {
+        f"{figure.key}_interval": None if found is None else [found.low, found.high]
+        for figure, found in ((MEDIAN_PX, known.median), (P95_PX, known.p95))
+    }
+
+
+def _frame_entry(result: SeveralResult, thresholds: Sequence[float]) -> dict[str, Any]:
+    undecided = () if result.consensus is None else result.consensus.undecided
+    return {
+        "name": result.name,
+        "errors": list(result.errors),
+        "undecided": list(undecided),
+        "annotators": {
+            ascii_uppercase[at]: {
+                "jac": {shortest(tau): frame.jac(tau) for tau in thresholds},
+                "added": list(frame.only_a),
+                "missed": list(frame.only_b),
+                "mirrored_hint": frame.mirrored_hint,
+                "elements": {
+                    name: figure_entry(DISTANCES, own)
+                    | {"left_out": own.left_out, "distances": own.distances.tolist()}
+                    for name, own in frame.by_class.items()
+                },
+            }
+            for at, frame in result.against_others.items()
+        },
+    }

@@ -1,0 +1,99 @@
+"""What fitted cameras say of elements that were left out of the fit, beside methods' figures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Protocol
+
+from procc_annotator.io.camera_files.fitted_on import FITTED
+from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE
+from procc_annotator.report.sheet.figure import shortest
+from procc_annotator.report.sheet.figures import HELD_OUT, IN_SAMPLE
+from procc_annotator.report.sheet.sheet import Column, Sheet, Value, of, whole
+from procc_annotator.session.runs.held_out import HeldOutFigures
+from procc_annotator.words import count_of
+
+HOW = "calibrate --held-out"
+
+
+class Fitted(Protocol):
+    """A source some of whose cameras may have been fitted to the clicks they are judged by."""
+
+    @property
+    def held_out(self) -> HeldOutFigures: ...
+    @property
+    def fitted(self) -> int: ...
+
+
+def held_out_sheet(
+    sources: Sequence[tuple[str, Fitted]], thresholds: Sequence[float], described: str
+) -> Sheet | None:
+    """The fits among the sources, each with the share of elements that are correct left out, and in
+    sample; of fits without such figures the notes say how to get them. None without fits.
+
+    Args:
+        sources: with their names. thresholds: px. described: protocol, size and options.
+    """
+    fits = [(name, source) for name, source in sources if source.fitted]
+    if not fits:
+        return None
+    columns = [Column("source", "Source"), whole("elements", "Elements"), whole("frames", "Frames")]
+    columns += [
+        of(figure, f"@{tau:g}", key=f"{figure.key}@{shortest(tau)}")
+        for tau in thresholds
+        for figure in (HELD_OUT, IN_SAMPLE)
+    ]
+    rows = []
+    for name, source in fits:
+        figures = source.held_out
+        row: list[Value] = [name, len(figures.elements) or None, figures.frames or None]
+        for tau in thresholds:
+            row += figures.shares(tau) or (None, None)
+        rows.append(tuple(row))
+    notes = [
+        f"A camera {FITTED} explains them. Held out, every element is judged by the camera of the"
+        " frame's other elements; in sample, the same elements by the camera of all."
+    ]
+    notes += [f"{name}: {why}" for name, source in fits if (why := _why_none(source))]
+    title = "Fits, and elements left out in turn"
+    return Sheet("held_out", title, tuple(columns), tuple(rows), described, tuple(notes))
+
+
+def held_out_entry(source: Fitted, thresholds: Sequence[float]) -> dict[str, Any]:
+    """As files of figures hold it; nothing of a source that is no fit."""
+    if not source.fitted:
+        return {}
+    figures = source.held_out
+    shares = {shortest(tau): figures.shares(tau) for tau in thresholds}
+    told = {
+        "frames": figures.frames,
+        "elements": len(figures.elements),
+        "results": {
+            tau: {HELD_OUT.key: found[0], IN_SAMPLE.key: found[1]}
+            for tau, found in shares.items()
+            if found is not None
+        },
+        "missing": _why_none(source) or None,
+    }
+    return {"held_out": told}
+
+
+def _why_none(source: Fitted) -> str:
+    """Why some cameras have no such figures; empty where all have."""
+    figures = source.held_out
+    if figures.frames >= source.fitted:
+        return ""
+    cameras = count_of(source.fitted, "camera")
+    without = source.fitted - figures.frames
+    which = (
+        f"{without} of its {cameras} have no such figures"
+        if figures.frames
+        else f"none of its {cameras} has such figures"
+    )
+    if figures.others:
+        made = ", ".join(f"{protocol}, {w}x{h}" for protocol, (w, h) in figures.others)
+        return (
+            f"{which} for this protocol, size and field"
+            f" (but for {made}); {HOW} makes them with --protocol and --size"
+        )
+    return f"{which}; {HOW} writes {HELD_OUT_FILE} beside the cameras it fits"

@@ -1,0 +1,216 @@
+"""Compare several annotators' files frame by frame: every two of them, and each with the others."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+from natsort import natsorted
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.source import FileSource
+from procc_annotator.metric.agreement import (
+    AgreementSummary,
+    AgreementSums,
+    FrameAgreement,
+    compare_annotations,
+)
+from procc_annotator.metric.chance.intervals import Interval, intervals
+from procc_annotator.metric.chance.quantiles import quantile_interval
+from procc_annotator.metric.chance.sampling import Draws, Ratios, sample
+from procc_annotator.metric.consensus import Consensus, against, consensus_of
+from procc_annotator.metric.setup import check_thresholds
+from procc_annotator.session.runs.clusters import Clusters
+from procc_annotator.session.runs.set_run import (
+    KeptOpen,
+    SetRun,
+    require_annotations,
+    source_kept_open,
+)
+
+MOST = 26  # as many as there are letters
+
+
+class FrameOfSeveral(NamedTuple):
+    """A frame that at least two annotated, with the file of each; None where there is none."""
+
+    name: str
+    files: tuple[str | None, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class SeveralResult:
+    """What became of one frame; annotators by their places.
+
+    Attributes:
+        name: of the frame.
+        pairs: every two whose files can be read.
+        against_others: each of these against the consensus of all others.
+        consensus: of all of them; None where fewer than two can be read.
+        errors: of the files that cannot.
+    """
+
+    name: str
+    pairs: Mapping[tuple[int, int], FrameAgreement]
+    against_others: Mapping[int, FrameAgreement]
+    consensus: Consensus | None
+    errors: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class CompareSeveral:
+    """Compares chunks of frames."""
+
+    sources: tuple[KeptOpen[FileSource], ...]
+    field: Field
+    size: tuple[int, int]
+
+    def __call__(self, chunk: Sequence[FrameOfSeveral]) -> tuple[list[SeveralResult], None]:
+        return [self._compare(frame) for frame in chunk], None
+
+    def close(self) -> None:
+        """Close what a worker opened."""
+        for source in self.sources:
+            source.close()
+
+    def _compare(self, frame: FrameOfSeveral) -> SeveralResult:
+        errors: list[str] = []
+        read: dict[int, FrameAnnotation] = {}
+        for place, file in enumerate(frame.files):
+            if file is None:
+                continue
+            source = self.sources[place].opened
+            try:
+                data, shown = source.read(file), source.display(file)
+                read[place] = read_annotation(data, path=shown, field=self.field)
+            except InputError as error:
+                errors.append(str(error))
+        if len(read) < 2:
+            return SeveralResult(frame.name, {}, {}, None, tuple(errors))
+        compared = partial(compare_annotations, field=self.field, size=self.size)
+        pairs = {(a, b): compared(read[a], read[b]) for a, b in combinations(read, 2)}
+        consensus, of_others = consensus_of(list(read.values()), self.field, self.size)
+        against_others = {
+            place: against(own, others, self.field, self.size)
+            for (place, own), others in zip(read.items(), of_others, strict=True)
+        }
+        return SeveralResult(frame.name, pairs, against_others, consensus, tuple(errors))
+
+
+class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
+    """One pass over the frames that at least two of several annotators have; iterate it first.
+
+    Args:
+        sources: folder or archive of annotation files of each annotator, `MOST` at most.
+        field: the sports field.
+        size: (width, height) in px in which distances are taken.
+        thresholds: tau of the JaC, px, at least one.
+
+    Attributes:
+        alone: for each annotator the frames that nobody else has: not compared.
+
+    Raises:
+        UsageError: nothing to compare, a threshold that is none, or a size that is no picture.
+        InputError: a folder or archive that cannot be listed.
+    """
+
+    def __init__(
+        self,
+        sources: Sequence[FileSource],
+        field: Field,
+        size: tuple[int, int],
+        thresholds: Sequence[float],
+    ) -> None:
+        if min(size) < 2:
+            raise UsageError(f"the size {size[0]}x{size[1]} is too small")
+        if not 2 <= len(sources) <= MOST:
+            raise UsageError(f"{len(sources)} annotators, expected 2 to {MOST}")
+        self.sources, self.field, self.size = tuple(sources), field, size
+        self.thresholds = check_thresholds(thresholds)
+        files = [require_annotations(source) for source in sources]
+        every = natsorted({name for own in files for name in own})
+        frames = [FrameOfSeveral(name, tuple(own.get(name) for own in files)) for name in every]
+        shared = [frame for frame in frames if len(frame.files) - frame.files.count(None) > 1]
+        if not shared:
+            named = ", ".join(
+                f"{next(iter(own))!r} in {s.path}" for own, s in zip(files, sources, strict=True)
+            )
+            raise UsageError(
+                f"nothing to do: no frame has annotations of two (names are like {named})"
+            )
+        kept = tuple(source_kept_open(source) for source in sources)
+        super().__init__(shared, CompareSeveral(kept, field, size))
+        self.alone = tuple(
+            tuple(f.name for f in frames if f.files[at] and f.files.count(None) == len(files) - 1)
+            for at in range(len(files))
+        )
+
+    def describe(self) -> str:
+        """What the numbers depend on, in words."""
+        return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
+
+
+@dataclass(frozen=True)
+class AgreementIntervals:
+    """Intervals of the figures of an agreement; None of fewer than two clusters.
+
+    Attributes:
+        jac: tau -> of the mean JaC. median, p95: of the distances, px.
+    """
+
+    jac: Mapping[float, Interval | None]
+    median: Interval | None
+    p95: Interval | None
+
+
+@dataclass(frozen=True)
+class SureAgreement:
+    """The figures of an agreement over some frames, and how surely they are known."""
+
+    summary: AgreementSummary
+    known: AgreementIntervals
+
+
+def sure_agreement(
+    frames: Sequence[str],
+    found: Sequence[tuple[str, FrameAgreement]],
+    thresholds: Sequence[float],
+    clusters: Clusters,
+    draws: Draws,
+) -> SureAgreement:
+    """The figures of agreements with their intervals.
+
+    Args:
+        frames: F names, as `clusters` has them.
+        found: agreements with the frame that each is of; several of one frame are alike.
+        thresholds: tau, px. draws: says the level.
+    """
+    sums = AgreementSums(thresholds)
+    for name, agreement in found:
+        sums.add(name, agreement)
+    at = {name: place for place, name in enumerate(frames)}
+    places = np.array([at[name] for name, _ in found], dtype=np.intp)
+    distances = np.concatenate([np.empty(0), *(one.distances for _, one in found)])
+    of_frames = np.repeat(places, [len(one.distances) for _, one in found])
+    jacs = {}
+    for tau in thresholds:
+        own = [one.jac(tau) if one.element_count else np.nan for _, one in found]
+        ratios = Ratios.mean(np.array(own, dtype=np.float64))
+        around = intervals(sample(ratios, clusters.numbers[places], None), draws)[0]
+        jacs[float(tau)] = None if around is None else _of_a_share(around)
+    median, p95 = (
+        quantile_interval(distances, of_frames, clusters.numbers, share, draws)
+        for share in (0.5, 0.95)
+    )
+    return SureAgreement(sums.summary(), AgreementIntervals(jacs, median, p95))
+
+
+def _of_a_share(interval: Interval) -> Interval:
+    return replace(interval, low=max(0.0, interval.low), high=min(1.0, interval.high))
