@@ -36,6 +36,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.api.reading import load_camera as load_camera
     from procc_annotator.api.reading import load_cameras as load_cameras
     from procc_annotator.api.reading import load_dataset as load_dataset
+    from procc_annotator.api.saving import save_camera as save_camera
     from procc_annotator.api.set_score import SetScore as SetScore
     from procc_annotator.camera.base import Camera as Camera
     from procc_annotator.camera.fisheye import FisheyeCamera as FisheyeCamera
@@ -49,6 +50,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.errors import ImageError as ImageError
     from procc_annotator.errors import InputError as InputError
     from procc_annotator.errors import ProccError as ProccError
+    from procc_annotator.errors import SaveError as SaveError
     from procc_annotator.errors import UsageError as UsageError
     from procc_annotator.field.load import field_names as field_names
     from procc_annotator.field.load import load_field as load_field
@@ -91,6 +93,7 @@ _HOMES = {
         "load_cameras",
         "load_dataset",
     ),
+    "api.saving": ("save_camera",),
     "api.set_score": ("SetScore",),
     "camera.base": ("Camera",),
     "camera.fisheye": ("FisheyeCamera",),
@@ -105,6 +108,7 @@ _HOMES = {
         "ImageError",
         "InputError",
         "ProccError",
+        "SaveError",
         "UsageError",
     ),
     "field.load": ("field_names", "load_field"),

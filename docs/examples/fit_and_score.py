@@ -13,10 +13,14 @@ import argparse
 import math
 from pathlib import Path
 
-from procc_annotator import evaluate, fit_camera, load_annotation
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.errors import ProccError
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator import (
+    PinholeCamera,
+    ProccError,
+    evaluate,
+    fit_camera,
+    load_annotation,
+    save_camera,
+)
 
 SAMPLE_DATA = Path(__file__).parents[2] / "sample_data"
 
@@ -65,9 +69,8 @@ def main() -> None:
             f"  {known.focal_px:.0f} px  {math.hypot(*known.position_m):.2f} m"
         )
         if asked.cameras is not None:
-            size = {"image_width": asked.size[0], "image_height": asked.size[1]}
             out = asked.cameras / f"camera_{path.stem}.json"
-            out.write_bytes(write_camera(fit.camera, size))
+            save_camera(fit, out, fitted_to=annotation, overwrite=True)
     if unread:
         raise SystemExit(1)
 

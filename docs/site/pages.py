@@ -26,7 +26,15 @@ GOES_ON = re.compile(r"- |\d+\. |\||\s|#")  # what either stands behind without 
 REFERENCE = {
     "Reading": ("load_", "Dataset", "LoadedCamera", "field_names"),
     "Annotations": ("FrameAnnotation", "Polyline", "Point"),
-    "Cameras": ("camera_from_", "Camera", "Pinhole", "Fisheye", "Homography", "Matrix"),
+    "Cameras": (
+        "camera_from_",
+        "save_camera",
+        "Camera",
+        "Pinhole",
+        "Fisheye",
+        "Homography",
+        "Matrix",
+    ),
     "Fields": ("Field", "Element"),
     "Scores": ("evaluate", "jac_curve", "SetScore", "SetSummary", "Class", "FrameScore"),
     "Differences": ("disagreement", "Disagreement", "Interval", "Paired"),

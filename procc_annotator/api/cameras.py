@@ -13,7 +13,13 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.checked import CheckedCamera, FunctionCamera
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.matrices import fisheye_of, intrinsics_of, pinhole_of, pose_of
+from procc_annotator.camera.matrices import (
+    fisheye_of,
+    intrinsics_of,
+    pinhole_of,
+    pose_of,
+    taken_apart,
+)
 from procc_annotator.camera.matrix_camera import MatrixCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import UsageError
@@ -64,23 +70,34 @@ def camera_from_krt(
         raise UsageError(f"no camera: {error}") from None
 
 
-def camera_from_projection(matrix: ArrayLike) -> MatrixCamera:
+def camera_from_projection(
+    matrix: ArrayLike, *, size: tuple[int, int] | None = None
+) -> PinholeCamera | MatrixCamera:
     """A camera from a projection matrix, P = K [R | t] times any number.
 
     Args:
         matrix: (3, 4), metres in the world (x, y, z, 1; world frame of `Field`, z down) to px. It
             may have a skew; its sign does not matter.
+        size: (width, height) px of the picture; tells how far a skew moves its pixels.
 
     Returns:
-        The camera, in px of the picture that the matrix is for.
+        The camera, in px of the picture that the matrix is for: a pinhole with angles, position and
+        focal lengths, unless the matrix has a skew that moves a pixel by more than 0.01 px, which
+        only the matrix itself can say.
 
     Raises:
         UsageError: not (3, 4) finite numbers, or a camera that is infinitely far away.
     """
+    known = as_size_or_none(size)
     try:
-        return MatrixCamera.of(_numbers("matrix", matrix))
+        camera = MatrixCamera.of(_numbers("matrix", matrix))
     except ValueError as error:
         raise UsageError(f"matrix: no projection matrix: {error}") from None
+    try:
+        k, rotation, t = taken_apart(camera.image_from_world)
+        return pinhole_of(intrinsics_of(k, known), pose_of(rotation, t), ())
+    except ValueError:  # a skew, or numbers too near to no camera to be taken apart
+        return camera
 
 
 def camera_from_homography(

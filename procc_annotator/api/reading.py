@@ -3,27 +3,35 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from dataclasses import field as attribute
 from pathlib import Path
 from types import MappingProxyType
 
 from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.api.given import as_field, as_path
-from procc_annotator.errors import AnnotationError, InputError, ProccError, UsageError
+from procc_annotator.errors import InputError, ProccError, UsageError
 from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
 from procc_annotator.fit import fitting
-from procc_annotator.io.annotation_files.annotation_formats import find_annotations
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Size
+from procc_annotator.io.annotation_files.read_set import SetReader
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.io.collections import CAMERA_PREFIX
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.collections import CAMERA_PREFIX, files_of
+from procc_annotator.io.frame_names import frame_of_file
+from procc_annotator.io.source import open_source
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.fit_sizes import told_size
 from procc_annotator.session.dataset.frames import list_frames
+from procc_annotator.session.dataset.picture_sizes import (
+    PictureSizes,
+    picture_folders,
+    picture_size,
+)
 from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 
 OnDamaged = Callable[[ProccError], None]
@@ -39,13 +47,31 @@ class Dataset:
         field: the one that the dataset says it shows, with its dimensions and landmarks; metres.
         annotations: frame name -> what is annotated in it, of the frames that have a file, in
             natural order.
-        pictures: frame name -> its picture's file, of the frames that have one, in natural order.
+        pictures: frame name -> its picture's file, of the frames that have one, in natural order;
+            where they lie in folders of folders, frames are called by their paths (``game/00037``).
+        sizes: frame name -> (width, height) px of its picture, of the annotated frames whose
+            annotation or picture tells it; `size_of` also knows frames without annotation.
     """
 
     path: Path
     field: Field
     annotations: Mapping[str, FrameAnnotation]
     pictures: Mapping[str, Path]
+    sizes: Mapping[str, Size] = attribute(default_factory=dict)
+
+    def size_of(self, frame: str) -> Size | None:
+        """(width, height) px of a frame's picture as it is shown; None where nobody knows it.
+
+        The header of the picture is read; where there is none, the annotations may tell.
+
+        Args:
+            frame: its name.
+
+        Raises:
+            ImageError: the picture cannot be read.
+        """
+        picture = self.pictures.get(frame)
+        return self.sizes.get(frame) if picture is None else picture_size(picture)
 
     def field_of(self, frame: str) -> Field:
         """The field with its landmarks where they are in a frame; metres.
@@ -81,16 +107,19 @@ def load_dataset(
     place = as_path(path, "a dataset")
     known = field_of_dataset(place).field if field is None else as_field(field)
     known = field_of_dataset_with_landmarks(known, place)
-    pictures: dict[str, Path] = {}
-    if place.is_dir():
-        pictures = {frame.name: frame.image_path for frame in list_frames(place)[1]}
-    annotations: dict[str, FrameAnnotation] = {}
-    with open_source(_annotations_of(place)) as source:
-        if not pictures or any(name.lower().endswith(_ANNOTATIONS) for name in source.files()):
-            annotations = {
-                frame.name: frame.annotation for frame in _frames(source, known, on_damaged)
-            }
-    return Dataset(place, known, MappingProxyType(annotations), MappingProxyType(pictures))
+    pictures = _pictures_of(place)
+    frames: list[ExchangedFrame] = []
+    inside = _annotations_of(place)
+    if not pictures or _holds_annotations(inside):
+        frames = _frames(inside, place, known, on_damaged)
+    sizes = {frame.name: frame.size or told_size(frame.annotation) for frame in frames}
+    return Dataset(
+        place,
+        known,
+        MappingProxyType({frame.name: frame.annotation for frame in frames}),
+        MappingProxyType(pictures),
+        MappingProxyType({name: size for name, size in sizes.items() if size is not None}),
+    )
 
 
 def load_annotations(
@@ -117,9 +146,8 @@ def load_annotations(
         UsageError: there is nothing at the path, no annotation, or annotations of several formats.
     """
     place = as_path(path, "annotations")
-    known = as_field(field)
-    with open_source(_annotations_of(place)) as source:
-        return {f.name: f.annotation for f in _frames(source, known, on_damaged)}
+    frames = _frames(_annotations_of(place), place, as_field(field), on_damaged)
+    return {frame.name: frame.annotation for frame in frames}
 
 
 def load_annotation(path: str | Path, field: Field | str | None = None) -> FrameAnnotation:
@@ -146,9 +174,7 @@ def load_annotation(path: str | Path, field: Field | str | None = None) -> Frame
             f"{place}: is a camera file ({CAMERA_PREFIX}*), expected an annotation"
             " (those are named after their frame: 00037.json)"
         )
-    known = as_field(field)
-    with open_source(place) as source:
-        frames = _frames(source, known, None)
+    frames = _frames(place, place, as_field(field), None)
     if len(frames) == 1:
         strange = pixel_like(frames[0].annotation)
         if strange is not None:
@@ -221,34 +247,43 @@ def load_camera(path: str | Path, *, format: str = "auto") -> LoadedCamera:
     return next(iter(found.values()))
 
 
-class _Strict(Reading):
-    """Of a set a reader skips what is damaged; here a caller says what becomes of it."""
-
-    on_damaged: OnDamaged | None = None
-
-    @contextmanager
-    def going_on(self) -> Iterator[None]:
-        try:
-            yield
-        except InputError as error:
-            if self.on_damaged is None:
-                raise
-            self.on_damaged(error)
-
-
 def _annotations_of(place: Path) -> Path:
     return annotations_of(place) if place.is_dir() else place
 
 
-def _frames(source: FileSource, field: Field, on_damaged: OnDamaged | None) -> list[ExchangedFrame]:
-    reading = _Strict(field)
-    reading.on_damaged = on_damaged
-    known, files = find_annotations(source)
-    if known.read is None:
-        raise UsageError(f"{source.path}: {known.title} cannot be read")
-    frames = list(known.read(source, files, reading))
-    for problem in reading.problems:
-        if on_damaged is None:
-            raise AnnotationError(str(source.path), problem)
-        on_damaged(AnnotationError(str(source.path), problem))
-    return frames
+def _holds_annotations(place: Path) -> bool:
+    with open_source(place) as source:
+        return bool(files_of(source, lambda name: name.lower().endswith(_ANNOTATIONS))[0])
+
+
+def _frames(
+    place: Path, dataset: Path, field: Field, on_damaged: OnDamaged | None
+) -> list[ExchangedFrame]:
+    """What is annotated, each frame once.
+
+    Args:
+        place: what the annotations are read from.
+        dataset: whose they are: pictures around it tell sizes that files leave out.
+    """
+    sizes = PictureSizes(picture_folders(dataset, place))
+    pictures = sorted(picture.name for picture in sizes.files())
+    with open_source(place) as source:
+        reader = SetReader(source, field, size_of=sizes.size, pictures=pictures)
+        reader.reading.told = on_damaged or _raise
+        return list(reader.frames())
+
+
+def _raise(error: ProccError) -> None:
+    raise error
+
+
+def _pictures_of(place: Path) -> dict[str, Path]:
+    """Frame name -> picture, of a folder or of a tree of folders; of an archive none."""
+    if not place.is_dir():
+        return {}
+    found = {frame.name: frame.image_path for frame in list_frames(place)[1]}
+    if found:
+        return found
+    with open_source(place) as source:
+        names, _ = files_of(source, lambda name: Path(name).suffix.lower() in PICTURE_SUFFIXES)
+    return {frame_of_file(name): place / name for name in names}

@@ -12,6 +12,7 @@ from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.field_option import chosen_field, named_field
 from procc_annotator.cli.open import display_available
 from procc_annotator.cli.outputs import check_not_an_input, check_output_folder
+from procc_annotator.cli.qt_libraries import require_qt_libraries
 from procc_annotator.errors import FieldError, UsageError
 from procc_annotator.field.checks import RemarkSeverity, check_field
 from procc_annotator.field.load import field_names, load_field, place_in_file
@@ -131,6 +132,7 @@ def show(
     if wanted:
         if not display_available():
             raise UsageError("there is no display for the window; --output writes the map")
+        require_qt_libraries()
         from procc_annotator.gui.field_preview import run_preview
 
         raise typer.Exit(run_preview(*named_field(field), _keys_of_the_window()))

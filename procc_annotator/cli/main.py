@@ -56,6 +56,10 @@ COMMANDS = (
         "Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.",
     ),
     LazyCommand("convert", "Write annotations or cameras in another format."),
+    LazyCommand(
+        "propose-map",
+        "Propose which classes of the field the labels of another program stand for.",
+    ),
     LazyCommand("release", "Write what the keeper of a dataset publishes, for people and hubs."),
     LazyCommand(
         "render",
@@ -64,6 +68,7 @@ COMMANDS = (
     LazyCommand(
         "check-submission", "Say what the official SoccerNet evaluation would refuse or pass over."
     ),
+    LazyCommand("desktop-entry", "Put the program into the menus of a Linux desktop."),
     LazyCommand(
         "headless",
         "Evaluate every camera set of a dataset, write the exports and one overlay picture"
@@ -124,9 +129,9 @@ class CommandOrPath(TyperGroup):
         except ImportError as error:
             if not _is_of_qt(error):
                 raise
-            typer.echo(
-                f"procc-annotator: this needs Qt, which cannot be loaded here: {error}", err=True
-            )
+            from procc_annotator.cli.qt_libraries import words_for
+
+            typer.echo(f"procc-annotator: {words_for(error)}", err=True)
             raise typer.Exit(2) from error
         except OSError as error:
             # Files are written by functions that name them; what is left is the standard output.

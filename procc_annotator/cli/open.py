@@ -11,11 +11,14 @@ import typer
 
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.options import Lines, Sources
+from procc_annotator.cli.qt_libraries import require_qt_libraries
 from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import UsageError
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 
 HELP = """\
-PATH is a folder of pictures, one picture, a video, or nothing. The word "open" may be left out.
+PATH is a folder of pictures (or its field.toml), one picture, a video, or nothing. The word "open"
+may be left out.
 
 With --selftest the program tries itself: the window opens (out of sight, unless QT_QPA_PLATFORM
 says otherwise), one element is annotated in a copy of a picture, saved and read back, and the
@@ -61,6 +64,8 @@ def open_window(
         typer.Option("--selftest", help="Try the window on a copy of a picture, and end."),
     ] = False,
 ) -> None:
+    if path is not None and path.name == FIELD_FILE and path.is_file():
+        path = path.parent  # a dataset's own, opened from a file manager
     if selftest:
         os.environ["QT_QPA_PLATFORM"] = os.environ.get("QT_QPA_PLATFORM") or "offscreen"
         raise typer.Exit(_selftest(path, field, lines))
@@ -73,6 +78,7 @@ def open_window(
         raise UsageError(
             "there is no display for the window; `evaluate`, `export` and `render` work without"
         )
+    require_qt_libraries()
     from procc_annotator.gui.app import CameraChoice, main
 
     shown = None
@@ -91,6 +97,7 @@ def open_window(
 def _selftest(path: Path | None, field: str | None, lines: str | None) -> int:
     if path is not None and not path.exists():
         raise UsageError(f"{path}: does not exist")
+    require_qt_libraries()
     from procc_annotator.gui.selftest import run_selftest
 
     shown = chosen_field(field, lines=lines) if field is not None else None

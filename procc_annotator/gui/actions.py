@@ -52,7 +52,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("File", "open_video", "Open video…", "", "opening.open_video",
           "Annotate frames of a video without extracting them first"),
     _spec("File", "open_sample", "Open the sample", "", "opening.open_sample",
-          "Open the frames that come with the program"),
+          "Open your own copy of the frames that come with the program"),
     _spec("File", "open_second", "-Open second annotator…", "", "opening.open_second",
           "Draw and compare what somebody else clicked in the same frames"),
     _spec("File", "close_second", "Close second annotator", "", "document.second.close",

@@ -8,6 +8,8 @@ HELD_KEYS = ("X", "Z", ",", "Space")
 # The sheet of keys lists them beside the actions.
 GESTURES: tuple[tuple[str, str], ...] = (
     ("Wheel", "zoom at the cursor"),
+    ("Two fingers", "pan; pinched, zoom"),
+    ("Shift + wheel", "pan sideways, as a tilted wheel does"),
     ("Space + drag", "pan"),
     ("Middle button", "pan"),
     ("Hold X", "hide all overlays"),

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QNativeGestureEvent, QPointingDevice, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -64,7 +64,74 @@ class TestWhere:
         assert window.status.pixels.text() == f"{x:.1f} {y:.1f} px"
 
 
+def scroll(
+    window: MainWindow,
+    moved: tuple[int, int],
+    *,
+    fingers: bool = False,
+    held: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier,
+) -> None:
+    """Two fingers, by so many px, or a wheel, by so many eighths of a degree."""
+    view = window.canvas.viewport()
+    at = QPointF(view.rect().center())
+    pixels = QPoint(*moved) if fingers else QPoint()
+    phase = Qt.ScrollPhase.ScrollUpdate if fingers else Qt.ScrollPhase.NoScrollPhase
+    event = QWheelEvent(
+        at, view.mapToGlobal(at), pixels, QPoint(*moved), Qt.MouseButton.NoButton, held, phase,
+        False,
+    )  # fmt: skip
+    QApplication.sendEvent(view, event)
+
+
+def pinch(window: MainWindow, at: QPointF, by: float) -> None:
+    view = window.canvas.viewport()
+    touchpad = QPointingDevice.primaryPointingDevice()
+    kind = Qt.NativeGestureType.ZoomNativeGesture
+    none = QPointF()
+    event = QNativeGestureEvent(
+        kind, touchpad, 2, at, at, QPointF(view.mapToGlobal(at)), by, none
+    )  # fmt: skip
+    QApplication.sendEvent(view, event)
+
+
 class TestZoomAndPan:
+    def test_two_fingers_pan(self, window: MainWindow) -> None:
+        canvas = window.canvas
+        canvas.set_scale(4.0)
+        before = canvas.to_picture(QPointF(200, 200))
+        scroll(window, (30, -50), fingers=True)
+        assert canvas.view_scale == 4.0
+        assert canvas.to_picture(QPointF(230, 150)) == pytest.approx(before, abs=0.3)
+
+    def test_ctrl_makes_two_fingers_zoom(self, window: MainWindow) -> None:
+        window.canvas.set_scale(4.0)
+        scroll(window, (0, 120), fingers=True, held=CTRL)
+        assert window.canvas.view_scale == pytest.approx(4.8)
+
+    def test_a_pinch_zooms_at_the_fingers(self, window: MainWindow, hand: Hand) -> None:
+        canvas = window.canvas
+        canvas.set_scale(4.0)
+        at = QPointF(300, 200)
+        before = canvas.to_picture(at)
+        pinch(window, at, 0.25)
+        assert canvas.view_scale == pytest.approx(5.0)
+        assert canvas.to_picture(at) == pytest.approx(before, abs=0.3)
+
+    @pytest.mark.parametrize(
+        ("turned", "held"),
+        [((120, 0), Qt.KeyboardModifier.NoModifier), ((0, 120), SHIFT)],
+        ids=["tilted", "with Shift"],
+    )
+    def test_a_wheel_goes_sideways(
+        self, window: MainWindow, turned: tuple[int, int], held: Qt.KeyboardModifier
+    ) -> None:
+        canvas = window.canvas
+        canvas.set_scale(4.0)
+        before = canvas.to_picture(QPointF(200, 200))
+        scroll(window, turned, held=held)
+        assert canvas.view_scale == 4.0
+        assert canvas.to_picture(QPointF(260, 200)) == pytest.approx(before, abs=0.3)
+
     def test_the_wheel_keeps_what_is_under_the_cursor(self, window: MainWindow, hand: Hand) -> None:
         at = QPointF(hand.at(500, 80))
         before = window.canvas.to_picture(at)
@@ -116,7 +183,7 @@ class TestZoomAndPan:
         window.canvas.set_scale(6.0)
         hand.key(Qt.Key.Key_D)
         assert window.canvas.view_scale == pytest.approx(window.canvas.fit_scale)
-        hand.key(Qt.Key.Key_K, CTRL)
+        hand.key(Qt.Key.Key_K, CTRL | SHIFT)
         window.canvas.set_scale(6.0)
         hand.key(Qt.Key.Key_A)
         assert window.document.frame_index == 0

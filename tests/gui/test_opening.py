@@ -76,3 +76,22 @@ def test_the_example_explains_itself_and_makes_nothing(
         runpy.run_path(str(ROOT / "docs/examples/three_views.py"), run_name="__main__")
     assert "usage: three_views.py" in capsys.readouterr().out
     assert not list(tmp_path.iterdir())
+
+
+def test_the_sample_is_tried_on_a_copy(
+    window: MainWindow,
+    sample_copy: Path,
+    qtbot: QtBot,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    monkeypatch.setattr(
+        "procc_annotator.gui.tasks.files.opening.sample_folder", lambda: sample_copy
+    )
+    files = {path: path.stat().st_mtime_ns for path in sample_copy.rglob("*")}
+    window.actions_["open_sample"].trigger()
+    own = tmp_path / "data" / "procc-annotator" / "sample"
+    qtbot.waitUntil(lambda: own.is_dir() and window.document.workspace.folder == own)
+    assert str(own) in window.document.state.told.text
+    assert {path: path.stat().st_mtime_ns for path in sample_copy.rglob("*")} == files

@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
+    QNativeGestureEvent,
     QPainter,
     QPaintEvent,
     QResizeEvent,
@@ -24,6 +25,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView
 
 from procc_annotator.gui.picture.picture_item import PictureItem
+from procc_annotator.gui.wheel import gone_along
 from procc_annotator.image.decode import PixelArray
 
 MAX_SCALE = 64.0
@@ -227,8 +229,12 @@ class PictureView(QGraphicsView):
     def _pan_to(self, position: QPoint) -> None:
         if self._pan_from is None:
             return
-        self._scroll_by(QPointF(self._pan_from - position))
+        self._go_along(QPointF(self._pan_from - position))
         self._pan_from = position
+
+    def _go_along(self, delta: QPointF) -> None:
+        """Show what lies so many screen px to the right and below."""
+        self._scroll_by(delta)
         self._fitted = False
         self.viewChanged.emit()
 
@@ -256,9 +262,21 @@ class PictureView(QGraphicsView):
         super().paintEvent(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        turned = event.angleDelta().y() or event.angleDelta().x()
-        self.set_scale(self.view_scale * _WHEEL_STEP ** (turned / 120), event.position())
+        moved = gone_along(event)
+        if moved is None:
+            turned = event.angleDelta().y()
+            self.set_scale(self.view_scale * _WHEEL_STEP ** (turned / 120), event.position())
+        else:
+            self._go_along(-moved)
         event.accept()
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        if isinstance(event, QNativeGestureEvent):
+            if event.gestureType() == Qt.NativeGestureType.ZoomNativeGesture:
+                self.set_scale(self.view_scale * (1 + event.value()), event.position())
+                return True
+            return False
+        return super().viewportEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -147,6 +147,15 @@ class Editing(QObject):
         """Go forward one step of this frame."""
         self._travel("redo", "redone")
 
+    @property
+    def steps(self) -> tuple[str | None, str | None]:
+        """What undo would take back of this frame and what redo would do again; None: nothing."""
+        state = self._store.state
+        if state.workspace is None or state.frame is None:
+            return None, None
+        history = state.workspace.state(state.frame_index).history
+        return history.undo_label, history.redo_label
+
     # --- saving -------------------------------------------------------------------------------
 
     def save_now(self) -> bool:

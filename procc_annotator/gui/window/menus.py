@@ -21,6 +21,7 @@ class Actions:
     def __init__(self, window: QMainWindow, canvas: QWidget) -> None:
         self._by_name: dict[str, QAction] = {}
         self._tips: dict[str, str] = {}
+        self._texts: dict[str, str] = {}
         self._groups: dict[str, QActionGroup] = {}
         self.menus: dict[str, QMenu] = {m: window.menuBar().addMenu(_mnemonic(m)) for m in MENUS}
         for spec in ACTIONS:
@@ -43,6 +44,12 @@ class Actions:
         action = self._by_name[name]
         if action.isChecked() != checked:
             action.setChecked(checked)  # slots hang on `triggered`, which only a person sends
+
+    def set_step(self, name: str, step: str | None) -> None:
+        """Say behind an action's text which step it is about; None: there is none."""
+        action = self._by_name[name]
+        text = self._texts.setdefault(name, action.text())
+        action.setText(f"{text}: {step}".replace("&", "&&") if step else text)
 
     def set_reason(self, name: str, reason: str) -> None:
         """Say in an action's tip why it does not do what it says; empty: it does."""
@@ -96,6 +103,8 @@ class ActionStates(QObject):
         self._actions = actions
         document.modeChanged.connect(self._show_mode)
         document.datasetChanged.connect(self._show_mode)
+        document.annotationChanged.connect(self._show_steps)
+        document.frameChanged.connect(self._show_steps)
         document.live_fit.changed.connect(self._show_live_fit)
         document.disagreement.changed.connect(self._show_maps)
         document.uncertainty.changed.connect(self._show_maps)
@@ -111,6 +120,11 @@ class ActionStates(QObject):
         actions.set_checked("lock_blind", bool(reason))
         actions.set_reason("blind", reason)
         actions.set_reason("live_fit", document.blind_lock.no_fit)
+
+    def _show_steps(self) -> None:
+        undone, redone = self._document.editing.steps
+        self._actions.set_step("undo", undone)
+        self._actions.set_step("redo", redone)
 
     def _show_live_fit(self) -> None:
         self._actions.set_checked("live_fit", self._document.live_fit.wanted)

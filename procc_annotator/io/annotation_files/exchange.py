@@ -87,6 +87,7 @@ class Reading:
         labels: how many shapes have each label.
         unknown: the same of labels that stand for no class of the field.
         total: how many frames there are in all, as soon as it is known.
+        told: called with what is wrong with a frame or file; what it raises ends the reading.
     """
 
     field: Field
@@ -100,6 +101,7 @@ class Reading:
     labels: Counter[str] = attribute(default_factory=Counter)
     unknown: Counter[str] = attribute(default_factory=Counter)
     total: int | None = None
+    told: Callable[[InputError], None] | None = None
     _at: str = ""
     _pictures: PictureNames | None = None
 
@@ -113,6 +115,8 @@ class Reading:
 
     def note(self, error: InputError) -> None:
         """Take down what is wrong with the frame or file that is being read."""
+        if self.told is not None:
+            self.told(error)
         self.problems.append(str(error))
         self.unread.setdefault(self._at, error)
 

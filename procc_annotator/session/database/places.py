@@ -5,13 +5,13 @@ from __future__ import annotations
 import hashlib
 import os
 import sqlite3
-import sys
 from collections.abc import Callable, Iterable
 from contextlib import closing, suppress
 from pathlib import Path
 from typing import TypeVar
 
 from procc_annotator.errors import InputError
+from procc_annotator.io.user_folders import data_folder
 from procc_annotator.session.database.dataset_mark import (
     Mark,
     alike,
@@ -62,7 +62,7 @@ def own_path(dataset: Path) -> Path | None:
     Returns:
         None when the user has no home.
     """
-    base = _data_folder()
+    base = data_folder()
     if base is None:
         return None
     folder = os.path.realpath(folder_of(dataset))
@@ -75,17 +75,6 @@ def kept_elsewhere(dataset: Path) -> Path | None:
     folder = folder_of(dataset)
     own = _own_file(dataset, lambda mark: belongs_to(mark, folder))
     return own if own is not None and own.exists() else None
-
-
-def _data_folder() -> Path | None:
-    if sys.platform == "win32":
-        named, usual = os.environ.get("LOCALAPPDATA", ""), "~/AppData/Local"
-    elif sys.platform == "darwin":
-        named, usual = "", "~/Library/Application Support"
-    else:
-        named, usual = os.environ.get("XDG_DATA_HOME", ""), "~/.local/share"
-    folder = named if os.path.isabs(named) else os.path.expanduser(usual)
-    return Path(folder) if os.path.isabs(folder) else None
 
 
 def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]:

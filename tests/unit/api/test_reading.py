@@ -19,7 +19,10 @@ from procc_annotator import (
     load_camera,
     load_cameras,
     load_dataset,
+    load_field,
 )
+from procc_annotator.report.conversion import convert_annotations
+from procc_annotator.report.conversion_output import Wanted
 
 
 def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data: Path) -> None:
@@ -48,6 +51,68 @@ def test_annotations_may_lie_in_a_folder_of_their_own(sample_data: Path, tmp_pat
     (tmp_path / "00001.jpg").unlink()
     with pytest.raises(UsageError, match="no annotation"):
         load_dataset(tmp_path)
+
+
+def test_frames_of_a_tree_are_called_by_their_paths(sample_data: Path, tmp_path: Path) -> None:
+    for match in ("a/img1", "b/img1"):
+        (tmp_path / match).mkdir(parents=True)
+        shutil.copy(sample_data / "00002.json", tmp_path / match)
+        shutil.copy(sample_data / "00002.jpg", tmp_path / match)
+    names = ["a/img1/00002", "b/img1/00002"]
+    dataset = load_dataset(tmp_path)
+    assert list(dataset.annotations) == list(dataset.pictures) == names
+    assert dataset.pictures[names[1]] == tmp_path / "b" / "img1" / "00002.jpg"
+    assert list(load_annotations(tmp_path)) == names
+    assert dataset.size_of(names[0]) == (1280, 720)
+
+
+def test_a_dataset_knows_the_sizes_of_its_pictures(sample_data: Path, tmp_path: Path) -> None:
+    shutil.copy(sample_data / "00005.jpg", tmp_path)  # not annotated
+    told = json.loads((sample_data / "00002.json").read_text())
+    told |= {"image_width": 1920, "image_height": 1080}
+    (tmp_path / "00002.json").write_text(json.dumps(told))
+    dataset = load_dataset(tmp_path)
+    assert dict(dataset.sizes) == {"00002": (1920, 1080)}
+    assert dataset.size_of("00002") == (1920, 1080)
+    assert dataset.size_of("00005") == (1280, 720)
+    assert dataset.size_of("00009") is None
+
+
+@pytest.mark.parametrize("fmt", ["labelme", "cvat", "coco", "soccernet-v3", "soccernet-gsr"])
+def test_every_format_is_read_as_the_commands_do(
+    sample_data: Path, tmp_path: Path, fmt: str
+) -> None:
+    """Sizes that a file leaves out are those of the pictures around it."""
+    own = load_annotations(sample_data)
+    convert_annotations(sample_data, tmp_path / "out", Wanted(fmt), load_field())
+    read = load_annotations(tmp_path / "out")
+    assert list(read) == list(own)
+    for name, annotation in own.items():
+        assert {p.class_name: len(p.points) for p in read[name]} == {
+            p.class_name: len(p.points) for p in annotation if p.points
+        }
+
+
+def test_a_second_annotation_of_a_frame_is_told(tmp_path: Path) -> None:
+    shape = '<polyline label="Middle line" points="0.0,0.0;10.0,10.0" occluded="0"></polyline>'
+    images = "".join(
+        f'<image id="{n}" name="1.{suffix}" width="960" height="540">{shape}</image>'
+        for n, suffix in enumerate(("jpg", "png"))
+    )
+    (tmp_path / "a.xml").write_text(f"<annotations><version>1.1</version>{images}</annotations>")
+    told: list[Exception] = []
+    assert list(load_annotations(tmp_path, on_damaged=told.append)) == ["1"]
+    assert [str(problem).partition(":")[2].strip() for problem in told] == [
+        "a second annotation of this frame, of 1.png beside 1.jpg (rename one of the pictures)"
+    ]
+    with pytest.raises(AnnotationError, match="a second annotation"):
+        load_annotations(tmp_path)
+
+
+def test_a_real_set_of_another_program_is_read(shared_data: Path) -> None:
+    found = load_annotations(shared_data / "foreign" / "tennis_cvat_test.xml", "tennis")
+    assert len(found) == 23
+    assert load_dataset(shared_data / "foreign" / "tennis_cvat_test.xml").sizes["01"][0] > 100
 
 
 def test_damaged_annotations_are_raised_or_told(sample_data: Path, tmp_path: Path) -> None:

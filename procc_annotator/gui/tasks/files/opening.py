@@ -11,7 +11,9 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, Setting, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.files.video_opening import VideoOpening, keep_video_frame
+from procc_annotator.gui.worker import Latest
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.session.dataset.sample_copy import own_sample
 
 _CAMERA_SUFFIXES = (".json", ".homographyMatrix", ".txt", ".npy", ".zip")
 
@@ -32,6 +34,7 @@ class OpeningTask(QObject):
         self._document = document
         self._settings = settings
         self._window = window
+        self._copying = Latest(self, lambda why: document.say(why, "warning"))
         self.video = VideoOpening(document, window, self._remember)
 
     def open_path(self, path: Path, annotations: Path | None = None) -> bool:
@@ -81,12 +84,16 @@ class OpeningTask(QObject):
             self.secondChosen.emit(chosen)
 
     def open_sample(self) -> None:
-        """Open the frames that come with a checkout."""
+        """Open the user's own copy of the frames that come with the program."""
         folder = sample_folder()
         if folder is None:
             self._document.say("the sample comes with the source, not here", "warning")
-        elif self.open_path(folder):
-            self._document.say("load its cameras from the menu Camera")
+        else:
+            self._copying.start(lambda _: own_sample(folder), self._open_copy)
+
+    def _open_copy(self, folder: Path) -> None:
+        if self.open_path(folder):
+            self._document.say(f"your own copy, in {folder}; load its cameras from the menu Camera")
 
     def load_cameras(self) -> None:
         """Ask for a folder of cameras."""

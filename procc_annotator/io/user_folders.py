@@ -1,0 +1,23 @@
+"""Folders of whoever runs the program."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+
+def data_folder() -> Path | None:
+    """Where programs keep what is theirs and the user's (on Linux as the XDG base directories say).
+
+    Returns:
+        None when the user has no home.
+    """
+    if sys.platform == "win32":
+        named, usual = os.environ.get("LOCALAPPDATA", ""), "~/AppData/Local"
+    elif sys.platform == "darwin":
+        named, usual = "", "~/Library/Application Support"
+    else:
+        named, usual = os.environ.get("XDG_DATA_HOME", ""), "~/.local/share"
+    folder = named if os.path.isabs(named) else os.path.expanduser(usual)
+    return Path(folder) if os.path.isabs(folder) else None

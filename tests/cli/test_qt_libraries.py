@@ -1,0 +1,139 @@
+"""Where system libraries of Qt are missing, the first line says which packages to install."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.cli import system_packages
+from procc_annotator.cli.qt_libraries import missing_libraries, require_qt_libraries, words_for
+from procc_annotator.cli.system_packages import PACKAGES, how_to_install, stem_of
+from procc_annotator.errors import UsageError
+
+pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux")
+QT = Path(find_spec("PySide6").origin).parent / "Qt"  # type: ignore[union-attr, arg-type]
+# Names of one length: the files are changed in place, and the loader then looks for the second.
+HIDDEN = {
+    b"libxcb-cursor.so.0": b"libxcb-cursor.so.9",
+    b"libxcb-keysyms.so.1": b"libxcb-keysyms.so.9",
+}
+
+
+@pytest.fixture
+def lacking(tmp_path: Path) -> Path:
+    """Qt as it is on a system without two libraries of X11."""
+    platforms = tmp_path / "PySide6" / "Qt" / "plugins" / "platforms"
+    platforms.mkdir(parents=True)
+    (tmp_path / "PySide6" / "Qt" / "lib").symlink_to(QT / "lib")
+    (tmp_path / "PySide6" / "__init__.py").touch()
+    for plugin in (QT / "plugins" / "platforms").glob("libq*.so"):
+        data = plugin.read_bytes()
+        for own, other in HIDDEN.items():
+            data = data.replace(own + b"\0", other + b"\0")
+        (platforms / plugin.name).write_bytes(data)
+    return tmp_path
+
+
+def tools(monkeypatch: pytest.MonkeyPatch, *there: str) -> None:
+    monkeypatch.setattr(
+        system_packages.shutil, "which", lambda name: f"/bin/{name}" if name in there else None
+    )
+
+
+@pytest.mark.parametrize(
+    ("tool", "said"),
+    [
+        ("apt-get", "sudo apt-get install libxcb-cursor0 libxcb-keysyms1"),
+        ("dnf", "sudo dnf install xcb-util-cursor xcb-util-keysyms"),
+        ("pacman", "sudo pacman -S xcb-util-cursor xcb-util-keysyms"),
+    ],
+)
+def test_missing_libraries_are_named_as_packages_with_the_command(
+    lacking: Path, monkeypatch: pytest.MonkeyPatch, tool: str, said: str
+) -> None:
+    tools(monkeypatch, tool)
+    monkeypatch.setenv("QT_QPA_PLATFORM", "xcb")
+    with pytest.raises(UsageError) as error:
+        require_qt_libraries(lacking / "PySide6" / "Qt")
+    packages = said.split(" install ")[-1].split(" -S ")[-1].split()
+    assert str(error.value) == (
+        f"system libraries of the window are missing here: {', '.join(packages)}; install with:"
+        f" {said}"
+    )
+
+
+def test_another_platform_that_loads_is_good_enough(
+    lacking: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("QT_QPA_PLATFORM", "xcb;offscreen")
+    require_qt_libraries(lacking / "PySide6" / "Qt")
+    monkeypatch.setenv("QT_QPA_PLATFORM", "xcb")
+    require_qt_libraries(QT)  # nothing is missing where these tests run
+
+
+def test_without_a_known_tool_all_commands_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    tools(monkeypatch)
+    assert how_to_install(["libxcb-cursor.so.0", "libxcb-icccm.so.4"]) == (
+        "missing here: libxcb-cursor.so.0, libxcb-icccm.so.4; install with: sudo apt-get install"
+        " libxcb-cursor0 libxcb-icccm4, or sudo dnf install xcb-util-cursor xcb-util-wm, or sudo"
+        " pacman -S xcb-util-cursor xcb-util-wm"
+    )
+    tools(monkeypatch, "apt-get")
+    assert how_to_install(["libxcb-cursor.so.0", "libodd.so.3"]) == (
+        "missing here: libxcb-cursor0, libodd.so.3; install with: sudo apt-get install"
+        " libxcb-cursor0, and with your package manager what holds libodd.so.3"
+    )
+
+
+def test_an_import_that_fails_says_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    tools(monkeypatch, "apt-get")
+    error = ImportError("libEGL.so.1: cannot open shared object file: No such file or directory")
+    assert words_for(error) == (
+        "system libraries that Qt needs are missing here: libegl1; install with: sudo apt-get"
+        " install libegl1"
+    )
+    assert "cannot be loaded here: no such module" in words_for(ImportError("no such module"))
+
+
+def test_the_table_knows_what_the_shipped_plugins_need() -> None:
+    """Directly, that is; what those need in turn comes with their packages."""
+    for plugin in ("libqxcb.so", "libqwayland.so"):
+        file = QT / "plugins" / "platforms" / plugin
+        assert missing_libraries(file) == []
+        text = file.read_bytes()
+        own = {p.name.encode() for p in (QT / "lib").iterdir()}
+        strings = {s for s in text.split(b"\0") if s.startswith(b"lib") and b".so." in s}
+        needed = {s.decode() for s in strings - own if b"/" not in s and len(s) < 40}
+        assert len(needed) > 3
+        basic = {"libc", "libm", "libstdc++", "libgcc_s", "libpthread", "libdl", "librt"}
+        assert {stem_of(name) for name in needed} - basic <= PACKAGES.keys()
+
+
+def test_the_command_says_it_in_its_first_line_instead_of_ending_abruptly(
+    lacking: Path, sample_data: Path
+) -> None:
+    code = f"""
+import importlib.util, sys
+from importlib.machinery import ModuleSpec
+real = importlib.util.find_spec
+def find(name, *more):
+    return ModuleSpec(name, None, origin={str(lacking / "PySide6" / "__init__.py")!r}) \\
+        if name == "PySide6" else real(name, *more)
+importlib.util.find_spec = find
+sys.argv = ["procc-annotator", "open", {str(sample_data)!r}]
+from procc_annotator.cli.main import run
+run()
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60,
+        env={**os.environ, "QT_QPA_PLATFORM": "xcb"},
+    )  # fmt: skip
+    assert done.returncode == 2
+    first = done.stderr.splitlines()[0]
+    assert first.startswith("procc-annotator: system libraries of the window are missing here:")
+    assert "cursor" in first
