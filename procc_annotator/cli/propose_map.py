@@ -112,4 +112,4 @@ def _words(rule: Rule) -> str:
     if isinstance(rule, Ordered):
         order = rule.order.replace("_", " ")
         return f"{', '.join(name.strip() for name in rule.classes)} ({order})"
-    return "?" if rule is None else rule.strip()
+    return rule.strip() if isinstance(rule, str) else "?"
