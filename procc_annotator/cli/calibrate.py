@@ -24,7 +24,7 @@ from procc_annotator.report.calibration import (
     calibrate_set,
 )
 from procc_annotator.report.scores import tables
-from procc_annotator.report.targets import Interrupted, is_archive, make_folder
+from procc_annotator.report.targets import Interrupted, is_archive
 from procc_annotator.report.together import POSITIONS_FILE
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
@@ -140,7 +140,6 @@ def calibrate(
         datasets.report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
         asked = _terms(setup, thresholds, sizes, model, held_out, shared_position)
-        make_folder(left.parent)
         try:
             with Unfinished(left, asked, resume=going_on) as kept:
                 if shared_position:

@@ -28,7 +28,7 @@ from procc_annotator.report.proposals import (
     states_table,
     summary_words,
 )
-from procc_annotator.report.targets import Interrupted, is_archive, make_folder
+from procc_annotator.report.targets import Interrupted, is_archive
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.picture_source import open_pictures
@@ -153,7 +153,6 @@ def propose(
         "detector": detector or "",
         "field": f"{shown.described}, {field_fingerprint(shown)[:12]}",
     }
-    make_folder(out)
     try:
         with (
             Unfinished(left, asked, resume=going_on) as kept,

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import IO, Any, Self
@@ -18,7 +17,6 @@ from typing import IO, Any, Self
 import numpy as np
 
 from procc_annotator.errors import InputError, SaveError, UsageError
-from procc_annotator.io.atomic import remove
 from procc_annotator.session.runs.kept_values import KeptValueError, from_text, to_text
 from procc_annotator.version import __version__
 
@@ -41,7 +39,7 @@ class Unfinished:
         """Begin, or go on.
 
         Args:
-            path: see `unfinished_file`; its folder is there.
+            path: see `unfinished_file`; it and its folder are made with the first results.
             terms: what the run was asked for, in words; another one's results are none of this
                 one's.
             resume: whether to go on with what is there; else that goes.
@@ -49,22 +47,12 @@ class Unfinished:
         Raises:
             UsageError: what is there was begun with other terms.
             InputError: it cannot be read.
-            SaveError: it cannot be written.
         """
         self.path = path
         self._terms = {**terms, "version": __version__, "numpy": np.__version__}
         self._places: dict[str, tuple[int, int]] = {}  # key -> where its results lie, bytes
         self._file: IO[bytes] | None = None
-        self._added = False
-        end = self._read() if resume else 0
-        try:
-            self._file = path.open("r+b" if end else "w+b")
-            self._file.seek(end)
-            self._file.truncate()
-            if not end:
-                self._write(json.dumps({"format": _FORMAT, "terms": self._terms}).encode())
-        except OSError as error:
-            raise SaveError(f"{path}: cannot be written: {error.strerror or error}") from error
+        self._end = self._read() if resume else 0
 
     def __contains__(self, key: str) -> bool:
         """Whether a chunk was done before; what is added now does not count."""
@@ -75,12 +63,12 @@ class Unfinished:
 
     def results(self, key: str) -> list[Any] | None:
         """The results of a chunk that was done before; None if they cannot be read."""
-        assert self._file is not None
         at, length = self._places[key]
-        self._file.seek(at)
         try:
-            found = from_text(self._file.read(length))
-        except KeptValueError:
+            with self.path.open("rb") as file:
+                file.seek(at)
+                found = from_text(file.read(length))
+        except (OSError, KeptValueError):
             return None
         return found if isinstance(found, list) else None
 
@@ -90,11 +78,10 @@ class Unfinished:
         Raises:
             SaveError: the disk is full, say.
         """
-        assert self._file is not None
         try:
-            self._file.seek(0, os.SEEK_END)
+            if self._file is None:
+                self._file = self._begun()
             self._write(f"{key} {to_text(results)}".encode())
-            self._added = True
         except OSError as error:
             raise SaveError(f"{self.path}: cannot be written: {error.strerror or error}") from error
 
@@ -104,9 +91,21 @@ class Unfinished:
         Raises:
             SaveError: the file cannot be removed.
         """
-        self._places.clear()
-        self._added = False
         self.__exit__()
+        try:
+            self.path.unlink(missing_ok=True)
+        except OSError as error:
+            raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
+
+    def _begun(self) -> IO[bytes]:
+        """The file to add to; what a kill cut off is cut off, and a new one says what it is of."""
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        self._file = self.path.open("r+b" if self._end else "w+b")
+        self._file.seek(self._end)
+        self._file.truncate()
+        if not self._end:
+            self._write(json.dumps({"format": _FORMAT, "terms": self._terms}).encode())
+        return self._file
 
     def _write(self, line: bytes) -> None:
         assert self._file is not None
@@ -160,16 +159,9 @@ class Unfinished:
         return self
 
     def __exit__(self, *failure: object) -> None:
-        if self._file is None:
-            return
-        self._file.close()
-        self._file = None
-        if self._places or self._added:
-            return
-        try:  # there is nothing in it to go on with
-            remove(self.path)
-        except OSError as error:
-            raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
+        if self._file is not None:
+            self._file.close()
+            self._file = None
 
 
 def digest_of(*parts: object) -> str:
