@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from pathlib import Path
 
 import cv2
 import numpy as np
+
+from procc_annotator.cli.main import COMMANDS
 
 WITHOUT = """
 import sys
@@ -67,3 +70,62 @@ def test_the_window_says_what_is_missing_in_a_line(dataset) -> None:
     done = without_qt("open", dataset.root)
     assert done.returncode == 2
     assert "Traceback" not in done.stderr
+
+
+EVERY = """
+import json
+from procc_annotator.cli.main import app
+asked = json.load(sys.stdin)
+ended = []
+for arguments in asked:
+    try:
+        app(arguments, prog_name="procc-annotator")
+        ended.append(0)
+    except SystemExit as end:
+        ended.append(end.code)
+print(json.dumps(ended), file=sys.stderr)
+"""
+
+
+def test_every_command_does_its_work(dataset, sample_data: Path, tmp_path: Path) -> None:
+    """All of them one after the other in one program: what they need of Qt is nothing."""
+    root, cameras = dataset.root, dataset.cameras
+    one = tmp_path / "one"
+    one.mkdir()
+    for file in ("00002.jpg", "00002.json"):
+        (one / file).write_bytes((sample_data / file).read_bytes())
+    tree, others = sample_data / "cameras" / "true", dataset.annotations
+    commands: list[list[object]] = [
+        ["evaluate", root, cameras, "--recipe", tmp_path / "recipe.json"],
+        ["repeat", tmp_path / "recipe.json"],
+        ["agree", root, others],
+        ["compare", f"a={cameras}", f"b={cameras}", root],
+        ["report", root, "--cameras", cameras, "-o", tmp_path / "r.csv"],
+        ["calibrate", root, tmp_path / "fitted", "--model", "P"],
+        ["propose", one, tmp_path / "proposed"],
+        ["track", one, tmp_path / "tracked", "--anchors", tree],
+        ["annotate", one, tmp_path / "annotated", "--cameras", tree],
+        ["check", root],
+        ["field-size", root],
+        ["triangulate", root],
+        ["export", root, tmp_path / "out.zip"],
+        ["convert", root, tmp_path / "match.xml", "--to", "cvat"],
+        ["convert", cameras, tmp_path / "sub.zip", "--to", "submission"],
+        ["propose-map", tmp_path / "match.xml"],
+        ["release", root, tmp_path / "released"],
+        ["render", one, tmp_path / "drawn", "--cameras", tree],
+        ["check-submission", tmp_path / "sub.zip"],
+        ["headless", one, tmp_path / "headless"],
+        ["field", "list"],
+        ["field", "show", "tennis"],
+    ]
+    assert {str(command[0]) for command in commands} == {c.name for c in COMMANDS} - {"open"}
+    done = subprocess.run(
+        [sys.executable, "-c", WITHOUT.rpartition("from procc")[0] + EVERY],
+        input=json.dumps([[str(word) for word in command] for command in commands]),
+        capture_output=True, text=True, check=False, cwd=tmp_path,
+    )  # fmt: skip
+    assert "Traceback" not in done.stderr, done.stderr
+    ended = json.loads(done.stderr.splitlines()[-1])
+    for command, code in zip(commands, ended, strict=True):
+        assert code == 0, (command, code, done.stderr)
