@@ -8,7 +8,7 @@ _PACKAGE = Path(__file__).resolve().parent
 
 
 def resources_dir() -> Path:
-    """The folder that holds ``field/`` and ``icons/``.
+    """The folder that holds ``field/``, ``report/`` and ``desktop/``.
 
     Raises:
         FileNotFoundError: the installation is incomplete.

@@ -214,8 +214,8 @@ def _unknown_words(unknown: Mapping[str, int], field: Field) -> str:
     more = f", and {len(counts) - _LABELS} more" if len(counts) > _LABELS else ""
     return (
         f"the field {field.title} does not know {count_of(len(counts), 'label')}:"
-        f" {', '.join(counts[:_LABELS])}{more}; write what they stand for in a file and name it"
-        " with --map labels.toml"
+        f" {', '.join(counts[:_LABELS])}{more}; procc-annotator propose-map writes a labels.toml"
+        " that says what they may stand for, for --map"
     )
 
 

@@ -87,10 +87,11 @@ Sets = Annotated[
 By = Annotated[
     list[str] | None,
     typer.Option(
-        metavar="TAG|model|zoom|elements|side|shot",
+        metavar="TAG|model|zoom|elements|spread|side|shot",
         show_default=False,
         help="Also the figures by this tag, or by the model of the camera; with intervals by zoom,"
-        " number of elements, the camera's side and shot, too; repeat for several."
+        " number of elements, how much of the picture they enclose, the camera's side and shot;"
+        " repeat for several."
         "  [default: every tag of --tags]",
     ),
 ]

@@ -54,6 +54,10 @@ COMMANDS = (
         "Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.",
     ),
     LazyCommand("convert", "Write annotations or cameras in another format."),
+    LazyCommand(
+        "propose-map",
+        "Propose which classes of the field the labels of another program stand for.",
+    ),
     LazyCommand("release", "Write what the keeper of a dataset publishes, for people and hubs."),
     LazyCommand(
         "render",
@@ -62,6 +66,7 @@ COMMANDS = (
     LazyCommand(
         "check-submission", "Say what the official SoccerNet evaluation would refuse or pass over."
     ),
+    LazyCommand("desktop-entry", "Put the program into the menus of a Linux desktop."),
     LazyCommand(
         "headless",
         "Evaluate every camera set of a dataset, write the exports and one overlay picture"

@@ -14,9 +14,11 @@ from procc_annotator.cli.options import Lines, Sources
 from procc_annotator.cli.qt_libraries import require_qt_libraries
 from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import UsageError
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 
 HELP = """\
-PATH is a folder of pictures, one picture, a video, or nothing. The word "open" may be left out.
+PATH is a folder of pictures (or its field.toml), one picture, a video, or nothing. The word "open"
+may be left out.
 
 With --selftest the program tries itself: the window opens (out of sight, unless QT_QPA_PLATFORM
 says otherwise), one element is annotated in a copy of a picture, saved and read back, and the
@@ -62,6 +64,8 @@ def open_window(
         typer.Option("--selftest", help="Try the window on a copy of a picture, and end."),
     ] = False,
 ) -> None:
+    if path is not None and path.name == FIELD_FILE and path.is_file():
+        path = path.parent  # a dataset's own, opened from a file manager
     if selftest:
         os.environ["QT_QPA_PLATFORM"] = os.environ.get("QT_QPA_PLATFORM") or "offscreen"
         raise typer.Exit(_selftest(path, field, lines))

@@ -105,10 +105,11 @@ Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the lot, and of 
 By = Annotated[
     list[str] | None,
     typer.Option(
-        metavar="TAG|zoom|elements|side|shot",
+        metavar="TAG|model|zoom|elements|spread|side|shot",
         show_default=False,
-        help="Break everything down by this tag, by zoom, number of elements, the camera's side or"
-        " shot; repeat for several.  [default: every tag of --tags]",
+        help="Break everything down by this tag, by the model of the cameras, zoom, number of"
+        " elements, how much of the picture they enclose, the camera's side or shot; repeat."
+        "  [default: every tag of --tags]",
     ),
 ]
 Disagreement = Annotated[

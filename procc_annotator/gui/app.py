@@ -12,13 +12,15 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QWidget
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import APPLICATION, ORGANISATION
 from procc_annotator.gui.theme import follow_system
+from procc_annotator.resources import resources_dir
 
 _M_ARENA_MAX, _M_MMAP_THRESHOLD = -8, -3  # of malloc.h
 _LARGE_BYTES = 2**20
@@ -36,8 +38,19 @@ def application() -> QApplication:
     made.setOrganizationName(ORGANISATION)
     made.setApplicationName(APPLICATION)
     made.setApplicationDisplayName("ProCC Annotator")
+    made.setDesktopFileName("org.procc.Annotator")
+    made.setWindowIcon(_icon())
     follow_system(made)
     return made
+
+
+def _icon() -> QIcon:
+    """The program's icon; Qt reads the size it wants when it wants it."""
+    icon = QIcon()
+    for file in (resources_dir() / "desktop" / "icons").glob("*.png"):
+        size = int(file.stem)
+        icon.addFile(str(file), QSize(size, size))
+    return icon
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,7 +50,8 @@ def test_perfect_cameras_get_a_perfect_score(cli, dataset, tmp_path) -> None:
     assert scores["thresholds"] == [5, 2.5]
     assert [image["name"] for image in scores["images"]] == ["1", "2", "3", "10", "11"]
     for image in scores["images"]:
-        assert list(image) == ["name", "camera", "error", "results"]
+        told = ["name", "camera", "error", "model", "annotated_elements", "spread", "results"]
+        assert list(image) == told
         assert list(image["results"]) == ["5", "2.5"]
         result = image["results"]["5"]
         assert list(result) == [
@@ -124,7 +125,9 @@ def test_missing_camera_lowers_completeness_only(cli, dataset, tmp_path) -> None
     assert summary["completeness"] == pytest.approx(0.8)
     assert summary["mean_jac"] == 1
     assert summary["final_score"] == pytest.approx(0.8)
-    assert images(out)["3"] == {"name": "3", "camera": None, "error": None, "results": {}}
+    without = images(out)["3"]
+    assert (without["camera"], without["error"], without["model"]) == (None, None, None)
+    assert without["results"] == {}
 
 
 def test_camera_without_annotation_is_reported_and_not_counted(cli, dataset, tmp_path) -> None:

@@ -81,3 +81,11 @@ except SystemExit as ended:
     done = run(tmp_path, "-c", code)
     assert done.stdout.startswith("2 ['procc-annotator: /no/such/folder: does not exist")
     assert done.stderr == ""
+
+
+def test_a_datasets_field_file_opens_the_dataset(sample_data: Path, tmp_path: Path) -> None:
+    """As a file manager hands it over."""
+    own = sample_data / "basketball" / "field.toml"
+    done = run(tmp_path, "-m", "procc_annotator", "open", str(own), "--selftest")
+    assert done.returncode == 0, done.stderr
+    assert "Court edge" in done.stdout

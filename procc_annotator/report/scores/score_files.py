@@ -25,7 +25,7 @@ from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_columns import COUNTS
 from procc_annotator.report.sheet.as_json import figure_entry
 from procc_annotator.report.sheet.figure import shortest
-from procc_annotator.report.sheet.figures import JAC, OF_CLASS, OF_FRAME, OF_SET
+from procc_annotator.report.sheet.figures import JAC, OF_ANNOTATION, OF_CLASS, OF_FRAME, OF_SET
 from procc_annotator.session.runs.evaluation_run import FrameResult, GroupSummary
 
 SCORE_SUFFIXES = (".json", ".csv")
@@ -67,6 +67,9 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
             "elements": encoded[key].entries(threshold)
         }
     image: dict[str, Any] = {"name": result.name, "camera": result.camera, "error": result.error}
+    image["model"] = result.model or None
+    if result.clicked is not None:
+        image |= figure_entry(OF_ANNOTATION, result.clicked)
     image["results"] = entries
     if result.fitted:
         image["fitted_on_these_clicks"] = True

@@ -51,6 +51,18 @@ FRAME_ERROR = Figure(
 # Besides JaC and the counts it comes from.
 OF_FRAME = (PRECISION, RECALL, FRAME_ERROR_COUNTED, FRAME_ERROR)
 
+# --- how much of a frame is annotated, whatever the threshold: attributes of `Clicked` ------------
+
+ANNOTATED = Figure(
+    "annotated_elements", "elements annotated", "", None, 0,
+    "Elements of the field that have points in the frame.",
+)  # fmt: skip
+SPREAD = Figure(
+    "spread", "spread", "%", "higher", 1,
+    "The share of the picture that the annotated points enclose (their convex hull).",
+)  # fmt: skip
+OF_ANNOTATION = (ANNOTATED, SPREAD)
+
 # --- a set at a threshold: attributes of `SetSummary`, keys of score files and reports ------------
 
 MEAN_JAC = Figure(

@@ -51,10 +51,7 @@ def open_annotations(
         told = [known.name for known in told_formats(source)]
         if not told or (PLAIN in told and names is None):
             return source
-        place = path if base is None else base / path
-        sizes = PictureSizes(picture_folders(place, place))
-        pictures = sorted(picture.name for picture in sizes.files())
-        found = read_set(source, field, names, size_of=sizes.size, pictures=pictures)
+        found = _read(source, path if base is None else base / path, field, names)
     except BaseException:
         source.__exit__()
         raise
@@ -62,6 +59,24 @@ def open_annotations(
     if not found.frames:
         raise next(iter(found.unread.values()), _nothing_in(path, found))
     return ReadSource(path, found, names, partial(open_annotations, path, field, names))
+
+
+def read_labels(path: Path, field: Field) -> ReadSet:
+    """Annotations of any format with the labels they have in their files.
+
+    Args: as of `open_annotations`.
+
+    Raises:
+        UsageError, InputError: as of `open_annotations`.
+    """
+    with open_source(path) as source:
+        return _read(source, path, field, None)
+
+
+def _read(source: FileSource, place: Path, field: Field, names: LabelMap | None) -> ReadSet:
+    sizes = PictureSizes(picture_folders(place, place))
+    pictures = sorted(picture.name for picture in sizes.files())
+    return read_set(source, field, names, size_of=sizes.size, pictures=pictures)
 
 
 def own_label_map(place: Path, field: Field) -> LabelMap | None:

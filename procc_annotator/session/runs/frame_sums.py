@@ -32,6 +32,7 @@ class FrameSums:
             undefined, all of them without a camera.
         curve: JaC at each of `TAU_GRID`, float32; None without a camera.
         elements: how many elements are annotated.
+        spread: the share of the picture that their points enclose; None where there are none.
         pose: of the camera; None without one, or where its model has none.
         model: of the camera; empty without one.
         moved: (R, T + S) JaC with all points moved R times, at each threshold and each of
@@ -49,6 +50,7 @@ class FrameSums:
     moved: NDArray[np.float32] | None = None
     fitted: bool = False
     ground_only: bool = False
+    spread: float | None = None
 
 
 def frame_sums(
@@ -58,10 +60,12 @@ def frame_sums(
     result = evaluated.result
     if not result.counted:
         return None
-    measurement = evaluated.measurement
+    measurement, how_much = evaluated.measurement, result.clicked
+    elements = 0 if how_much is None else how_much.annotated_elements
+    spread = None if how_much is None else how_much.spread
     if measurement is None or evaluated.camera is None:
         nothing = np.full((len(thresholds), 5), np.nan)
-        return FrameSums(result.name, nothing, None)
+        return FrameSums(result.name, nothing, None, elements=elements, spread=spread)
     moved = None
     if noise is not None and evaluated.annotation is not None:
         taus = (*thresholds, *SPARSE_TAUS)
@@ -70,12 +74,13 @@ def frame_sums(
         result.name,
         np.array([_figures(result.scores[tau]) for tau in thresholds]),
         jac_curve(measurement, TAU_GRID).astype(np.float32),
-        len(measurement.plain.names),
+        elements,
         pose_in_degrees(evaluated.camera),
         evaluated.model,
         moved,
         result.fitted,
         result.ground_only,
+        spread,
     )
 
 

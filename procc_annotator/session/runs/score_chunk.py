@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
@@ -16,6 +16,7 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.io.camera_files.held_out_table import HeldOut
+from procc_annotator.metric.clicked import Clicked, clicked
 from procc_annotator.metric.measure import Measurement, measure, measure_frames
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
@@ -38,7 +39,8 @@ class FrameResult:
     set, for nobody knows what a camera should have agreed with. A frame whose camera is missing or
     unreadable is counted (it lowers the completeness) and has no scores. ``groups`` are its values
     of what the set is grouped by, None where it has none; ``model`` is empty without a camera;
-    ``fitted`` says that the camera was fitted to this very annotation.
+    ``fitted`` says that the camera was fitted to this very annotation; ``clicked`` is how much of
+    the frame is annotated, None where the annotation could not be read.
     """
 
     name: str
@@ -51,6 +53,7 @@ class FrameResult:
     model: str = ""
     groups: tuple[str | None, ...] = ()
     fitted: bool = False
+    clicked: Clicked | None = None
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -144,7 +147,7 @@ class ScoreChunk(AnnotationTask, Generic[T]):
 
 class _Read(NamedTuple):
     """What was read of a frame: the annotation unless it is unreadable, the camera if there is one,
-    with its model and the remarks on it; and what went wrong."""
+    with its model and the remarks on it; what went wrong; and how much is annotated."""
 
     frame: FrameFiles
     annotation: FrameAnnotation | None
@@ -154,6 +157,7 @@ class _Read(NamedTuple):
     fitted: bool = False
     held_out: HeldOut | None = None
     error: str | None = None
+    clicked: Clicked | None = None
 
 
 def _read(frame: FrameFiles, task: ScoreChunk[Any]) -> _Read:
@@ -161,13 +165,14 @@ def _read(frame: FrameFiles, task: ScoreChunk[Any]) -> _Read:
         annotation = task.read(frame.annotation_file, task.setup.field)
     except InputError as error:
         return _Read(frame, None, error=str(error))
+    how_much = clicked(annotation, task.setup.field)
     if not frame.has_camera:
-        return _Read(frame, annotation)
+        return _Read(frame, annotation, clicked=how_much)
     try:
         found = _load_camera(frame.name, annotation, task, task.cameras.opened)
-        return _Read(frame, annotation, *found)
+        return _Read(frame, annotation, *found, clicked=how_much)
     except InputError as error:
-        return _Read(frame, annotation, error=str(error))
+        return _Read(frame, annotation, error=str(error), clicked=how_much)
 
 
 def _evaluated(frames: Sequence[_Read], task: ScoreChunk[Any], tally: Tally) -> Iterator[Evaluated]:
@@ -184,7 +189,8 @@ def _evaluated(frames: Sequence[_Read], task: ScoreChunk[Any], tally: Tally) -> 
         if read.camera is None:
             for sums in tally.of_frame(task.by, groups):
                 sums.add_missing_camera(name)
-            yield Evaluated(FrameResult(name, None, read.error, (), {}, groups=groups))
+            without = FrameResult(name, None, read.error, (), {}, groups=groups)
+            yield Evaluated(replace(without, clicked=read.clicked))
             continue
         yield _scored(read, measured[name], task, tally)
 
@@ -238,6 +244,7 @@ def _scored(
         model=read.model,
         groups=groups,
         fitted=read.fitted,
+        clicked=read.clicked,
     )
     return Evaluated(result, read.camera, read.model, measurement, read.annotation)
 

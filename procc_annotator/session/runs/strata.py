@@ -18,9 +18,10 @@ from procc_annotator.session.runs.certainty import Certainty
 from procc_annotator.session.runs.clusters import SHOT, Clusters
 from procc_annotator.session.runs.frame_order import shots_by_name
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums
+from procc_annotator.session.runs.tags import MODEL
 
-ZOOM, ELEMENTS, SIDE = "zoom", "elements", "side"
-DERIVED = (ZOOM, ELEMENTS, SIDE, SHOT)
+ZOOM, ELEMENTS, SPREAD, SIDE = "zoom", "elements", "spread", "side"
+DERIVED = (ZOOM, ELEMENTS, SPREAD, SIDE, SHOT)
 _PARTS = (1 / 3, 2 / 3)
 
 
@@ -65,7 +66,7 @@ def values_of(
     """The value of each frame.
 
     Args:
-        by: one of `DERIVED`, or a tag.
+        by: one of `DERIVED`, `MODEL`, or a tag.
         sources: over the same frames; poses are the median of theirs.
         field: its size tells the sides.
         tags: of the tag, by frame.
@@ -79,10 +80,15 @@ def values_of(
         focal = [_median(p.focal_px for p in poses) for poses in _poses(sources)]
         found = _thirds(focal, "focal {} to {} px")
     elif by == ELEMENTS:
-        counts = [max(f.elements for f in frames) for frames in _frames(sources)]
-        found = _thirds([c or None for c in counts], "{} to {} elements")
+        counts = [frame.elements or None for frame in sources[0].frames]
+        found = _thirds(counts, "{} to {} elements")
+    elif by == SPREAD:
+        shares = [None if f.spread is None else 100 * f.spread for f in sources[0].frames]
+        found = _thirds(shares, "{} to {} % of the picture")
     elif by == SIDE:
         found = [_side(poses, field) for poses in _poses(sources)]
+    elif by == MODEL:
+        found = [_models(frames) for frames in _frames(sources)]
     elif by == SHOT:
         shot_of = {frame: s.name for s in shots_by_name(names) for frame in s.frames}
         found = [shot_of.get(name) for name in names]
@@ -131,6 +137,11 @@ def _thirds(values: Sequence[float | None], words: str) -> list[str | None]:
             ends[part] = min(low, value), max(high, value)
     names = {part: words.format(f"{a:.0f}", f"{b:.0f}") for part, (a, b) in ends.items()}
     return [None if part is None else names[part] for part in parts]
+
+
+def _models(frames: Iterable[FrameSums]) -> str | None:
+    """The models of a frame's cameras, in the order of the sources; None without any."""
+    return " / ".join(dict.fromkeys(frame.model for frame in frames if frame.model)) or None
 
 
 def _side(poses: Sequence[Pose], field: Field) -> str | None:

@@ -1,0 +1,115 @@
+"""``procc-annotator propose-map``: what the labels of another program may stand for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.label_map import LABELS_FILE, Ordered, Rule
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.json_text import printable
+from procc_annotator.session.dataset.annotation_source import read_labels
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.field_match import mismatch_of
+from procc_annotator.session.labels.label_places import CameraOf
+from procc_annotator.session.labels.label_proposal import LabelProposal, propose_labels
+from procc_annotator.session.labels.label_shapes import LabelledFrame, labelled_frames
+from procc_annotator.session.labels.proposed_file import better_field, proposed_text
+from procc_annotator.words import count_of
+
+HELP = """\
+ANNOTATIONS are of any format that is read. Every label that is no class of the field is compared
+with the classes: by its words (also plural, numbered copies, common words of other languages), and
+by geometry: which element do its shapes lie on? Cameras tell that, those of --cameras, or else ones
+fitted to what is known by name; labels that several lines share (two baselines) are put in the
+order, from the top down or from left to right, that most frames fit.
+
+What is written is a proposal: each line says how sure it is and why, and what is open stands there
+as a comment to be filled in. Look at it, then use it with --map, or put it into the dataset's
+folder, where every command finds it.
+
+Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator propose-map task/annotations.xml --field tennis
+  procc-annotator check task/annotations.xml --field tennis --map labels.toml
+"""
+
+
+Out = Annotated[
+    Path, typer.Option("--output", "-o", metavar="FILE.toml", help="The file that is written.")
+]
+Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace the file if it is there.")]
+
+
+def propose_map(
+    annotations: options.AnnotatedSet,
+    cameras: datasets.Cameras = None,
+    output: Out = Path(LABELS_FILE),
+    field: options.FieldName = None,
+    camera_format: options.CameraFormat = "auto",
+    camera_size: options.CameraSize = None,
+    overwrite: Overwrite = False,
+) -> None:
+    if output.exists() and not overwrite:
+        raise UsageError(f"{output}: exists already, choose another name or ask to overwrite it")
+    outputs.check_output_folder(output)
+    known = chosen_field(field, annotations)
+    found = read_labels(annotations_of(annotations), known)
+    code = datasets.report_unreadable(found.problems)
+    frames = labelled_frames(found, known)
+    if not any(frame.shapes for frame in frames):
+        raise UsageError(
+            f"nothing to do: every label of {annotations} is a class of the field {known.title}"
+        )
+    shown = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
+    proposals = propose_labels(frames, known, None if shown is None else _of_files(shown))
+    _tell(proposals, known, annotations)
+    text = proposed_text(proposals, annotations.name, known, given_cameras=shown is not None)
+    write_atomic(output, text.encode())
+    typer.echo(f"written: {output}; look at it, then: --map {output}")
+    raise typer.Exit(code)
+
+
+def _of_files(cameras: CameraSet) -> CameraOf:
+    def camera(frame: LabelledFrame, size: tuple[int, int]) -> CameraOrProjections | None:
+        try:
+            found = cameras.camera(frame.name, size)
+        except CameraError as error:
+            typer.echo(f"unreadable: {error}", err=True)
+            return None
+        return None if found is None else found.camera
+
+    return camera
+
+
+def _tell(proposals: list[LabelProposal], field: Field, place: Path) -> None:
+    labels = [one.count.label for one in proposals]
+    mismatch = mismatch_of(labels, field)
+    other = mismatch.better.name if mismatch and mismatch.better else better_field(labels, field)
+    if other is not None:
+        typer.echo(f"note: {place}: these names are more like those of --field {other}", err=True)
+    for one in proposals:
+        shapes = f"{printable(one.count.label)} ({count_of(one.count.shapes, 'shape')})"
+        typer.echo(f"{one.surety:6} {shapes}: {_words(one.rule)}; {one.why}")
+        if one.like:
+            typer.echo(f"       may be {', '.join(name.strip() for name in one.like)}")
+
+
+def _words(rule: Rule) -> str:
+    if isinstance(rule, Ordered):
+        order = rule.order.replace("_", " ")
+        return f"{', '.join(name.strip() for name in rule.classes)} ({order})"
+    return "?" if rule is None else rule.strip()

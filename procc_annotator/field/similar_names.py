@@ -1,0 +1,142 @@
+"""Which classes of a field a label of somebody else may mean, by its words."""
+
+from __future__ import annotations
+
+import difflib
+import re
+import tomllib
+import unicodedata
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+from procc_annotator.field.model import Field
+from procc_annotator.resources import resources_dir
+
+_SIDES = frozenset({"left", "right", "top", "bottom"})
+_FILLERS = frozenset(
+    {"the", "of", "de", "la", "le", "du", "del", "der", "die", "das", "main", "no"}
+)
+_PARTS = ("line", "circle", "area", "mark")  # which are often written in one word with another
+_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_SAME_WORD = 0.8  # as difflib compares: a letter or two apart
+_LIKE = 0.7
+_LONGEST = 120
+_MOST_WORDS = 16
+
+Words = tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Similar:
+    """Classes that are called like a label.
+
+    Attributes:
+        classes: in the field's order; several where nothing in the label tells them apart, as its
+            sides are not in it. None are like it: empty.
+        likeness: 0 to 1, of each of them; 1 where the words are the same.
+    """
+
+    classes: tuple[str, ...]
+    likeness: float
+
+
+def similar_classes(label: str, field: Field) -> Similar:
+    """The classes that a label is most like, if it is like any."""
+    exact = field.canonical_name(label)
+    if field.knows(exact):
+        return Similar((exact,), 1.0)
+    ways = _ways(words_of(label))
+    own_sides = _sides(words_of(label))
+    scored = [(max(_likeness(way, c) for way in ways for c in own), name)
+              for name, own in _class_words(field)]  # fmt: skip
+    best = max((score for score, _ in scored), default=0.0)
+    if best < _LIKE:
+        return Similar((), best)
+    alike = [name for score, name in scored if score > best - 1e-9]
+    # "Goal left post right" and "Goal right post left" have the same words.
+    for count in (None, len(own_sides)):
+        told = [name for name in alike if _sides(words_of(name))[:count] == own_sides]
+        if told and own_sides:
+            return Similar(tuple(told), best)
+    return Similar(tuple(alike), best)
+
+
+def _sides(words: Words) -> Words:
+    return tuple(word for word in words if word in _SIDES)
+
+
+def words_of(label: str) -> Words:
+    """The words of a label as they are compared: in lower case, of one language, in the singular,
+    without a number at its end."""
+    plain = unicodedata.normalize("NFKD", label[:_LONGEST])
+    found = [w.lower() for w in _WORD.findall("".join(c for c in plain if ord(c) < 128))]
+    if len(found) > 1 and found[-1].isdigit():
+        found.pop()
+    words: list[str] = []
+    for word in found[:_MOST_WORDS]:
+        for one in _spoken().get(word, word).split():
+            words += _parted(one)
+    return tuple(_spoken().get(w, w) for w in words if w not in _FILLERS and len(w) > 1)
+
+
+@cache
+def _spoken() -> dict[str, str]:
+    """Word of others -> word or words here."""
+    return {other: own for own, others in _table()["words"].items() for other in others}
+
+
+@cache
+def _table() -> dict[str, dict[str, list[str]]]:
+    text = (resources_dir() / "label_words.toml").read_text(encoding="utf-8")
+    table: dict[str, dict[str, list[str]]] = tomllib.loads(text)
+    return table
+
+
+def _parted(word: str) -> list[str]:
+    singular = word[:-1] if len(word) > 3 and word.endswith("s") and word[-2] != "s" else word
+    for part in _PARTS:
+        if singular.endswith(part) and len(singular) > len(part) + 1:
+            return [singular[: -len(part)], part]
+    return [singular]
+
+
+def _ways(words: Words) -> list[Words]:
+    """A label's words, and what else they may say."""
+    ways = [words]
+    for own, others in _table()["phrases"].items():
+        for other in others:
+            phrase = words_of(other)
+            if phrase and set(phrase) <= set(words):
+                rest = tuple(w for w in words if w not in phrase)
+                ways.append((*words_of(own), *rest))
+    return ways
+
+
+@cache
+def _words_of_class(name: str, title: str) -> tuple[Words, ...]:
+    return tuple(dict.fromkeys(words for text in (name, title) if (words := words_of(text))))
+
+
+def _class_words(field: Field) -> Iterable[tuple[str, tuple[Words, ...]]]:
+    return [(e.name, _words_of_class(e.name, e.title)) for e in field.elements]
+
+
+def _likeness(label: Sequence[str], other: Sequence[str]) -> float:
+    """Share of words in common, 0 to 1. Sides that only the class has cost nothing, since the label
+    may leave them open; other sides than its own rule it out."""
+    sides = _sides(tuple(label))
+    core = [w for w in label if w not in _SIDES]
+    theirs = [w for w in other if w not in _SIDES]
+    if any(side not in other for side in sides) or not core or not theirs:
+        return 0.0
+    left = list(theirs)
+    common = 0.0
+    for word in core:
+        found = word if word in left else next(
+            iter(difflib.get_close_matches(word, left, 1, _SAME_WORD)), None
+        )  # fmt: skip
+        if found is not None:
+            common += 1.0 if found == word else 0.9
+            left.remove(found)
+    return 2 * common / (len(core) + len(theirs))

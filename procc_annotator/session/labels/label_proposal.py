@@ -1,0 +1,168 @@
+"""What the labels of a set may stand for: by their names, and by what their shapes lie on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+from procc_annotator.field.model import Field
+from procc_annotator.field.similar_names import Similar, similar_classes
+from procc_annotator.io.annotation_files.label_map import LABELS_FILE, LabelMap, Ordered, Rule
+from procc_annotator.session.labels.label_places import (
+    CameraOf,
+    LabelPlaces,
+    find_places,
+    fitted_cameras,
+)
+from procc_annotator.session.labels.label_shapes import LabelCount, LabelledFrame, label_counts
+from procc_annotator.session.labels.line_order import Orders, find_orders
+from procc_annotator.words import count_of
+
+Surety = Literal["sure", "likely", "open"]
+_MOST_FRAMES = 16  # are looked at with a camera
+_MOST = 0.7  # of the shapes or frames, that something is called likely by geometry
+_FEWEST = 2  # shapes, frames
+_SAME = 0.99  # of two names
+
+_NO_PLACES = LabelPlaces.none()
+
+
+@dataclass(frozen=True, slots=True)
+class LabelProposal:
+    """What a label may stand for.
+
+    Attributes:
+        count: the label, and how often it occurs.
+        rule: what is proposed; None where nothing is.
+        surety: ``sure`` by two ways that agree, or by the very words; ``likely`` by one; ``open``
+            where somebody has to say.
+        why: in words.
+        like: classes that it may be, where it is open.
+    """
+
+    count: LabelCount
+    rule: Rule
+    surety: Surety
+    why: str
+    like: tuple[str, ...] = ()
+
+
+def propose_labels(
+    frames: Sequence[LabelledFrame], field: Field, camera_of: CameraOf | None = None
+) -> list[LabelProposal]:
+    """Propose what the labels of a set stand for.
+
+    By name first. Labels that several straight lines share are put in the order that all frames
+    fit best. Then cameras show which elements the shapes lie on: those that are given, or those
+    that are fitted to what is known by then.
+
+    Args:
+        frames: of the set.
+        field: the elements, metres.
+        camera_of: given cameras; None: none are.
+    """
+    counts = label_counts(frames)
+    names = {count.label: similar_classes(count.label, field) for count in counts}
+    alone = {label: found.classes[0] for label, found in names.items() if len(found.classes) == 1}
+    orders = Orders({})
+    if camera_of is None:
+        families = {
+            c.label: names[c.label].classes
+            for c in counts
+            if 1 < len(names[c.label].classes) == c.copies
+        }
+        orders = find_orders(frames, alone, families, field)
+        first = LabelMap(Path(LABELS_FILE), {**alone, **orders.rules})
+        camera_of = fitted_cameras(first, field)
+    best = sorted(frames, key=lambda frame: -sum(map(len, frame.shapes.values())))[:_MOST_FRAMES]
+    places = find_places(best, camera_of, field)
+    return _each_once([
+        _proposal(count, names[count.label], orders, places.get(count.label, _NO_PLACES))
+        for count in counts
+    ])  # fmt: skip
+
+
+def _each_once(proposals: list[LabelProposal]) -> list[LabelProposal]:
+    """Two labels of one class: nobody knows which of them is it, or whether both are parts."""
+    takers: dict[str, list[str]] = {}
+    for one in proposals:
+        if isinstance(one.rule, str):
+            takers.setdefault(one.rule, []).append(one.count.label)
+    found = []
+    for one in proposals:
+        own = one.count.label
+        others = [t for t in takers.get(str(one.rule), ()) if t != own] if one.rule else []
+        if others:
+            also = f"{one.why}; but so is {', '.join(map(repr, others))}"
+            like = (str(one.rule),)
+            one = replace(one, rule=None, surety="open", why=also, like=like)
+        found.append(one)
+    return found
+
+
+def _proposal(
+    count: LabelCount, similar: Similar, orders: Orders, places: LabelPlaces
+) -> LabelProposal:
+    if (ordered := orders.rules.get(count.label)) is not None:
+        return _by_order(count, ordered, orders, places)
+    if count.copies > 1:
+        return _of_several(count, similar, places)
+    return _of_one(count, similar, places)
+
+
+def _by_order(
+    count: LabelCount, rule: Ordered, orders: Orders, places: LabelPlaces
+) -> LabelProposal:
+    fit = f"in this order {orders.fitting} of {count_of(orders.frames, 'frame')} fit one camera"
+    surety: Surety = "sure" if orders.fitting >= max(_FEWEST, _MOST * orders.frames) else "likely"
+    if not orders.fitting:
+        return LabelProposal(count, None, "open", f"by name, but {fit}", rule.classes)
+    on = sum(places.on[name] for name in rule.classes)
+    seen = f"; {on} of {count_of(places.shapes, 'shape')} on them" if places.shapes else ""
+    return LabelProposal(count, rule, surety, f"by name; {fit}{seen}")
+
+
+def _of_several(count: LabelCount, similar: Similar, places: LabelPlaces) -> LabelProposal:
+    """Of a label that a frame has several shapes of, and no order by homographies."""
+    found = next(iter(places.orders.most_common(1)), None)
+    if found is not None:
+        rule, times = found
+        why = f"on these lines in this order in {times} of {count_of(places.frames, 'frame')}"
+        if times >= max(_FEWEST, _MOST * places.frames):
+            named = set(rule.classes) <= set(similar.classes)
+            return LabelProposal(count, rule, "sure" if named else "likely", why)
+        return LabelProposal(count, None, "open", f"only {why}", rule.classes)
+    if len(similar.classes) == 1:
+        why = f"by name, and {count.copies} shapes in a frame would be joined"
+        return LabelProposal(count, similar.classes[0], "likely", why)
+    return LabelProposal(count, None, "open", _nothing(similar), similar.classes)
+
+
+def _of_one(count: LabelCount, similar: Similar, places: LabelPlaces) -> LabelProposal:
+    """Of a label that a frame has one shape of."""
+    place, times = next(iter(places.on.most_common(1)), ("", 0))
+    on = f"{times} of {count_of(places.shapes, 'shape')} on it"
+    clear = times >= max(_FEWEST, _MOST * places.shapes)
+    if clear and place in similar.classes:
+        return LabelProposal(count, place, "sure", f"by name; {on}")
+    if clear and not similar.classes:
+        return LabelProposal(count, place, "likely", f"by geometry alone: {on}")
+    if clear:
+        why = f"its name is like one, its shapes lie on another ({on})"
+        return LabelProposal(count, None, "open", why, (*similar.classes, place))
+    if len(similar.classes) == 1:
+        same = similar.likeness >= _SAME
+        why = "by name, the same words" if same else f"by name, {similar.likeness:.0%} alike"
+        return LabelProposal(count, similar.classes[0], "sure" if same else "likely", why)
+    return LabelProposal(count, None, "open", _nothing(similar), similar.classes)
+
+
+def _nothing(similar: Similar) -> str:
+    return "its name may be any of these" if similar.classes else "no class is called alike"
+
+
+def rules_of(proposals: Sequence[LabelProposal]) -> Mapping[str, Rule]:
+    """The rules of those that are not open."""
+    return {p.count.label: p.rule for p in proposals if p.surety != "open"}
