@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -22,11 +23,15 @@ def plotted_sheet(table: Table) -> Sheet:
 
 def _column(key: str, values: Sequence[Any] | NDArray[Any]) -> Column:
     if isinstance(values, np.ndarray) and np.issubdtype(values.dtype, np.floating):
-        return Column(key, kind="number", written=_DIGITS)
+        return Column(key, kind="number")
     first = next(iter(values), None)
     return Column(key, kind="text" if isinstance(first, str) else "whole")
 
 
 def _values(column: Sequence[Any] | NDArray[Any]) -> list[Value]:
     values = column.tolist() if isinstance(column, np.ndarray) else list(column)
-    return [None if v != v else v for v in values]
+    return [_rounded(v) if isinstance(v, float) else v for v in values]
+
+
+def _rounded(value: float) -> float | None:
+    return None if math.isnan(value) else float(f"{value:{_DIGITS}}")

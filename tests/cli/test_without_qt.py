@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import runpy
 import subprocess
 import sys
 from pathlib import Path
@@ -12,6 +14,7 @@ import numpy as np
 
 from procc_annotator.cli.main import COMMANDS
 
+ROOT = Path(__file__).parents[2]
 WITHOUT = """
 import sys
 class NoQt:
@@ -74,6 +77,7 @@ def test_the_window_says_what_is_missing_in_a_line(dataset) -> None:
 
 EVERY = """
 import json
+import os
 from procc_annotator.cli.main import app
 asked = json.load(sys.stdin)
 ended = []
@@ -94,28 +98,36 @@ def test_every_command_does_its_work(dataset, sample_data: Path, tmp_path: Path)
     one.mkdir()
     for file in ("00002.jpg", "00002.json"):
         (one / file).write_bytes((sample_data / file).read_bytes())
+    bare = tmp_path / "bare"
+    bare.mkdir()
+    (bare / "1.jpg").write_bytes((one / "00002.jpg").read_bytes())
+    shape = '<polyline label="halfway line" points="0.0,0.0;10.0,10.0"></polyline>'
+    image = f'<image id="0" name="1.jpg" width="960" height="540">{shape}</image>'
+    (tmp_path / "named.xml").write_text(f"<annotations>{image}</annotations>")
+    runpy.run_path(str(ROOT / "docs/examples/three_views.py"))["make_dataset"](tmp_path / "views")
     tree, others = sample_data / "cameras" / "true", dataset.annotations
     commands: list[list[object]] = [
         ["evaluate", root, cameras, "--recipe", tmp_path / "recipe.json"],
-        ["repeat", tmp_path / "recipe.json"],
+        ["repeat", tmp_path / "recipe.json", "--data", root],
         ["agree", root, others],
         ["compare", f"a={cameras}", f"b={cameras}", root],
         ["report", root, "--cameras", cameras, "-o", tmp_path / "r.csv"],
         ["calibrate", root, tmp_path / "fitted", "--model", "P"],
-        ["propose", one, tmp_path / "proposed"],
-        ["track", one, tmp_path / "tracked", "--anchors", tree],
+        ["propose", bare, tmp_path / "proposed"],
+        ["track", one, tmp_path / "tracked"],
         ["annotate", one, tmp_path / "annotated", "--cameras", tree],
         ["check", root],
         ["field-size", root],
-        ["triangulate", root],
+        ["triangulate", tmp_path / "views"],
         ["export", root, tmp_path / "out.zip"],
         ["convert", root, tmp_path / "match.xml", "--to", "cvat"],
         ["convert", cameras, tmp_path / "sub.zip", "--to", "submission"],
-        ["propose-map", tmp_path / "match.xml"],
+        ["propose-map", tmp_path / "named.xml"],
         ["release", root, tmp_path / "released"],
         ["render", one, tmp_path / "drawn", "--cameras", tree],
         ["check-submission", tmp_path / "sub.zip"],
         ["headless", one, tmp_path / "headless"],
+        ["desktop-entry", "--install"],
         ["field", "list"],
         ["field", "show", "tennis"],
     ]
@@ -124,6 +136,7 @@ def test_every_command_does_its_work(dataset, sample_data: Path, tmp_path: Path)
         [sys.executable, "-c", WITHOUT.rpartition("from procc")[0] + EVERY],
         input=json.dumps([[str(word) for word in command] for command in commands]),
         capture_output=True, text=True, check=False, cwd=tmp_path,
+        env={**os.environ, "XDG_DATA_HOME": str(tmp_path / "share"), "HOME": str(tmp_path)},
     )  # fmt: skip
     assert "Traceback" not in done.stderr, done.stderr
     ended = json.loads(done.stderr.splitlines()[-1])
