@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from string import ascii_uppercase
@@ -14,14 +15,16 @@ from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
+from procc_annotator.io.source import FileSource
 from procc_annotator.report import agreement
 from procc_annotator.report.agreement import Agreed, agree_sets
+from procc_annotator.report.agreement_figures import needed_sheet
 from procc_annotator.report.consensus import agree_all, floor_line, sheets_of, write_agreed
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.agreement_run import AgreementRun
-from procc_annotator.session.runs.clusters import clusters_of
+from procc_annotator.session.runs.clusters import Clusters, clusters_of
 from procc_annotator.session.runs.consensus_run import MOST, ConsensusRun
 from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import listed
@@ -38,6 +41,8 @@ elements whose points all lie within tau / elements any of the two annotated.
 Clicks beyond the other's ends (5 % of its length, at least 3 px) are left out and counted as
 "beyond". An element of which the two share (almost) no stretch is "apart", and no agreement: none
 of its clicks is compared, all count as "beyond". Swapped classes look like that where they meet.
+
+With --power: how many frames make JaC known to 1, 2 and 5 points, distances to 5, 10 and 20 %.
 
 Of three and more every two are compared, and each with the consensus of the others: the median of
 their courses, of elements that more than half of them have. An element that exactly half have
@@ -74,6 +79,10 @@ def agree(
     field: options.FieldName = None,
     tags: chance_options.TagsFile = None,
     cluster: chance_options.Cluster = None,
+    power: Annotated[
+        bool,
+        typer.Option("--power", help="Also how many frames such a study needs to be surer."),
+    ] = False,
     consensus: Annotated[
         Path | None,
         typer.Option(
@@ -108,17 +117,20 @@ def agree(
         for source, letter in zip(sources, ascii_uppercase, strict=False):
             report_mismatch(source, shown, f"{letter}: ")
             report_like_cameras(source, f"{letter}: ")
+        alike = _clusters_of(sources, tags, cluster)
         call = shown, options.parse_size(size), thresholds
         if len(sources) > 2:
             several = ConsensusRun(sources, *call)
-            errors = _agree_all(several, (tags, cluster), consensus, output)
-        elif tags or cluster or consensus:
-            raise UsageError("--tags, --cluster and --consensus are for three annotators or more")
+            errors = _agree_all(several, alike, consensus, output, power=power)
+        elif consensus is not None:
+            raise UsageError("a consensus is that of three annotators or more")
         else:
-            agreed = agree_sets(
-                AgreementRun(sources[0], sources[1], *call), output=output, progress=with_progress
-            )
+            run = AgreementRun(sources[0], sources[1], *call)
+            agreed = agree_sets(run, output=output, progress=with_progress, clusters=alike)
             _print_agreement(agreed)
+            if power:
+                needed = needed_sheet(agreed.floor, agreed.described, agreed.known)
+                stdout_console().print(needed)
             errors = agreed.errors
     if output is not None:
         typer.echo(f"written: {output}")
@@ -127,33 +139,37 @@ def agree(
     raise typer.Exit(report_unreadable(errors))
 
 
-def _agree_all(
-    run: ConsensusRun,
-    clustering: tuple[Path | None, str | None],
-    consensus: Path | None,
-    output: Path | None,
-) -> list[str]:
-    """Compare, print and write; the errors of files that could not be read."""
-    tags, by = clustering
+def _clusters_of(
+    sources: Sequence[FileSource], tags: Path | None, by: str | None
+) -> Callable[[Sequence[str]], Clusters]:
+    """Which frames are alike; the first dataset that has a table of frames tells the shots."""
     read = None if tags is None else Tags.read(tags)
     cluster = chance_options.cluster_of(by, read)
+    orders = chance_options.orders_by_set({str(s.path): s.path for s in sources}, None)
+    order = next(iter(orders.values()), None)
+    values = chance_options.tags_by_set(read, [""]).get("", {}).get(cluster or "", {})
+    return lambda frames: clusters_of(frames, cluster, values, order)
+
+
+def _agree_all(
+    run: ConsensusRun,
+    clusters: Callable[[Sequence[str]], Clusters],
+    consensus: Path | None,
+    output: Path | None,
+    *,
+    power: bool,
+) -> list[str]:
+    """Compare, print and write; the errors of files that could not be read."""
     if consensus is not None:
         outputs.check_place(consensus, run.sources)
         names = [f"{name}.json" for name in run.names]
         outputs.check_replaces_nothing(consensus, names, overwrite=False)
-    # The first dataset that has a table of frames tells the shots of all.
-    orders = chance_options.orders_by_set({str(s.path): s.path for s in run.sources}, None)
-    order = next(iter(orders.values()), None)
-    values = chance_options.tags_by_set(read, [""]).get("", {}).get(cluster or "", {})
-    agreed = agree_all(
-        run,
-        lambda frames: clusters_of(frames, cluster, values, order),
-        consensus=consensus,
-        progress=with_progress,
-    )
+    agreed = agree_all(run, clusters, consensus=consensus, progress=with_progress)
     console = stdout_console()
     for sheet in sheets_of(agreed):
         console.print(sheet)
+    if power:
+        console.print(needed_sheet(agreed.floor, agreed.described, agreed.known))
     console.print(floor_line(agreed))
     if consensus is not None:
         typer.echo(f"written: {consensus}")

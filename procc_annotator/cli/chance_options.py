@@ -11,6 +11,7 @@ import typer
 from procc_annotator.errors import UsageError
 from procc_annotator.metric.chance.intervals import METHODS, Method
 from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.report.noise_floor import noise_from
 from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
 from procc_annotator.session.runs.clusters import NONE, SHOT
@@ -18,6 +19,8 @@ from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.moved_clicks import ClickNoise
 from procc_annotator.session.runs.strata import DERIVED
 from procc_annotator.session.runs.tags import Tags
+
+_LEAST_NOISE, _MOST_NOISE = 0.01, 100.0  # px
 
 
 def _known_method(text: str) -> str:
@@ -68,15 +71,13 @@ Power = Annotated[
     ),
 ]
 Noise = Annotated[
-    float | None,
+    str | None,
     typer.Option(
         "--click-noise",
-        metavar="PX",
-        min=0.01,
-        max=100.0,
+        metavar="PX|FILE.json",
         show_default=False,
         help="Also what clicks leave open: everything again and again with every point moved by so"
-        " much (standard deviation; agree's median distance / 0.95).",
+        " much (standard deviation, px of the evaluation size), or by what agree's JSON tells.",
     ),
 ]
 Count = Annotated[int, typer.Option(min=100, max=1_000_000, metavar="N", help="Sets to draw.")]
@@ -141,6 +142,38 @@ def orders_by_set(annotations: Mapping[str, Path], shots: Path | None) -> dict[s
     return found
 
 
+def noise_file(text: str | None) -> Path | None:
+    """The file that tells the noise of clicks, where the option names one."""
+    if text is None or _is_number(text):
+        return None
+    return Path(text)
+
+
+def noise_of(text: str, seed: int) -> ClickNoise:
+    """The noise that the option names.
+
+    Raises:
+        UsageError: a number out of range. InputError: a file that is no agreement.
+    """
+    file = noise_file(text)
+    if file is not None:
+        return noise_from(file, seed)
+    if not _LEAST_NOISE <= float(text) <= _MOST_NOISE:
+        raise UsageError(
+            f"--click-noise {text}: expected {_LEAST_NOISE:g} to {_MOST_NOISE:g} px, or the JSON of"
+            " agree"
+        )
+    return ClickNoise(float(text), seed=seed)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
 def chance_terms(
     tags: Tags | None,
     annotations: Mapping[str, Path],
@@ -152,7 +185,7 @@ def chance_terms(
     *,
     shots: Path | None = None,
     power: bool = False,
-    click_noise: float | None = None,
+    click_noise: str | None = None,
 ) -> ChanceTerms:
     """What is asked of chance.
 
@@ -170,6 +203,6 @@ def chance_terms(
         Draws(draws, seed),
         cast(Method, method),
         power,
-        None if click_noise is None else ClickNoise(click_noise, seed=seed),
+        None if click_noise is None else noise_of(click_noise, seed),
         tuple(by),
     )

@@ -20,7 +20,7 @@ from procc_annotator.cli.datasets import (
     report_unreadable,
 )
 from procc_annotator.cli.evaluations import Plan
-from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
+from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, recipe_for
 from procc_annotator.cli.submissions import Submission, require_submitted_for, submitted_source
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
@@ -200,10 +200,13 @@ def evaluate(
             read_tags, dict(plan.sets), cluster, parts, interval_method, draws, seed,
             shots=shots, power=power, click_noise=click_noise,
         )  # fmt: skip
+    beside = {"tags": tags, "click noise": chance_options.noise_file(click_noise)}
+    for path in written_to:
+        outputs.check_not_an_input(path, [file for file in beside.values() if file is not None])
     call = _Call(
         plan, fields, setups, thresholds, read_tags, groups,
         options.shown_size(camera_size), written_to, growing,
-        None if recipe is None else RecipeFor(recipe, context, FieldAsked(field, lines)),
+        recipe_for(recipe, context, FieldAsked(field, lines), beside),
         over_time.OverTimeCall.of(steady, shots, pictures, over_time_output), terms,
     )  # fmt: skip
     # The figures took long to make: a file that cannot be written must not take them along.
@@ -247,8 +250,7 @@ def _score(
             found = [] if steady is None else steady.run(asked, call.thresholds[0], executor)
             scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
         if call.recipe is not None:
-            tags = None if call.tags is None else call.tags.path
-            call.recipe.write(asked, [one.summaries for one in scored], tags)
+            call.recipe.write(asked, [one.summaries for one in scored])
         return scored, evaluations.told, found
 
 

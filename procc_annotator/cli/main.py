@@ -27,6 +27,8 @@ Examples:
 COMMANDS = (
     LazyCommand("open", "Open the window.", "open_window"),
     LazyCommand("evaluate", "Score cameras against annotations."),
+    LazyCommand("assign", "Give out the frames of a dataset to annotators, some to several."),
+    LazyCommand("gold", "Say how far annotators are from gold frames, and how that changes."),
     LazyCommand("agree", "Compare two or more annotators of the same frames."),
     LazyCommand(
         "compare",

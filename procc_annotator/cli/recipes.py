@@ -32,7 +32,11 @@ from procc_annotator.report.recipe import (
 )
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.session.dataset.annotation_source import ReadSource
-from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
+from procc_annotator.session.dataset.picture_sizes import (
+    PictureSizes,
+    picture_folders,
+    picture_tree,
+)
 from procc_annotator.version import __version__
 
 LABELS_ROLE = LABELS_OPTION = "labels"
@@ -73,17 +77,18 @@ class RecipeFor:
         path: of the file.
         context: of the command, with what was typed.
         field: what was asked of the field.
+        beside: files that were read beside sets and sources, with their roles.
     """
 
     path: Path
     context: typer.Context
     field: FieldAsked
+    beside: tuple[tuple[str, Path], ...] = ()
 
     def write(
         self,
         asked: Sequence[Asked],
         summaries: Sequence[Mapping[float, SetSummary]],
-        tags: Path | None = None,
     ) -> None:
         """Write it.
 
@@ -96,23 +101,22 @@ class RecipeFor:
             SaveError: it cannot be written.
         """
         own_file = self.field.file
-        paths = [p for one in asked for p in (one.annotations.path, one.cameras.path)]
         maps = {m.path for m in (map_of(one.annotations) for one in asked) if m is not None}
-        root = common_folder([*paths, *maps, *(p for p in (own_file, tags) if p is not None)])
+        more = [
+            *((("field", own_file),) if own_file is not None else ()),
+            *self.beside,
+            *((LABELS_ROLE, path) for path in sorted(maps)),
+        ]
+        paths = [p for one in asked for p in (one.annotations.path, one.cameras.path)]
+        root = common_folder([*paths, *(path for _, path in more)])
         found: dict[tuple[str, Path], RecipeInput] = {}
         for one in asked:
             for role, source in (("annotations", one.annotations), ("cameras", one.cameras)):
                 if (role, source.path) not in found:
                     found[role, source.path] = hashed_input(role, source, root)
-        more = [
-            ("field", own_file),
-            ("tags", tags),
-            *((LABELS_ROLE, path) for path in sorted(maps)),
-        ]
         for role, path in more:
-            if path is not None:
-                files = (hashed(".", read_file(path)),)
-                found[role, path] = RecipeInput(role, relative(path, root), files)
+            files = (hashed(".", read_file(path)),)
+            found[role, path] = RecipeInput(role, relative(path, root), files)
         recipe = Recipe(
             FORMAT,
             __version__,
@@ -125,6 +129,23 @@ class RecipeFor:
             ),
         )
         write_atomic(self.path, recipe.encoded())
+
+
+def recipe_for(
+    path: Path | None,
+    context: typer.Context,
+    field: FieldAsked,
+    beside: Mapping[str, Path | None],
+) -> RecipeFor | None:
+    """The recipe that was asked for, if one was.
+
+    Args:
+        beside: role -> what was read beside sets and sources, where there is such a file.
+    """
+    if path is None:
+        return None
+    files = tuple((role, file) for role, file in beside.items() if file is not None)
+    return RecipeFor(path, context, field, files)
 
 
 def evaluation_of(
@@ -221,7 +242,8 @@ def _hashed_file(folder: Path, name: str) -> RecipeFile | None:
 
 
 def _picture_sizes(annotations: FileSource) -> dict[str, int]:
-    sizes = PictureSizes(picture_folders(annotations.path, annotations.path))
+    place = annotations.path
+    sizes = PictureSizes(picture_folders(place, place), tree=picture_tree(place))
     known = (sizes.size(name) for name in list_annotations(annotations))
     return dict(sorted(Counter(f"{s[0]}x{s[1]}" for s in known if s is not None).items()))
 

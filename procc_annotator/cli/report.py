@@ -14,7 +14,7 @@ import typer
 from procc_annotator.cli import chance_options, datasets, options, outputs, over_time
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.painters import overlay_painter, pair_painter
-from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption
+from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, recipe_for
 from procc_annotator.cli.sources import SourceSpec, parse_sources
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -210,7 +210,8 @@ def report(
     )  # fmt: skip
     if recipe is not None:
         outputs.check_output_folder(recipe)
-    asked = None if recipe is None else RecipeFor(recipe, context, FieldAsked(field, lines))
+    beside = {"tags": tags, "click noise": chance_options.noise_file(click_noise)}
+    asked = recipe_for(recipe, context, FieldAsked(field, lines), beside)
     call = _Call(
         name, specs, setup, thresholds, request, written, picture_width, chance,
         options.label_map(labels, setup.field), asked,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,6 +18,8 @@ from procc_annotator.metric.agreement import (
     FrameAgreement,
     quantile,
 )
+from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.report.agreement_figures import floor_entry, intervals_described
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import replacing, score_format
 from procc_annotator.report.scores.tables import pixels, worst_words
@@ -39,6 +41,8 @@ from procc_annotator.report.sheet.figures import (
 )  # fmt: skip
 from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
 from procc_annotator.session.runs.agreement_run import AgreementResult, AgreementRun
+from procc_annotator.session.runs.clusters import Clusters, clusters_of
+from procc_annotator.session.runs.sure_agreement import SureAgreement, sure_agreement
 from procc_annotator.words import count_of
 
 WORST = 10
@@ -49,6 +53,7 @@ _COLUMNS = (
     Column("mirrored_hint", kind="yes_no"), Column("error"),
 )  # fmt: skip
 
+ClustersOf = Callable[[Sequence[str]], Clusters]
 Progress = Callable[[Iterable[AgreementResult], int, str], Iterator[AgreementResult]]
 
 
@@ -88,12 +93,18 @@ class AgreementRow:
 
 @dataclass(frozen=True)
 class Agreed:
-    """A set's agreement and what has to be said about it."""
+    """A set's agreement and what has to be said about it.
+
+    Attributes:
+        floor: the same with intervals; known: what these rest on.
+    """
 
     summary: AgreementSummary
     described: str
     worst: list[AgreementRow]
     errors: list[str]
+    floor: SureAgreement
+    known: str
 
 
 def _no_progress(
@@ -103,7 +114,11 @@ def _no_progress(
 
 
 def agree_sets(
-    run: AgreementRun, *, output: Path | None = None, progress: Progress = _no_progress
+    run: AgreementRun,
+    *,
+    output: Path | None = None,
+    progress: Progress = _no_progress,
+    clusters: ClustersOf = lambda frames: clusters_of(frames, None, {}),
 ) -> Agreed:
     """Compare two annotators' files and write what is found, frame by frame.
 
@@ -111,13 +126,16 @@ def agree_sets(
         run: not yet iterated.
         output: a ``.json`` or ``.csv`` file; it appears when it is complete.
         progress: wraps the frames as they come, given their number and a word for the work.
+        clusters: which of some frames are alike, for intervals.
 
     Raises:
-        UsageError: no frame of which both files can be read; an output of another kind.
+        UsageError: frames that cannot be clustered; no frame of which both files can be
+            read; an output of another kind.
         SaveError: the output cannot be written.
     """
     worst: list[tuple[tuple[float, float], int, AgreementRow]] = []
     errors: list[str] = []
+    found: list[tuple[str, FrameAgreement]] = []
     with ExitStack() as files:
         writer: _Writer | None = None
         if output is not None:
@@ -127,6 +145,8 @@ def agree_sets(
             errors += result.errors
             if writer is not None:
                 writer.add(result)
+            if result.agreement is not None:
+                found.append((result.name, result.agreement))
             if result.agreement is not None and result.agreement.element_count:
                 row = AgreementRow.of(result.name, result.agreement, run.thresholds[0])
                 entry = ((-row.jac, row.largest or 0.0), -count, row)
@@ -137,10 +157,14 @@ def agree_sets(
                 f"of none of the {run.total} frames both annotations can be read;"
                 f" the first: {errors[0]}"
             )
+        names = [name for name, _ in found]
+        alike, draws = clusters(names), Draws()
+        floor = sure_agreement(names, found, run.thresholds, alike, draws)
+        known = intervals_described(draws, alike)
         if writer is not None:
-            writer.end(summary)
+            writer.end(summary, floor_entry(floor, known))
     rows = [row for _, _, row in sorted(worst, reverse=True)]
-    return Agreed(summary, run.describe(), rows, errors)
+    return Agreed(summary, run.describe(), rows, errors, floor, known)
 
 
 # ---------------------------------------------------------------------------------------- tables
@@ -210,7 +234,7 @@ class _Writer(Protocol):
 
     def add(self, result: AgreementResult) -> None: ...
 
-    def end(self, summary: AgreementSummary) -> None: ...
+    def end(self, summary: AgreementSummary, floor: dict[str, Any]) -> None: ...
 
 
 class _JsonWriter:
@@ -245,10 +269,9 @@ class _JsonWriter:
         self._stream.write(self._separator + msgspec.json.encode(entry))
         self._separator = b",\n"
 
-    def end(self, summary: AgreementSummary) -> None:
-        self._stream.write(
-            b'\n],"summary":' + msgspec.json.encode(_summary_entry(summary)) + b"}\n"
-        )
+    def end(self, summary: AgreementSummary, floor: dict[str, Any]) -> None:
+        entry = _summary_entry(summary) | {"noise_floor": floor}
+        self._stream.write(b'\n],"summary":' + msgspec.json.encode(entry) + b"}\n")
 
 
 def _element_entry(found: ClassAgreement) -> dict[str, Any]:
@@ -263,7 +286,6 @@ def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
         "frames_only_b": list(summary.frames_only_b),
         "mirrored_hint": list(summary.mirrored),
         "mean_jac": {shortest(tau): jac for tau, jac in summary.mean_jac.items()},
-        "noise_floor": figure_entry(OF_AGREEMENT, summary.overall),
         "per_class": {n: figure_entry(OF_AGREEMENT, f) for n, f in summary.per_class.items()},
     }
 
@@ -291,7 +313,7 @@ class _CsvWriter:
                 rows += [self._row(result.name, n, status, hint=hint) for n in names]
         self._stream.write(csv_rows(_COLUMNS, rows or [self._row(result.name, None, "empty")]))
 
-    def end(self, summary: AgreementSummary) -> None:
+    def end(self, summary: AgreementSummary, floor: dict[str, Any]) -> None:
         """Frames of one annotator only; the figures of the set have no row of their own."""
         for status, names in (
             ("frame_only_a", summary.frames_only_a),

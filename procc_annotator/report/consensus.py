@@ -14,13 +14,18 @@ import numpy as np
 from procc_annotator.errors import UsageError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.metric.agreement import ClassAgreement, FrameAgreement
-from procc_annotator.metric.chance.intervals import Interval
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.report.agreement_figures import (
+    floor_entry,
+    floor_words,
+    intervals_described,
+    sure_columns,
+    sure_values,
+)
 from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.scores.chance_sheets import ends_of, interval_columns
 from procc_annotator.report.scores.score_files import replacing, score_format
-from procc_annotator.report.scores.tables import pixels, worst_words
+from procc_annotator.report.scores.tables import worst_words
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import figure_entry, json_bytes, sheet_entry
 from procc_annotator.report.sheet.figure import Figure, shortest, values_of
@@ -32,22 +37,19 @@ from procc_annotator.report.sheet.figures import (
     JAC,
     LARGEST_PX,
     LEFT_OUT,
-    MEDIAN_PX,
     MISSED,
     ONLY_A,
     ONLY_B,
-    P95_PX,
     POINTS,
 )  # fmt: skip
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, Value, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
 from procc_annotator.report.targets import open_target
 from procc_annotator.session.runs.clusters import Clusters
 from procc_annotator.session.runs.consensus_run import (
     ConsensusRun,
     SeveralResult,
-    SureAgreement,
-    sure_agreement,
 )
+from procc_annotator.session.runs.sure_agreement import SureAgreement, sure_agreement
 from procc_annotator.words import count_of
 
 WORST = 10
@@ -140,7 +142,7 @@ def agree_all(
         tuple(results),
         run.thresholds,
         run.describe(),
-        f"{100 * level.level:g} % intervals (t, jackknife of clusters); {clusters.described}",
+        intervals_described(level, clusters),
         errors,
     )
 
@@ -166,17 +168,10 @@ def _write_consensus(results: Iterable[SeveralResult], out: Path) -> None:
 
 def floor_line(agreed: AgreedAll) -> str:
     """The one line a paper would quote."""
-    found, known = agreed.floor.summary.overall, agreed.floor.known
-
-    def told(value: float | None, interval: Interval | None) -> str:
-        low, high = ends_of(interval)
-        around = "" if interval is None else f" [{pixels(low)}, {pixels(high)}]"
-        return f"{pixels(value)} px{around}"
-
+    points = count_of(agreed.floor.summary.overall.points, "distance")
     return (
-        f"Noise floor: median {told(found.median, known.median)},"
-        f" 95 % {told(found.p95, known.p95)},"
-        f" over {count_of(found.points, 'distance')} of every two annotators ({agreed.described})"
+        f"Noise floor: {floor_words(agreed.floor)}, over {points} of every two annotators"
+        f" ({agreed.described})"
     )
 
 
@@ -189,11 +184,11 @@ def others_sheet(agreed: AgreedAll) -> Sheet:
     """Each annotator against the consensus of the others, with intervals."""
     columns = (
         Column("annotator", "annotator"), Column("name", "name"), TAU, whole("frames"),
-        *_with_intervals(), of(LARGEST_PX), *_counts(_COUNTS),
+        *sure_columns(), of(LARGEST_PX), *_counts(_COUNTS),
     )  # fmt: skip
     rows = [
         (ascii_uppercase[at], agreed.names[at], tau, found.summary.frames,
-         *_sure_values(found, tau), found.summary.overall.largest,
+         *sure_values(found, tau), found.summary.overall.largest,
          *values_of(_COUNTS, found.summary.overall))
         for at, found in agreed.others.items()
         for tau in agreed.thresholds
@@ -212,12 +207,12 @@ def pairs_sheet(agreed: AgreedAll) -> Sheet:
     """Every two annotators."""
     counts = (COMMON, APART, ONLY_A, ONLY_B)
     columns = (
-        Column("a", "A"), Column("b", "B"), TAU, whole("frames"), *_with_intervals(),
+        Column("a", "A"), Column("b", "B"), TAU, whole("frames"), *sure_columns(),
         of(LARGEST_PX), *_counts(counts),
     )  # fmt: skip
     rows = [
         (ascii_uppercase[a], ascii_uppercase[b], tau, found.summary.frames,
-         *_sure_values(found, tau), found.summary.overall.largest,
+         *sure_values(found, tau), found.summary.overall.largest,
          *values_of(counts, found.summary.overall))
         for (a, b), found in agreed.pairs.items()
         for tau in agreed.thresholds
@@ -291,22 +286,6 @@ def _counts(figures: Iterable[Figure]) -> list[Column]:
     return [whole(figure.key, figure.title) for figure in figures]
 
 
-def _with_intervals() -> list[Column]:
-    return [
-        column
-        for figure in (JAC, MEDIAN_PX, P95_PX)
-        for column in (of(figure), *interval_columns(figure))
-    ]
-
-
-def _sure_values(found: SureAgreement, tau: float) -> tuple[Value, ...]:
-    overall, known = found.summary.overall, found.known
-    return (
-        found.summary.mean_jac[tau], *ends_of(known.jac[tau]),
-        overall.median, *ends_of(known.median), overall.p95, *ends_of(known.p95),
-    )  # fmt: skip
-
-
 # ----------------------------------------------------------------------------------------- files
 
 
@@ -376,18 +355,9 @@ def _content(agreed: AgreedAll, run: ConsensusRun) -> dict[str, Any]:
         "images": [_frame_entry(result, run.thresholds) for result in agreed.results],
         "summary": {
             "frames": agreed.floor.summary.frames,
-            "noise_floor": floor_entry(agreed.floor),
+            "noise_floor": floor_entry(agreed.floor, agreed.known),
             **{sheet.name: sheet_entry(sheet) for sheet in sheets_of(agreed)},
         },
-    }
-
-
-def floor_entry(floor: SureAgreement) -> dict[str, Any]:
-    """The distances of every two annotators together, with the intervals of median and 95 %."""
-    known = floor.known
-    return figure_entry((POINTS, *DISTANCES), floor.summary.overall) | {
-        f"{figure.key}_interval": None if found is None else [found.low, found.high]
-        for figure, found in ((MEDIAN_PX, known.median), (P95_PX, known.p95))
     }
 
 

@@ -303,7 +303,12 @@ def test_intervals_of_agreement_are_clustered_by_a_tag(
     assert done.exit_code == 0, done.output
     assert "2 clusters by match" in done.stdout
     assert cli("agree", *three, "--cluster", "match").exit_code == 2
-    assert cli("agree", *three[:2], "--cluster", "none").exit_code == 2
+    out = tmp_path / "out.json"
+    two = cli("agree", *three[:2], "--tags", tags, "--cluster", "match", "-o", out)
+    assert two.exit_code == 0, two.output
+    floor = load(out)["summary"]["noise_floor"]
+    assert floor["median_interval"][0] <= floor["median"] <= floor["median_interval"][1]
+    assert "2 clusters by match" in floor["intervals"]
 
 
 def test_a_consensus_replaces_nothing(cli, dataset, other, third) -> None:

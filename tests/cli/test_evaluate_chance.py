@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import shutil
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 SHEETS = ["intervals", "differences", "ranks"]
@@ -119,3 +121,73 @@ def test_what_cannot_be_done_is_one_line(cli, methods, arguments, says) -> None:
     done = cli("evaluate", *BOTH, "--intervals", *arguments)
     assert done.exit_code == 2
     assert says in " ".join(done.stderr.replace("│", " ").split())
+
+
+def agreement(cli, methods, size: str) -> str:
+    """The second annotator's clicks are off by a normal error of 1 px."""
+    rng = np.random.default_rng(5)
+    second = methods / "second"
+    second.mkdir(exist_ok=True)
+    for path in (methods / "annotations").iterdir():
+        content = json.loads(path.read_text())
+        for points in content.values():
+            for point in points:
+                point["x"] += rng.normal() / 959
+                point["y"] += rng.normal() / 539
+        (second / path.name).write_text(json.dumps(content))
+    name = f"agreement_{size}.json"
+    assert cli("agree", "annotations", "second", "--size", size, "-o", name).exit_code == 0
+    return name
+
+
+def test_the_noise_of_clicks_is_what_annotators_differ_by(cli, methods) -> None:
+    moved = []
+    for size in ("960x540", "1919x1079"):
+        file = agreement(cli, methods, size)
+        done = cli("evaluate", *BOTH, "--click-noise", file, "-t", "1", "-o", f"out_{size}.json")
+        assert done.exit_code == 0, done.output
+        found = chance(methods / f"out_{size}.json")["clicks"]
+        moved.append([row["moved_jac"] for row in found["rows"]])
+        assert f"of {size}, as {file} has it," in found["notes"][0]
+    assert moved[0] == pytest.approx(moved[1], abs=0.03)  # px of another size are the same noise
+    given = cli("evaluate", *BOTH, "--click-noise", "0.7", "-t", "1", "-o", "given.json")
+    assert given.exit_code == 0
+    rows = chance(methods / "given.json")["clicks"]["rows"]
+    assert [row["moved_jac"] for row in rows] == pytest.approx(moved[0], abs=0.12)
+
+
+def test_a_recipe_knows_the_agreement_and_the_tags(cli, methods) -> None:
+    file = agreement(cli, methods, "960x540")
+    terms = ("--click-noise", file, "--tags", "tags.csv", "--cluster", "match")
+    assert cli("evaluate", *BOTH, *terms, "--recipe", "recipe.json").exit_code == 0
+    inputs = {one["role"]: one for one in json.loads(Path("recipe.json").read_text())["inputs"]}
+    assert inputs["click noise"]["path"] == file
+    digest = hashlib.sha256(Path(file).read_bytes()).hexdigest()
+    assert inputs["click noise"]["files"][0]["sha256"] == digest
+    assert inputs["tags"]["path"] == "tags.csv"
+    assert cli("repeat", "recipe.json").exit_code == 0
+    Path(file).write_text(Path(file).read_text().replace('"points"', '"Points"', 1))
+    done = cli("repeat", "recipe.json")
+    assert done.exit_code == 1
+    assert file in done.output
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        ("{", "is no JSON"),
+        ("[1]", "has no size of pictures"),
+        ('{"size": [960, 540], "summary": {}}', "is no agreement"),
+        ('{"size": [960, 540], "summary": {"noise_floor": {"median": 0}}}', "expected one above 0"),
+        ('{"size": [960, 540], "summary": {"noise_floor": {"median": null}}}', "distance of None"),
+    ],
+)
+def test_a_file_that_tells_no_noise_is_one_line(cli, methods, content, says) -> None:
+    (methods / "odd.json").write_text(content)
+    done = cli("evaluate", *BOTH, "--click-noise", "odd.json")
+    assert done.exit_code == 2
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("procc-annotator: odd.json")
+    assert says in line
+    for odd in ("0", "nan", "1e9"):
+        assert "expected 0.01 to 100 px" in cli("evaluate", *BOTH, "--click-noise", odd).stderr

@@ -7,11 +7,15 @@ The layout here: a category a class, its keypoints named "1", "2", ... up to the
 of the class in the set; the points of a polyline in order, then as many unlabelled ones as are
 left. A point outside the picture has v = 1. There is no ``segmentation``: readers take a list of
 none for a mask that is damaged.
+
+A category of others may hold a template instead: places of a field. What is known of those is in
+`keypoint_templates`; they are never read as one polyline.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from procc_annotator.annotation import Point, Polyline
@@ -27,6 +31,15 @@ from procc_annotator.io.annotation_files.exchange import (
     points_to_px,
     size_told,
 )
+from procc_annotator.io.annotation_files.keypoint_templates import (
+    KeypointTemplate,
+    has_gaps,
+    holds_template,
+    known_templates,
+    template_named,
+    template_of,
+)
+from procc_annotator.io.annotation_files.label_map import OfTemplate
 from procc_annotator.io.annotation_files.pieces import Pieces, extra_of, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text, parse_number
 from procc_annotator.io.json_text import decode_strict, kind_of, spelled
@@ -57,7 +70,10 @@ def read_many(
             reading.begin(name)
             content = _decode(source.read(name), path)
             reading.begin(name, (image.get("file_name") for image in content["images"]))
-            names = {_id(c, "id"): c.get("name") for c in content["categories"]}
+            kinds = {
+                _id(c, "id"): _kind(c, f"categories[{i}]", path, reading)
+                for i, c in enumerate(content["categories"])
+            }
             found: dict[Any, list[tuple[int, dict[str, Any]]]] = {}
             for i, entry in enumerate(content["annotations"]):
                 found.setdefault(_id(entry, "image_id"), []).append((i, entry))
@@ -67,7 +83,7 @@ def read_many(
                 if entries is None:
                     continue
                 with reading.going_on():
-                    frame = _read(image, f"images[{i}]", entries, names, path, reading)
+                    frame = _read(image, f"images[{i}]", entries, kinds, path, reading)
                     if frame is not None:
                         yield frame
             for entries in found.values():
@@ -78,6 +94,50 @@ def read_many(
                         place=f"annotations[{entries[0][0]}].image_id",
                         advice="correct it, or add the image",
                     )
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """What the keypoints of a category are: one line, or places of a template, if it is known.
+
+    Attributes:
+        is_new: whether the category is no class, and no map says what it stands for.
+        count: of its keypoints.
+    """
+
+    name: Any
+    is_new: bool
+    is_template: bool = False
+    template: KeypointTemplate | None = None
+    count: int = 0
+
+
+def _kind(category: dict[str, Any], place: str, path: str, reading: Reading) -> _Kind:
+    name, places = category.get("name"), category.get("keypoints")
+    rule = reading.rule_of(name) if type(name) is str else None
+    if isinstance(rule, OfTemplate):
+        template = template_named(rule.name)
+    elif rule is not None or not holds_template(category):
+        return _Kind(name, rule is None, count=len(places) if type(places) is list else 0)
+    else:
+        template = template_of(category)
+    if template is not None and not template.is_of(reading.field):
+        raise AnnotationError(
+            path,
+            f"holds {template.title}, the field is {reading.field.title}",
+            place=f"{place}.keypoints",
+            advice=f"name the field: --field {template.field}",
+        )
+    return _Kind(name, True, True, template, len(places) if type(places) is list else 0)
+
+
+def _unknown_template(kind: _Kind) -> str:
+    return (
+        f"the category {spelled(kind.name)} holds {kind.count} keypoints of a template that is not"
+        " known: left out (if it is one of"
+        f" {', '.join(known.name for known in known_templates())}, a labels.toml may say so:"
+        f' {spelled(kind.name)} = {{ template = "{known_templates()[0].name}" }})'
+    )
 
 
 def _decode(data: bytes, path: str) -> dict[str, Any]:
@@ -112,7 +172,7 @@ def _read(
     image: dict[str, Any],
     place: str,
     entries: list[tuple[int, dict[str, Any]]],
-    names: dict[Any, Any],
+    kinds: dict[Any, _Kind],
     path: str,
     reading: Reading,
 ) -> ExchangedFrame | None:
@@ -136,7 +196,7 @@ def _read(
             reading.remarks.add("annotations without keypoints are left out", frame)
             continue
         category = _id(entry, "category_id")
-        if category not in names:
+        if category not in kinds:
             raise AnnotationError(
                 path,
                 f"expected the id of a category, found {spelled(entry.get('category_id'))}",
@@ -144,7 +204,19 @@ def _read(
                 advice="correct it, or add the category",
             )
         points = _points(entry["keypoints"], size, path, f"{where}.keypoints")
-        pieces.add(names[category], points, f"categories[id {category}].name")
+        kind = kinds[category]
+        if kind.template is None and (kind.is_template or (kind.is_new and has_gaps(points))):
+            reading.remarks.add(_unknown_template(kind), frame)
+            continue
+        if kind.template is not None:
+            reading.remarks.add(
+                f"keypoints ({kind.template.title}) are points of the elements they lie on", frame
+            )
+            for name, some in kind.template.shapes(points):
+                pieces.add(name, some, f"categories[id {category}].keypoints")
+        else:
+            seen = tuple(point for point in points if point is not None)
+            pieces.add(kind.name, seen, f"categories[id {category}].name")
         taken = True
     if not taken:
         return None
@@ -153,7 +225,8 @@ def _read(
     return ExchangedFrame(frame, annotation, size, picture_name(str(picture)))
 
 
-def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point, ...]:
+def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point | None, ...]:
+    """The keypoints in their order; None for those that are not labelled."""
     if type(values) is not list or len(values) % 3:
         raise AnnotationError(
             path,
@@ -161,7 +234,7 @@ def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point, ...]
             place=place,
             advice="correct or remove the annotation",
         )
-    points = []
+    points: list[Point | None] = []
     for i in range(0, len(values), 3):
         x, y, visible = values[i : i + 3]
         if visible not in (0, 1, 2) or type(visible) is bool:
@@ -171,8 +244,7 @@ def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point, ...]
                 place=f"{place}[{i + 2}]",
                 advice="correct it",
             )
-        if visible:
-            points.append(point_of(x, y, size, path, f"{place}[{i}]"))
+        points.append(point_of(x, y, size, path, f"{place}[{i}]") if visible else None)
     return tuple(points)
 
 

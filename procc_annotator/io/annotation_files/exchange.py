@@ -7,12 +7,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from dataclasses import field as attribute
-from typing import Any
+from typing import Any, Literal
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.label_map import LabelMap, Shape
+from procc_annotator.io.annotation_files.label_map import LabelMap, Rule, Shape
 from procc_annotator.io.annotation_files.px_numbers import normalised, to_px
 from procc_annotator.io.annotation_files.soccernet_annotation import FARTHEST
 from procc_annotator.io.frame_names import PICTURE_SUFFIX, frame_of_file, leads_out
@@ -147,6 +147,15 @@ class Reading:
         self._at = names.frame(picture, path, place)
         return self._at
 
+    def rule_of(self, label: str) -> Rule | Literal[False]:
+        """What a label stands for: its class, or what the map says (False: to be left out); None
+        where nothing is said of it."""
+        if self.names is not None and label.strip() in self.names.rules:
+            rule = self.names.rules[label.strip()]
+            return False if rule is None else rule
+        name = self.field.canonical_name(label)
+        return name if self.field.knows(name) else None
+
     def classed(self, shapes: Sequence[Shape], frame: str) -> list[Shape]:
         """The shapes of a frame with the official names of the classes that their labels stand for;
         those that are left out are missing.
@@ -266,9 +275,11 @@ class Writing:
         return False
 
     def picture(self, frame: ExchangedFrame) -> str:
-        """The file name of a frame's picture; the usual one where it is not known."""
+        """The file name of a frame's picture, with the path of its frame; the usual one where it is
+        not known."""
         if frame.picture is not None:
-            return frame.picture
+            folder, slash, _ = frame.name.rpartition("/")
+            return frame.picture if "/" in frame.picture else folder + slash + frame.picture
         self.remarks.add("pictures were not found: their names are taken to end in .jpg")
         return f"{frame.name}.jpg"
 

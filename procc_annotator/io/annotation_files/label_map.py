@@ -7,9 +7,10 @@
     "crowd" = false                                # left out
     "line (2)" = "Baseline right"                  # the second shape called "line" in a picture
     "baseline" = { top_down = ["Baseline left", "Baseline right"] }
+    "pitch" = { template = "soccer_32" }           # keypoints that are places of the field
 
-The last form is for labels that several lines of a picture share: which is which is told by their
-places in it, from the top down or from left to right.
+The last form but one is for labels that several lines of a picture share: which is which is told by
+their places in it, from the top down or from left to right.
 """
 
 from __future__ import annotations
@@ -26,12 +27,14 @@ from procc_annotator.annotation import Point
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
 from procc_annotator.field.words import did_you_mean, printable_place, shown
+from procc_annotator.io.annotation_files.keypoint_templates import known_templates, template_named
 from procc_annotator.io.source import read_file
 from procc_annotator.words import count_of
 
 LABELS_FILE = "labels.toml"
 TOP_DOWN, LEFT_TO_RIGHT = ORDERS = "top_down", "left_to_right"
 _TABLE = "labels"
+_TEMPLATE = "template"
 # The TOML reader takes time by the square of a dotted key's length.
 _LARGEST = 256 * 1024
 _MOST_DOTS = 60
@@ -54,7 +57,14 @@ class Ordered:
     classes: tuple[str, ...]
 
 
-Rule = str | Ordered | None
+@dataclass(frozen=True, slots=True)
+class OfTemplate:
+    """A category whose keypoints are places of a template, by its name in `keypoint_templates`."""
+
+    name: str
+
+
+Rule = str | Ordered | OfTemplate | None
 
 
 @dataclass(frozen=True)
@@ -63,7 +73,8 @@ class LabelMap:
 
     Attributes:
         path: of its file.
-        rules: label -> its class, None where it is left out, or classes by their order.
+        rules: label -> its class, None where it is left out, classes by their order, or a template
+            of keypoints.
     """
 
     path: Path
@@ -90,6 +101,8 @@ class LabelMap:
             rule = self.rules.get(key, label)
             if isinstance(rule, Ordered):
                 ordered.setdefault(key, []).append(i)
+            elif isinstance(rule, OfTemplate):
+                rule = label
             found.append(None if isinstance(rule, Ordered) else rule)
         remarks = []
         for key, indices in ordered.items():
@@ -191,6 +204,8 @@ def _rule(value: Any, field: Field, path: Path, place: str) -> Rule:
         return None
     if type(value) is str:
         return _class(value, field, path, place)
+    if type(value) is dict and list(value) == [_TEMPLATE]:
+        return _template(value[_TEMPLATE], path, place)
     orders = [order for order in ORDERS if type(value) is dict and order in value]
     if len(orders) != 1 or len(value) != 1 or type(value[orders[0]]) is not list:
         raise InputError(
@@ -209,6 +224,18 @@ def _rule(value: Any, field: Field, path: Path, place: str) -> Rule:
             advice="where a label stands for one class, write just that",
         )
     return Ordered(orders[0], tuple(_class(name, field, path, place) for name in classes))
+
+
+def _template(name: Any, path: Path, place: str) -> OfTemplate:
+    if template_named(name) is not None:
+        return OfTemplate(name)
+    names = [known.name for known in known_templates()]
+    raise InputError(
+        path,
+        f"there is no template of keypoints {shown(name)}{did_you_mean(name, names)}",
+        place=place,
+        advice=f"known: {', '.join(names)}",
+    )
 
 
 def _class(name: Any, field: Field, path: Path, place: str) -> str:

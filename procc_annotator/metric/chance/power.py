@@ -7,7 +7,6 @@ import math
 from procc_annotator.metric.chance.distributions import student_quantile
 from procc_annotator.metric.chance.intervals import reach
 
-_MOST_ROUNDS = 50
 _FEWEST_CLUSTERS = 2.0
 
 
@@ -32,14 +31,23 @@ def frames_needed(
         level: of the interval that is to exclude 0.
         power: in which share of such sets it is to.
     """
-    needed = float(frames)
-    for _ in range(_MOST_ROUNDS):
-        clusters = max(_FEWEST_CLUSTERS, effective * needed / frames)
-        before, needed = needed, frames * (deviation * _reach(clusters, level, power)) ** 2
-        needed /= difference**2
-        if math.ceil(before) == math.ceil(needed):
-            break
-    return max(math.ceil(needed - 1e-9), math.ceil(_FEWEST_CLUSTERS * frames / effective))
+
+    def suffice(count: int) -> bool:
+        clusters = max(_FEWEST_CLUSTERS, effective * count / frames)
+        reached = deviation * math.sqrt(frames / count) * _reach(clusters, level, power)
+        return reached <= difference * (1 + 1e-9)
+
+    fewest = max(1, math.ceil(_FEWEST_CLUSTERS * frames / effective))
+    if suffice(fewest):
+        return fewest
+    # More frames never reach farther: the bounds are doubled, then halved.
+    most = fewest
+    while not suffice(most):
+        fewest, most = most, 2 * most
+    while most - fewest > 1:
+        middle = (fewest + most) // 2
+        fewest, most = (fewest, middle) if suffice(middle) else (middle, most)
+    return most
 
 
 def least_difference(

@@ -29,10 +29,7 @@ def clicks_sheets(certainty: Certainty, noise: ClickNoise, described: str) -> li
         for at, tau in enumerate(certainty.thresholds):
             jac = _known(own.parts[:, at].sum() / max(own.wholes[:, at].sum(), 1.0))
             rows.append((source.marked_name, tau, jac, *_of_clicks(spread, at)))
-    note = (
-        f"Every point moved by {noise.px:g} px (standard deviation along x and y), {noise.repeats}"
-        f" times, seed {noise.seed}. {CLICK_SHARE.definition}"
-    )
+    note = f"{noise.described} {CLICK_SHARE.definition}"
     sheets = [
         Sheet(
             "clicks", "What the clicks leave open", tuple(columns), tuple(rows), described, (note,)

@@ -137,11 +137,22 @@ POINTS = Figure("points", "points", "", None, 0, "Points whose distance was take
 LEFT_OUT = Figure("left_out", "beyond", "", None, 0, "Clicks beyond the other's ends.")
 ADDED = Figure(
     "added", "added", "", None, 0,
-    "Elements that an annotator has, and at least half of the others not.", attribute="only_a",
+    "Elements that an annotator has, and at least half of the others, or the answer, not.",
+    attribute="only_a",
 )  # fmt: skip
 MISSED = Figure(
     "missed", "missed", "", None, 0,
-    "Elements that more than half of the others have, and an annotator not.", attribute="only_b",
+    "Elements that more than half of the others, or the answer, have, and an annotator not.",
+    attribute="only_b",
+)  # fmt: skip
+TREND = Figure(
+    "trend_px", "trend, in 10 frames", "px", "lower", signed=True,
+    definition="By how much the median distance of a frame rises from one gold frame to the tenth"
+    " after it, in the order of work (median of all slopes).",
+)  # fmt: skip
+TREND_P = Figure(
+    "trend_p", "p", digits=4,
+    definition="The share of random orders of the frames in which it rises or falls as steadily.",
 )  # fmt: skip
 OF_AGREEMENT = (COMMON, APART, ONLY_A, ONLY_B, POINTS, LEFT_OUT, *DISTANCES)
 

@@ -8,6 +8,7 @@ import sqlite3
 from collections.abc import Callable, Iterable
 from contextlib import closing, suppress
 from pathlib import Path
+from typing import TypeVar
 
 from procc_annotator.errors import InputError
 from procc_annotator.io.user_folders import data_folder
@@ -32,10 +33,17 @@ from procc_annotator.session.database.file import (
 )
 from procc_annotator.session.database.rescue import rescue_file, write_all
 from procc_annotator.session.database.rows import SETTING_KEY, Write
-from procc_annotator.session.database.tables import as_text, as_text_or_none
+from procc_annotator.session.database.tables import (
+    Value,
+    as_number,
+    as_text,
+    as_text_or_none,
+)
 
 _MOST_DATASETS = 100  # at one path
 _BUSY_S = 5.0
+
+T = TypeVar("T")
 
 
 def folder_of(dataset: Path) -> Path:
@@ -114,6 +122,25 @@ def read_settings(dataset: Path) -> dict[str, str]:
     Raises:
         InputError: there is a workspace, but it cannot be read.
     """
+    start = SETTING_KEY
+    meta = _read_only(dataset, "SELECT key, value FROM meta", as_text_or_none)
+    return {k.removeprefix(start): v for k, v in meta.items() if k.startswith(start) and v}
+
+
+def read_times(dataset: Path) -> dict[str, float]:
+    """When the last point of each frame came to be, seconds since 1970; nothing is written.
+
+    Args:
+        dataset: its folder (or a picture in it).
+
+    Raises:
+        InputError: there is a workspace, but it cannot be read.
+    """
+    return _read_only(dataset, "SELECT frame, max(time) FROM origin GROUP BY frame", as_number)
+
+
+def _read_only(dataset: Path, question: str, as_value: Callable[[Value], T]) -> dict[str, T]:
+    """Rows of a text and a value; none where there is no workspace."""
     path = database_path(dataset)
     if not path.exists() or leads_out(path):
         found = kept_elsewhere(dataset)
@@ -123,14 +150,12 @@ def read_settings(dataset: Path) -> dict[str, str]:
     try:
         connection = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", _BUSY_S, uri=True)
         with closing(connection):
-            rows = connection.execute("SELECT key, value FROM meta").fetchall()
-        meta = {as_text(key): as_text_or_none(value) for key, value in rows}
+            rows = connection.execute(question).fetchall()
+        return {as_text(key): as_value(value) for key, value in rows}
     except FAILURES as error:
         raise InputError(path, f"the dataset's workspace cannot be read: {reason_of(error)}") from (
             error
         )
-    start = SETTING_KEY
-    return {k.removeprefix(start): v for k, v in meta.items() if k.startswith(start) and v}
 
 
 def _mark_path(own: Path) -> Path:

@@ -142,7 +142,7 @@ def _labelled(
             axis = 0 if rule.order == LEFT_TO_RIGHT else 1
             ordered = sorted(shapes, key=lambda points: middle(points)[axis])
             found += zip(rule.classes, ordered, strict=True)
-        elif rule is not None and len(shapes) == 1:
+        elif isinstance(rule, str) and len(shapes) == 1:
             found.append((rule, shapes[0]))
     return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -88,6 +88,7 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
         field: the sports field.
         size: (width, height) in px in which distances are taken.
         thresholds: tau of the JaC, px, at least one.
+        among: names of frames, where others are not to be compared.
 
     Attributes:
         only_a, only_b: names of the frames only one annotated: reported, not compared.
@@ -104,6 +105,7 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
         field: Field,
         size: tuple[int, int],
         thresholds: Sequence[float],
+        among: Collection[str] | None = None,
     ) -> None:
         if min(size) < 2:
             raise UsageError(f"the size {size[0]}x{size[1]} is too small")
@@ -113,7 +115,7 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
         frames = [
             SharedFrame(name, file, files_b[name])
             for name, file in files_a.items()
-            if name in files_b
+            if name in files_b and (among is None or name in among)
         ]
         if not frames:
             raise UsageError(

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from itertools import combinations
 from typing import NamedTuple
 
-import numpy as np
 from natsort import natsorted
 
 from procc_annotator.annotation import FrameAnnotation
@@ -17,17 +16,11 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.agreement import (
-    AgreementSummary,
-    AgreementSums,
     FrameAgreement,
     compare_annotations,
 )
-from procc_annotator.metric.chance.intervals import Interval, intervals
-from procc_annotator.metric.chance.quantiles import quantile_interval
-from procc_annotator.metric.chance.sampling import Draws, Ratios, sample
 from procc_annotator.metric.consensus import Consensus, against, consensus_of
 from procc_annotator.metric.setup import check_thresholds
-from procc_annotator.session.runs.clusters import Clusters
 from procc_annotator.session.runs.set_run import (
     KeptOpen,
     SetRun,
@@ -155,62 +148,3 @@ class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
     def describe(self) -> str:
         """What the numbers depend on, in words."""
         return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
-
-
-@dataclass(frozen=True)
-class AgreementIntervals:
-    """Intervals of the figures of an agreement; None of fewer than two clusters.
-
-    Attributes:
-        jac: tau -> of the mean JaC. median, p95: of the distances, px.
-    """
-
-    jac: Mapping[float, Interval | None]
-    median: Interval | None
-    p95: Interval | None
-
-
-@dataclass(frozen=True)
-class SureAgreement:
-    """The figures of an agreement over some frames, and how surely they are known."""
-
-    summary: AgreementSummary
-    known: AgreementIntervals
-
-
-def sure_agreement(
-    frames: Sequence[str],
-    found: Sequence[tuple[str, FrameAgreement]],
-    thresholds: Sequence[float],
-    clusters: Clusters,
-    draws: Draws,
-) -> SureAgreement:
-    """The figures of agreements with their intervals.
-
-    Args:
-        frames: F names, as `clusters` has them.
-        found: agreements with the frame that each is of; several of one frame are alike.
-        thresholds: tau, px. draws: says the level.
-    """
-    sums = AgreementSums(thresholds)
-    for name, agreement in found:
-        sums.add(name, agreement)
-    at = {name: place for place, name in enumerate(frames)}
-    places = np.array([at[name] for name, _ in found], dtype=np.intp)
-    distances = np.concatenate([np.empty(0), *(one.distances for _, one in found)])
-    of_frames = np.repeat(places, [len(one.distances) for _, one in found])
-    jacs = {}
-    for tau in thresholds:
-        own = [one.jac(tau) if one.element_count else np.nan for _, one in found]
-        ratios = Ratios.mean(np.array(own, dtype=np.float64))
-        around = intervals(sample(ratios, clusters.numbers[places], None), draws)[0]
-        jacs[float(tau)] = None if around is None else _of_a_share(around)
-    median, p95 = (
-        quantile_interval(distances, of_frames, clusters.numbers, share, draws)
-        for share in (0.5, 0.95)
-    )
-    return SureAgreement(sums.summary(), AgreementIntervals(jacs, median, p95))
-
-
-def _of_a_share(interval: Interval) -> Interval:
-    return replace(interval, low=max(0.0, interval.low), high=min(1.0, interval.high))

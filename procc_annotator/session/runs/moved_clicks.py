@@ -21,14 +21,36 @@ class ClickNoise:
     """How points are moved.
 
     Attributes:
-        px: standard deviation along x and along y, px of the evaluation size.
+        px: standard deviation along x and along y, px of the evaluation size or of ``of_size``.
         repeats: how often the whole evaluation is repeated.
         seed: the same one moves the same points of a frame alike, for every source.
+        of_size: (width, height) of the picture in whose px it was measured.
+        told_by: what it was measured by.
     """
 
     px: float
     repeats: int = REPEATS
     seed: int = 1
+    of_size: tuple[int, int] | None = None
+    told_by: str = ""
+
+    def at(self, size: tuple[int, int]) -> tuple[float, float]:
+        """The deviations along x and y, px of a picture of this (width, height)."""
+        if self.of_size is None:
+            return self.px, self.px
+        along, down = ((n - 1) / (m - 1) for n, m in zip(size, self.of_size, strict=True))
+        return self.px * along, self.px * down
+
+    @property
+    def described(self) -> str:
+        """How points are moved, in words."""
+        of = ""
+        if self.of_size is not None:
+            of = f" of {self.of_size[0]}x{self.of_size[1]}, as {self.told_by} has it,"
+        return (
+            f"Every point moved by {self.px:.3g} px{of} (standard deviation along x and y),"
+            f" {self.repeats} times, seed {self.seed}."
+        )
 
 
 def moved_jac(
@@ -46,16 +68,20 @@ def moved_jac(
     """
     rng = np.random.default_rng((noise.seed, zlib.crc32(frame.encode())))
     taus = np.asarray(thresholds, dtype=np.float64)
+    size = measurement.setup.size
     found = np.empty((noise.repeats, len(taus)), dtype=np.float32)
     for repeat in range(noise.repeats):
-        moved = _moved(annotation, measurement.setup.size, noise.px, rng)
+        moved = _moved(annotation, size, noise.at(size), rng)
         again = measure_projected(moved, measurement.projected, measurement.setup)
         found[repeat] = jac_curve(again, taus)
     return found
 
 
 def _moved(
-    annotation: FrameAnnotation, size: tuple[int, int], px: float, rng: np.random.Generator
+    annotation: FrameAnnotation,
+    size: tuple[int, int],
+    px: tuple[float, float],
+    rng: np.random.Generator,
 ) -> FrameAnnotation:
     return replace(
         annotation, polylines=tuple(_moved_line(p, size, px, rng) for p in annotation.polylines)
@@ -63,8 +89,8 @@ def _moved(
 
 
 def _moved_line(
-    polyline: Polyline, size: tuple[int, int], px: float, rng: np.random.Generator
+    polyline: Polyline, size: tuple[int, int], px: tuple[float, float], rng: np.random.Generator
 ) -> Polyline:
     points = points_px(polyline, size)
-    points += px * rng.standard_normal(points.shape)
+    points += np.array(px) * rng.standard_normal(points.shape)
     return replace(polyline, points=tuple(point_from_px(x, y, size) for x, y in points.tolist()))

@@ -204,3 +204,10 @@ def test_a_band_of_a_curve_that_few_frames_have() -> None:
     jacs[1] = np.nan
     band = curve_band(sample(Ratios.mean(jacs), np.arange(12), DRAWS), DRAWS)
     assert np.isnan(band.low).all()
+
+
+def test_a_coarser_answer_never_needs_more_frames() -> None:
+    for effective in (40.0, 8.0):
+        needed = [frames_needed(0.001 * 1.3**n, 0.02, 40, effective, power=0.5) for n in range(30)]
+        assert needed == sorted(needed, reverse=True)
+        assert needed[-1] == 2 * 40 / effective  # no interval rests on fewer than two clusters

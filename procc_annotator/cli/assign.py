@@ -1,0 +1,122 @@
+"""``procc-annotator assign``: give out the frames of a dataset to annotators, blind."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.cli import chance_options, datasets
+from procc_annotator.cli.console import stdout_console, with_progress
+from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.errors import UsageError
+from procc_annotator.io.landmark_file import LANDMARKS_FILE
+from procc_annotator.report.assigning import PLAN_FILE, counts_sheet, write_assignments
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, FRAMES_FILE
+from procc_annotator.session.dataset.gold_file import GOLD_FILE, read_gold
+from procc_annotator.session.runs.assignments import StudyTerms, assign_frames
+from procc_annotator.session.runs.clusters import clusters_of
+from procc_annotator.session.runs.tags import Tags
+from procc_annotator.words import count_of, listed
+
+HELP = """\
+OUT gets a folder of pictures for each annotator, a dataset of their own without any annotation, and
+plan.csv, which says who got which frame and why: it is for whoever runs the study.
+
+Frames are dealt out evenly, in number and over matches or shots (--tags and --balance; else shots
+by frames.csv or names). --overlap is the share of them that --copies annotators get, every group of
+annotators as often. Frames that DATASET/gold.csv names (a column 'frame') are gold: the annotations
+of DATASET are their answers. They lie among the others, nothing marks them, and everybody gets as
+many. `agree` then compares the annotators, `gold` says how far each is from the answers.
+
+Exit code: 0; 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator assign match/ study/ --annotators anna,ben,cleo --overlap 0.3 --gold-each 10
+"""
+
+
+def assign(
+    dataset: datasets.Dataset,
+    out: Annotated[Path, typer.Argument(help="Folder to write.")],
+    annotators: Annotated[
+        str, typer.Option(metavar="A,B,...", help="Names of the annotators, and of their folders.")
+    ],
+    overlap: Annotated[
+        float, typer.Option(min=0.0, max=1.0, metavar="SHARE", help="Of frames several get.")
+    ] = 0.2,
+    copies: Annotated[
+        int, typer.Option(min=2, metavar="N", help="Annotators who get such a frame.")
+    ] = 2,
+    gold: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.csv", show_default=False, help="Gold frames.  [default: the dataset's]"
+        ),
+    ] = None,
+    gold_each: Annotated[
+        int | None,
+        typer.Option(
+            min=0, metavar="N", show_default=False, help="Gold frames for each.  [default: all]"
+        ),
+    ] = None,
+    tags: chance_options.TagsFile = None,
+    balance: Annotated[
+        str | None,
+        typer.Option(
+            metavar="TAG|shot|none", show_default=False, help="What to deal out evenly over."
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option(min=0, metavar="N", help="Of the draw.")] = 1,
+) -> None:
+    terms = StudyTerms(_names(annotators), overlap, copies, gold_each, seed)
+    workspace = datasets.open_dataset(dataset, chosen_field(None, dataset))
+    folder = workspace.folder
+    if out.resolve().is_relative_to(folder.resolve()):
+        raise UsageError(f"{out}: lies in the dataset, write to another place")
+    frames = [frame.name for frame in workspace.frames]
+    marked = _gold_frames(gold or folder / GOLD_FILE, gold is not None, frames)
+    read = None if tags is None else Tags.read(tags)
+    by = chance_options.cluster_of(balance, read)
+    values = chance_options.tags_by_set(read, [""]).get("", {}).get(by or "", {})
+    order = chance_options.orders_by_set({"": folder}, None).get("")
+    alike = clusters_of(frames, by, values, order)
+    # Where every frame stands for itself there is nothing to be even over.
+    parts = dict(zip(frames, map(str, alike.numbers), strict=True)) if alike.by != "none" else {}
+    assigned = assign_frames(frames, parts, marked, terms)
+    own = [folder / name for name in (FIELD_FILE, LANDMARKS_FILE, FRAMES_FILE)]
+    pictures = {frame.name: frame.image_path for frame in workspace.frames}
+    write_assignments(
+        assigned, pictures, [file for file in own if file.is_file()], out, progress=with_progress
+    )
+    stdout_console().print(counts_sheet(assigned, parts, terms))
+    even = "" if not parts else f", even over {alike.described}"
+    typer.echo(f"{count_of(len(frames), 'frame')}, {len(marked)} of them gold{even}, seed {seed}")
+    typer.echo(f"written: {out} (keep {PLAN_FILE} to yourself)")
+
+
+def _names(text: str) -> tuple[str, ...]:
+    names = tuple(name.strip() for name in text.split(","))
+    for name in names:
+        if (
+            not name
+            or name in (".", "..", PLAN_FILE)
+            or any(mark in name for mark in '/\\:*?"<>|\0')
+        ):
+            raise UsageError(f"--annotators: {name!r} is not the name of a folder")
+    return names
+
+
+def _gold_frames(path: Path, asked: bool, frames: Sequence[str]) -> tuple[str, ...]:
+    if not asked and not path.is_file():
+        return ()
+    found = read_gold(path)
+    if strange := [name for name in found if name not in set(frames)]:
+        raise UsageError(f"{path}: {listed(strange, 'frame')} not in the dataset")
+    return found

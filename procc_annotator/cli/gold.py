@@ -1,0 +1,173 @@
+"""``procc-annotator gold``: how far annotators are from gold frames."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.cli import chance_options, options, outputs
+from procc_annotator.cli.console import stdout_console, with_progress
+from procc_annotator.cli.datasets import report_unreadable
+from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import FileSource
+from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.report.agreement_figures import intervals_described
+from procc_annotator.report.consensus import short_names
+from procc_annotator.report.gold import AgainstGold, gold_sheets, write_gold
+from procc_annotator.report.scores.score_files import score_format
+from procc_annotator.session.database.places import read_times
+from procc_annotator.session.dataset.annotation_source import open_annotations
+from procc_annotator.session.dataset.dataset_folder import annotations_of, folder_of_dataset
+from procc_annotator.session.dataset.gold_file import GOLD_FILE, read_gold
+from procc_annotator.session.runs.agreement_run import AgreementRun
+from procc_annotator.session.runs.clusters import clusters_of
+from procc_annotator.session.runs.gold_run import GoldErrors, gold_errors
+from procc_annotator.session.runs.tags import Tags
+from procc_annotator.words import listed
+
+HELP = """\
+DATASET holds the answers: the annotations of the frames that its gold.csv (or --gold) names in a
+column 'frame'. Every annotator's clicks on these frames are compared with them as `agree` does,
+with 95 % intervals. Each annotator's dataset knows when points were put: the error over the order
+of work is told in thirds, and as a trend.
+
+--output takes a .json with all tables, or a .csv with a row a frame and annotator.
+
+Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator gold match/ study/anna study/ben study/cleo --tau 5 --output gold.json
+"""
+
+
+def gold(
+    dataset: Annotated[Path, typer.Argument(help="The dataset with the answers.")],
+    annotators: Annotated[
+        list[Path], typer.Argument(metavar="A [B]...", help="Annotations of each annotator.")
+    ],
+    gold_file: Annotated[
+        Path | None,
+        typer.Option(
+            "--gold",
+            metavar="FILE.csv",
+            show_default=False,
+            help="Gold frames.  [default: the dataset's]",
+        ),
+    ] = None,
+    threshold: Annotated[
+        list[float] | None,
+        typer.Option(
+            "--tau",
+            "--threshold",
+            "-t",
+            metavar="PX",
+            help="A point is right if it is closer than this; repeat for several.  [default: 5]",
+        ),
+    ] = None,
+    size: options.Size = "960x540",
+    field: options.FieldName = None,
+    tags: chance_options.TagsFile = None,
+    cluster: chance_options.Cluster = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE", help="Write a .json or .csv file."),
+    ] = None,
+) -> None:
+    if output is not None:
+        score_format(output)
+        outputs.check_output_folder(output)
+    marked = _marked(dataset, gold_file)
+    shown = chosen_field(field, dataset, *annotators)
+    terms = shown, options.parse_size(size), options.thresholds_or_default(threshold)
+    read = None if tags is None else Tags.read(tags)
+    clustering = chance_options.cluster_of(cluster, read), read
+    with ExitStack() as opened:
+        answers, *sources = (
+            opened.enter_context(open_annotations(annotations_of(path), shown))
+            for path in (dataset, *annotators)
+        )
+        if output is not None:
+            outputs.check_not_an_input(output, (answers, *sources))
+        unanswered = sorted(set(marked) - set(list_annotations(answers)))
+        if unanswered:
+            raise UsageError(
+                f"{listed(unanswered, 'gold frame')} without an annotation in {answers.path}"
+            )
+        against = _compared(answers, sources, annotators, marked, terms, clustering)
+    for sheet in gold_sheets(against):
+        stdout_console().print(sheet)
+    for name, found in zip(against.names, against.found, strict=True):
+        if found is None:
+            typer.echo(f"note: {name} has annotated none of the gold frames", err=True)
+    if output is not None:
+        write_gold(against, output)
+        typer.echo(f"written: {output}")
+    raise typer.Exit(report_unreadable(list(against.errors)))
+
+
+def _marked(dataset: Path, gold_file: Path | None) -> tuple[str, ...]:
+    folder = folder_of_dataset(dataset)
+    path = gold_file
+    if path is None and folder is not None and (folder / GOLD_FILE).is_file():
+        path = folder / GOLD_FILE
+    if path is None:
+        raise UsageError(
+            f"nothing to do: {dataset} has no {GOLD_FILE}; write one with a column 'frame', or name"
+            " a file with --gold"
+        )
+    return read_gold(path)
+
+
+def _compared(
+    answers: FileSource,
+    sources: list[FileSource],
+    places: list[Path],
+    marked: tuple[str, ...],
+    terms: tuple[Field, tuple[int, int], tuple[float, ...]],
+    clustering: tuple[str | None, Tags | None],
+) -> AgainstGold:
+    """All annotators against the answers."""
+    by, tags = clustering
+    values = chance_options.tags_by_set(tags, [""]).get("", {}).get(by or "", {})
+    order = chance_options.orders_by_set({"": answers.path}, None).get("")
+    errors: list[str] = []
+    found: list[GoldErrors | None] = []
+    known: dict[str, None] = {}
+    draws = Draws()
+    for source, place in zip(sources, places, strict=True):
+        if not set(list_annotations(source)) & set(marked):
+            found.append(None)
+            continue
+        run = AgreementRun(source, answers, *terms, among=frozenset(marked))
+        results = list(with_progress(run, run.total, "comparing"))
+        errors += [error for result in results for error in result.errors]
+        clusters = clusters_of(run.names, by, values, order)
+        known[intervals_described(draws, clusters)] = None
+        times = read_times(folder_of_dataset(place) or place)
+        found.append(gold_errors(results, times, terms[2], clusters, draws))
+    if not any(found):
+        raise UsageError(
+            f"nothing to do: nobody has annotated any of {listed(marked, 'gold frame')}"
+        )
+    return AgainstGold(
+        answers.path,
+        tuple(places),
+        short_names(places),
+        tuple(found),
+        len(marked),
+        terms[2],
+        terms[0],
+        terms[1],
+        "; ".join(known),
+        tuple(errors),
+    )

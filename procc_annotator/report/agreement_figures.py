@@ -1,0 +1,106 @@
+"""What agreements of all kinds share: figures with their intervals, and the frames these need."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from procc_annotator.metric.chance.intervals import Interval
+from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.report.scores.chance_sheets import ends_of, interval_columns
+from procc_annotator.report.scores.tables import pixels
+from procc_annotator.report.sheet.as_json import figure_entry
+from procc_annotator.report.sheet.figures import JAC, MEDIAN_PX, OF_AGREEMENT, P95_PX
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, Value, of, whole
+from procc_annotator.session.runs.clusters import Clusters
+from procc_annotator.session.runs.sure_agreement import SureAgreement
+
+_POINTS = (0.01, 0.02, 0.05)  # of JaC
+_SHARES = (0.05, 0.1, 0.2)  # of a distance
+
+
+def sure_columns() -> list[Column]:
+    """JaC, median and 95 %, each with its interval."""
+    figures = (JAC, MEDIAN_PX, P95_PX)
+    return [c for figure in figures for c in (of(figure), *interval_columns(figure))]
+
+
+def sure_values(found: SureAgreement, tau: float) -> tuple[Value, ...]:
+    """The values of `sure_columns` at a threshold, px."""
+    overall, known = found.summary.overall, found.known
+    low, high = ends_of(known.jac[tau])
+    ends = (None if low is None else max(0.0, low), None if high is None else min(1.0, high))
+    return (
+        found.summary.mean_jac[tau], *ends,
+        overall.median, *ends_of(known.median), overall.p95, *ends_of(known.p95),
+    )  # fmt: skip
+
+
+def intervals_described(draws: Draws, clusters: Clusters) -> str:
+    """What the intervals of an agreement rest on, in words."""
+    return f"{100 * draws.level:g} % intervals (t, jackknife of clusters); {clusters.described}"
+
+
+def floor_words(floor: SureAgreement) -> str:
+    """The noise floor with its intervals, in words."""
+    found, known = floor.summary.overall, floor.known
+
+    def told(value: float | None, interval: Interval | None) -> str:
+        around = ""
+        if interval is not None:
+            around = f" [{pixels(interval.low)}, {pixels(interval.high)}]"
+        return f"{pixels(value)} px{around}"
+
+    return f"median {told(found.median, known.median)}, 95 % {told(found.p95, known.p95)}"
+
+
+def floor_entry(floor: SureAgreement, described: str) -> dict[str, Any]:
+    """The noise floor in files: the figures, and the intervals of median and 95 %.
+
+    Args:
+        described: what the intervals rest on.
+    """
+    known = floor.known
+    ends = {
+        f"{figure.key}_interval": None if found is None else [found.low, found.high]
+        for figure, found in ((MEDIAN_PX, known.median), (P95_PX, known.p95))
+    }
+    return figure_entry(OF_AGREEMENT, floor.summary.overall) | ends | {"intervals": described}
+
+
+def needed_sheet(found: SureAgreement, described: str, known: str) -> Sheet:
+    """How many frames such a study needs before JaC is known to 1, 2 and 5 points and distances to
+    5, 10 and 20 %.
+
+    Args:
+        found: the pilot. described: field and size. known: what intervals rest on.
+    """
+    columns = (
+        Column("figure", "figure"), TAU, whole("frames", "frames now"),
+        Column("known_to", "known to ±", "number", written=".3g"),
+        Column("wanted", "wanted ±", "number", written=".3g"), whole("needed", "frames needed"),
+    )  # fmt: skip
+    rows: list[Row] = []
+    overall = found.summary.overall
+    for tau, interval in found.known.jac.items():
+        rows += [
+            ("JaC, points", tau, found.frames, _half(interval, 100.0), 100 * points,
+             found.frames_for(interval, points))
+            for points in _POINTS
+        ]  # fmt: skip
+    for title, value, interval in (
+        ("median, px", overall.median, found.known.median),
+        ("95 %, px", overall.p95, found.known.p95),
+    ):
+        if not value:
+            continue
+        rows += [
+            (title, None, found.frames, _half(interval, 1.0), share * value,
+             found.frames_for(interval, share * value))
+            for share in _SHARES
+        ]  # fmt: skip
+    note = f"Frames of the same kind, in clusters like these. {known}."
+    return Sheet("power", "Frames needed", columns, tuple(rows), described, (note,))
+
+
+def _half(interval: Interval | None, times: float) -> float | None:
+    return None if interval is None else times * (interval.high - interval.low) / 2

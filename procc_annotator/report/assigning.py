@@ -1,0 +1,103 @@
+"""The frames of a study, written apart for each annotator, and the plan for whoever runs it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+
+from procc_annotator.errors import SaveError, UsageError
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.sheet import Column, Row, Sheet, whole
+from procc_annotator.report.targets import make_folder
+from procc_annotator.session.runs.assignments import Assigned, StudyTerms
+
+PLAN_FILE = "plan.csv"
+
+Progress = Callable[[Iterable[Assigned], int, str], Iterator[Assigned]]
+
+
+def write_assignments(
+    assigned: Sequence[Assigned],
+    pictures: Mapping[str, Path],
+    own_files: Sequence[Path],
+    out: Path,
+    *,
+    progress: Progress = lambda items, _total, _what: iter(items),
+) -> None:
+    """Write a dataset for each annotator, in a folder of that name, and the plan beside them.
+
+    A picture is linked where the file system can, else copied: a link costs no space.
+
+    Args:
+        pictures: frame -> its picture.
+        own_files: what else an annotator's dataset needs, such as its field.
+        out: a folder.
+
+    Raises:
+        UsageError: a folder of an annotator is there already.
+        SaveError: something cannot be written.
+    """
+    who = dict.fromkeys(one.annotator for one in assigned)
+    for name in who:
+        if (out / name).exists():
+            raise UsageError(f"{out / name}: exists already, choose another folder")
+    for name in who:
+        make_folder(out / name)
+        for file in own_files:
+            _give(file, out / name / file.name, link=False)
+    for one in progress(assigned, len(assigned), "giving out"):
+        picture = pictures[one.frame]
+        _give(picture, out / one.annotator / picture.name, link=True)
+    write_atomic(out / PLAN_FILE, csv_bytes(plan_sheet(assigned)))
+
+
+def plan_sheet(assigned: Sequence[Assigned]) -> Sheet:
+    """Who gets which frame, and why: for whoever runs the study alone."""
+    columns = Column("annotator"), Column("frame"), Column("why")
+    rows = tuple((one.annotator, one.frame, one.why) for one in assigned)
+    return Sheet("plan", "Plan", columns, rows)
+
+
+def counts_sheet(
+    assigned: Sequence[Assigned], parts: Mapping[str, str], terms: StudyTerms
+) -> Sheet:
+    """How many frames everybody gets, and of how many parts."""
+    why = Counter((one.annotator, one.why) for one in assigned)
+    columns = [
+        Column("annotator", "annotator"), whole("frames"), whole("alone"), whole("overlap"),
+        whole("gold"),
+    ]  # fmt: skip
+    if parts:
+        columns += [
+            whole("parts"), whole("fewest", "fewest of a part"), whole("most", "most of a part"),
+        ]  # fmt: skip
+    rows: list[Row] = []
+    every = {parts.get(one.frame, "") for one in assigned if one.why != "gold"}
+    for name in terms.annotators:
+        own = Counter(
+            parts.get(one.frame, "")
+            for one in assigned
+            if one.annotator == name and one.why != "gold"
+        )
+        counts = [own[part] for part in every] or [0]
+        kinds = [why[name, kind] for kind in ("alone", "overlap", "gold")]
+        spread = (len(own), min(counts), max(counts)) if parts else ()
+        rows.append((name, sum(kinds), *kinds, *spread))
+    return Sheet("assignments", "Assignments", tuple(columns), tuple(rows))
+
+
+def _give(source: Path, target: Path, *, link: bool) -> None:
+    if link:
+        with suppress(OSError):  # another disk, or a file system without links
+            os.link(source, target)
+            return
+    try:
+        shutil.copyfile(source, target)
+    except OSError as error:
+        reason = error.strerror or error
+        raise SaveError(f"{target}: cannot be written: {reason}") from error

@@ -1,0 +1,100 @@
+"""How surely the figures of an agreement are known, and how many frames would make them surer."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.metric.agreement import AgreementSummary, AgreementSums, FrameAgreement
+from procc_annotator.metric.chance.intervals import Interval, intervals, reach
+from procc_annotator.metric.chance.power import frames_needed
+from procc_annotator.metric.chance.quantiles import quantile_interval
+from procc_annotator.metric.chance.sampling import Draws, Ratios, sample
+from procc_annotator.session.runs.clusters import Clusters
+
+
+@dataclass(frozen=True)
+class AgreementIntervals:
+    """Intervals of the figures of an agreement; None of fewer than two clusters.
+
+    Attributes:
+        jac: tau -> of the mean JaC. median, p95: of the distances, px.
+        effective: as many clusters of equal size tell as much.
+    """
+
+    jac: Mapping[float, Interval | None]
+    median: Interval | None
+    p95: Interval | None
+    effective: float
+
+
+@dataclass(frozen=True)
+class SureAgreement:
+    """The figures of an agreement over some frames, and how surely they are known.
+
+    Attributes:
+        frames: how many, each counted once.
+    """
+
+    summary: AgreementSummary
+    known: AgreementIntervals
+    frames: int
+
+    def frames_for(self, interval: Interval | None, half: float) -> int | None:
+        """How many frames like these make an interval reach so far to either side.
+
+        Args:
+            interval: one of `known`.
+            half: in its unit, above 0.
+
+        Returns:
+            None without an interval, or where it has no width.
+        """
+        if interval is None or not interval.high > interval.low:
+            return None
+        reached = reach(self.known.effective, interval.level)
+        deviation = (interval.high - interval.low) / 2 / reached
+        # What is to be known to so much is not to be told from anything: chance of one in two.
+        return frames_needed(
+            half, deviation, self.frames, self.known.effective, level=interval.level, power=0.5
+        )
+
+
+def sure_agreement(
+    frames: Sequence[str],
+    found: Sequence[tuple[str, FrameAgreement]],
+    thresholds: Sequence[float],
+    clusters: Clusters,
+    draws: Draws,
+) -> SureAgreement:
+    """The figures of agreements with their intervals.
+
+    Args:
+        frames: F names, as `clusters` has them.
+        found: agreements with the frame that each is of; several of one frame are alike.
+        thresholds: tau, px. draws: says the level.
+    """
+    sums = AgreementSums(thresholds)
+    for name, agreement in found:
+        sums.add(name, agreement)
+    at = {name: place for place, name in enumerate(frames)}
+    places = np.array([at[name] for name, _ in found], dtype=np.intp)
+    distances = np.concatenate([np.empty(0), *(one.distances for _, one in found)])
+    of_frames = np.repeat(places, [len(one.distances) for _, one in found])
+    jacs = {}
+    effective = np.nan
+    for tau in thresholds:
+        own = [one.jac(tau) if one.element_count else np.nan for _, one in found]
+        ratios = Ratios.mean(np.array(own, dtype=np.float64))
+        sampled = sample(ratios, clusters.numbers[places], None)
+        effective = float(sampled.effective[0])
+        jacs[float(tau)] = intervals(sampled, draws)[0]
+    median, p95 = (
+        quantile_interval(distances, of_frames, clusters.numbers, share, draws)
+        for share in (0.5, 0.95)
+    )
+    return SureAgreement(
+        sums.summary(), AgreementIntervals(jacs, median, p95, effective), len(set(places))
+    )
