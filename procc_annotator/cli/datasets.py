@@ -27,7 +27,6 @@ from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import (
     annotations_of,
     like_cameras_in,
-    pictures_in,
 )
 from procc_annotator.session.dataset.field_match import (
     MOST_FRAMES,
@@ -38,6 +37,7 @@ from procc_annotator.session.dataset.field_match import (
     mismatch_of,
 )
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
+from procc_annotator.session.dataset.picture_tree import has_pictures
 from procc_annotator.session.dataset.what_lies_there import instead_of_pictures
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.words import count_of
@@ -103,10 +103,10 @@ def annotated_frames(
         InputError: annotations that cannot be opened or listed.
     """
     if path.is_file() and path.suffix.lower() in PICTURE_SUFFIXES:
-        has_pictures = True
+        pictured = True
     else:
-        has_pictures = path.is_dir() and bool(pictures_in(path))
-    if has_pictures or not path.exists():
+        pictured = path.is_dir() and has_pictures(path)
+    if pictured or not path.exists():
         yield DatasetFrames(open_dataset(path, field, annotations)), None
         return
     with open_annotations(annotations or annotations_of(path), field) as source:

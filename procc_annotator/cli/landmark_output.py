@@ -23,8 +23,8 @@ from procc_annotator.words import count_of
 
 def report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
     folder = folder_of_dataset(dataset)
-    pictures = PictureSizes([folder] if folder is not None else []).files()
-    frames = {*list_annotations(source), *(path.stem for path in pictures)}
+    pictures = PictureSizes([folder] if folder is not None else [], tree=folder)
+    frames = {*list_annotations(source), *pictures.frames()}
     datasets.report_remarks(groups.strange_rows(frames))
 
 

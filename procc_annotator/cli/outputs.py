@@ -129,7 +129,8 @@ def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) 
         there = set(os.listdir(out))
     except OSError:  # usually: no such folder yet
         return
-    if found := [name for name in names if name in there]:
+    in_folders = (name for name in names if name.partition("/")[0] in there)
+    if found := [name for name in in_folders if os.path.lexists(out / name)]:
         more = f" and {len(found) - 1} more of the files to be written" if len(found) > 1 else ""
         raise UsageError(
             f"{out}: holds {found[0]}{more} already, choose another folder, or --overwrite to"

@@ -32,7 +32,11 @@ from procc_annotator.report.recipe import (
 )
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.session.dataset.annotation_source import ReadSource
-from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
+from procc_annotator.session.dataset.picture_sizes import (
+    PictureSizes,
+    picture_folders,
+    picture_tree,
+)
 from procc_annotator.version import __version__
 
 LABELS_ROLE = LABELS_OPTION = "labels"
@@ -238,7 +242,8 @@ def _hashed_file(folder: Path, name: str) -> RecipeFile | None:
 
 
 def _picture_sizes(annotations: FileSource) -> dict[str, int]:
-    sizes = PictureSizes(picture_folders(annotations.path, annotations.path))
+    place = annotations.path
+    sizes = PictureSizes(picture_folders(place, place), tree=picture_tree(place))
     known = (sizes.size(name) for name in list_annotations(annotations))
     return dict(sorted(Counter(f"{s[0]}x{s[1]}" for s in known if s is not None).items()))
 

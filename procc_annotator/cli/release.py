@@ -46,7 +46,11 @@ from procc_annotator.session.dataset.dataset_folder import (
     annotations_of,
     folder_of_dataset,
 )
-from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
+from procc_annotator.session.dataset.picture_sizes import (
+    PictureSizes,
+    picture_folders,
+    picture_tree,
+)
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.ignored_findings import ignored_keys
 from procc_annotator.session.facts.origins import default_author
@@ -150,7 +154,7 @@ def release(
     with open_annotations(place, known) as source:
         datasets.report_remarks(source.notices)
         _check_out(out, source, dataset, overwrite=overwrite)
-        sizes = PictureSizes(picture_folders(dataset, place))
+        sizes = PictureSizes(picture_folders(dataset, place), tree=picture_tree(dataset))
         with progress_bar("reading") as progress:
             found = gather_frames(source, known, _splits(splits), sizes, progress)
         made = _Making(source, dataset, folder, known)

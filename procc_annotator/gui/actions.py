@@ -426,6 +426,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           " few letters of its name"),
     _spec("Help", "keys", "Keys", "F1 ?", "commands.show_keys",
           "Show all actions and their keys on one sheet"),
+    _spec("Help", "keymap", "Change keys…", "", "commands.change_keys",
+          "Give actions and elements other keys, or take those of another program"),
     _spec("Help", "about", "About ProCC Annotator", "", "commands.about",
           "Version"),
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache, lru_cache
+from functools import lru_cache
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -12,27 +12,47 @@ from PySide6.QtWidgets import QWidget
 from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.gestures import HELD_KEYS
+from procc_annotator.gui.keymap import NATIVE, USUAL, Keymap, chords_of
 from procc_annotator.gui.state.document import Document
 
 _Chords = tuple[str, ...]
 
-_PORTABLE = QKeySequence.SequenceFormat.PortableText
-NATIVE = QKeySequence.SequenceFormat.NativeText
 
-
-def element_keys(field: Field) -> Mapping[str, QKeySequence]:
+def element_keys(field: Field, keymap: Keymap = USUAL) -> Mapping[str, QKeySequence]:
     """Class -> the keys that choose it; nothing of elements whose keys mean something else.
 
     A key that begins a sequence of another element's belongs to the one that comes first in the
     field: Qt would wait for ever whether more is to come.
     """
-    return _keys_of(field.elements)
+    return _keys_of(field.elements, keymap)
 
 
-def key_text(field: Field, class_name: str) -> str:
+@lru_cache(maxsize=8)
+def _keys_of(elements: tuple[Element, ...], keymap: Keymap) -> Mapping[str, QKeySequence]:
+    found: dict[str, QKeySequence] = {}
+    given = [key for spec in ACTIONS for key in keymap.of_action(spec)]
+    whole = {chords_of(key) for key in (*given, *HELD_KEYS)}
+    begun = {beginning for chords in whole for beginning in _beginnings(chords)}
+    for element in elements:
+        keys = keymap.of_element(element)
+        chords = chords_of(keys)
+        if not chords or chords in begun or not whole.isdisjoint(_beginnings(chords)):
+            continue
+        whole.add(chords)
+        begun.update(_beginnings(chords))
+        found[element.name] = QKeySequence(keys)
+    return found
+
+
+def key_text(field: Field, class_name: str, keymap: Keymap = USUAL) -> str:
     """The keys of a class as people write them; "" where there are none."""
-    keys = element_keys(field).get(class_name)
+    keys = element_keys(field, keymap).get(class_name)
     return keys.toString(NATIVE) if keys is not None else ""
+
+
+def _beginnings(chords: _Chords) -> list[_Chords]:
+    """All that a sequence begins with, itself included."""
+    return [chords[: i + 1] for i in range(len(chords))]
 
 
 class ElementShortcuts(QObject):
@@ -43,6 +63,10 @@ class ElementShortcuts(QObject):
         self._window, self._document = window, document
         self._shortcuts: list[QShortcut] = []
         document.fieldChanged.connect(self._make)
+        document.store.watch(lambda state: state.keymap, self._take)
+        self._make()
+
+    def _take(self, _: Keymap) -> None:
         self._make()
 
     def _make(self) -> None:
@@ -50,40 +74,7 @@ class ElementShortcuts(QObject):
             old.setEnabled(False)  # it is deleted later only
             old.deleteLater()
         self._shortcuts = []
-        for name, keys in element_keys(self._document.field).items():
+        for name, keys in element_keys(self._document.field, self._document.state.keymap).items():
             shortcut = QShortcut(keys, self._window)
             shortcut.activated.connect(lambda name=name: self._document.select_class(name))
             self._shortcuts.append(shortcut)
-
-
-@lru_cache(maxsize=4)
-def _keys_of(elements: tuple[Element, ...]) -> Mapping[str, QKeySequence]:
-    found: dict[str, QKeySequence] = {}
-    whole = set(_own_keys())
-    begun = {beginning for chords in whole for beginning in _beginnings(chords)}
-    for element in elements:
-        chords = _chords(element.shortcut)
-        if not chords or chords in begun or not whole.isdisjoint(_beginnings(chords)):
-            continue
-        whole.add(chords)
-        begun.update(_beginnings(chords))
-        found[element.name] = QKeySequence(element.shortcut)
-    return found
-
-
-def _beginnings(chords: _Chords) -> list[_Chords]:
-    """All that a sequence begins with, itself included."""
-    return [chords[: i + 1] for i in range(len(chords))]
-
-
-def _chords(text: str) -> _Chords:
-    """The chords of a sequence in Qt's own words; () for keys that Qt does not know."""
-    written = QKeySequence(text).toString(_PORTABLE)
-    return tuple(written.split(", ")) if written else ()
-
-
-@cache
-def _own_keys() -> frozenset[_Chords]:
-    """What the window's actions are called by, and what means something while it is held."""
-    given = [key for spec in ACTIONS for key in spec.keys]
-    return frozenset(_chords(key) for key in (*given, *HELD_KEYS))

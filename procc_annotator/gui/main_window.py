@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.gui.digit_row import DigitRow
 from procc_annotator.gui.element_keys import ElementShortcuts
 from procc_annotator.gui.messages import (
     BarStack,
@@ -122,6 +123,7 @@ class MainWindow(QMainWindow):
         )
         self.keys_back = KeysBack(self.canvas)
         self.element_shortcuts = ElementShortcuts(self, self.document)
+        self.digit_row = DigitRow(self)
         self.status = StatusLine()
         self.setStatusBar(self.status)
         self._report = StatusReport(self.document, self.canvas, self.status, self)

@@ -26,8 +26,9 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.files.opening import sample_folder
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, pictures_in
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 from procc_annotator.session.dataset.frames import list_frames
+from procc_annotator.session.dataset.picture_tree import pictures_in
 
 _WAIT_MS = 30_000
 # The clicks, in widths and heights of the picture; and how far a whole screen pixel may put them.

@@ -10,7 +10,9 @@ from typing import Any, Generic, Literal, TypeVar
 
 from PySide6.QtCore import QByteArray, QSettings
 
+from procc_annotator.errors import UsageError
 from procc_annotator.gui.actions import ACTIONS
+from procc_annotator.gui.keymap import USUAL, Keymap, from_values, to_values
 from procc_annotator.gui.state.live_fit import DEFAULT_MODEL, MODELS
 from procc_annotator.gui.state.state import DEFAULT_TAU
 from procc_annotator.session.strokes.ghost_points import LEAST_SUPPORT
@@ -75,6 +77,13 @@ def _entries(kept: Any) -> dict[str, object] | None:
     return entries if isinstance(entries, dict) else None
 
 
+def _keymap(kept: Any) -> Keymap | None:
+    try:
+        return from_values(json.loads(str(kept)))
+    except (ValueError, UsageError):
+        return None
+
+
 def _one_of(*names: str) -> Kind[str]:
     return Kind(lambda kept: str(kept) if str(kept) in names else None)
 
@@ -114,6 +123,8 @@ SECOND = Setting("second", TEXT, _HOME, "The second annotator's folder that was 
 CAMERAS = Setting("cameras", TEXT, _HOME, "Where cameras were loaded last")
 FIELD_FOLDER = Setting("field_folder", TEXT, _HOME, "Where a field file was chosen last")
 RECENT = Setting("recent", PATHS, (), "What was opened last, newest first", most=8)
+KEYS = Setting("keys", Kind(_keymap, lambda keymap: json.dumps(to_values(keymap))), USUAL,
+               "The keys that are not the usual ones")
 CALLED = Setting("called", TEXTS, (), "What the command palette called last, newest first", most=8)
 OWN_FIELDS = Setting("own_fields", PATHS, (), "The user's own field files, newest first", most=6)
 SOURCES = Setting("sources", ENTRIES, {}, "The camera sources of a dataset",

@@ -6,12 +6,12 @@ tree: ``game/00037.json`` and ``game/camera_00037.json`` are frame game/00037.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from pathlib import PurePosixPath
 
 from procc_annotator.errors import InputError
 from procc_annotator.io.camera_files.registry import suffixes_of
-from procc_annotator.io.frame_names import PICTURE_SUFFIX, ByFrame, frame_of_file
+from procc_annotator.io.frame_names import PICTURE_SUFFIX, ByFrame, file_of_frame, frame_of_file
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import stray_notices, strays_among
@@ -102,9 +102,10 @@ def list_frame_files(source: FileSource) -> AnnotationFiles:
     return _frame_files(source, *files_of(source, _is_frame_file))
 
 
-def _frame_files(source: FileSource, names: Iterable[str], in_tree: bool) -> AnnotationFiles:
+def _frame_files(source: FileSource, names: Sequence[str], in_tree: bool) -> AnnotationFiles:
     found = AnnotationFiles()
     found.in_tree = in_tree
+    found.only_folder = "" if in_tree else _only_folder(names)
     for name in names:
         path = PurePosixPath(name)
         if _is_frame_file(path.name):
@@ -149,6 +150,7 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     # Both lists are in natural order; one pass over all files restores it for their union.
     order = dict.fromkeys(map(frame_of, paths))
     found = CameraFiles((frame, chosen[frame]) for frame in order if frame in chosen)
+    found.only_folder = "" if in_tree else _only_folder(names)
     if passed_over:
         count = len(passed_over)
         found.notices = (
@@ -165,6 +167,21 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
             " (choose a camera format to have the other)",
         )
     return found
+
+
+def camera_name(frame: str) -> str:
+    """The file of a frame's camera below a folder of cameras."""
+    return file_of_frame(frame, ".json", CAMERA_PREFIX)
+
+
+def camera_names(frame: str) -> tuple[str, ...]:
+    """The same with those of fits that such a file does not hold."""
+    return camera_name(frame), file_of_frame(frame, ".npy"), file_of_frame(frame, ".yml")
+
+
+def _only_folder(names: Sequence[str]) -> str:
+    folder, slash, _ = names[0].rpartition("/") if names else ("", "", "")
+    return folder + slash
 
 
 def camera_frame(file_name: str) -> str:

@@ -69,14 +69,21 @@ class ByFrame(dict[str, T]):
     """A dict that finds a name in another composition where the very name is not there.
 
     Iterating gives the names as they are.
+
+    Attributes:
+        only_folder: the folder, with a slash at its end, that all files lie in while frames are
+            called without it; a frame of a tree is found with it, too.
     """
 
+    only_folder: str = ""
     _composed: tuple[int, dict[str, str]] | None = None
 
     def name_there(self, frame: str) -> str | None:
         """How a frame is called here; None where there is nothing of it."""
         if dict.__contains__(self, frame):
             return frame
+        if self.only_folder and frame.startswith(self.only_folder):
+            return self.name_there(frame.removeprefix(self.only_folder))
         if frame.isascii():  # composed in one way only
             return None
         if self._composed is None or self._composed[0] != len(self):

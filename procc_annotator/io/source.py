@@ -284,11 +284,18 @@ class ZipSource(_Opened):
         self._archive.close()
 
 
-def walk(root: Path) -> Iterator[tuple[str, list[str]]]:
+def walk(
+    root: Path, on_unread: Callable[[InputError], None] | None = None
+) -> Iterator[tuple[str, list[str]]]:
     """Every folder below a place with the names in it that are not folders: the place itself
     first, then each folder before those in it, in natural order.
 
     A folder that is a link is not gone into: it may lead out, or in a circle.
+
+    Args:
+        root: the place.
+        on_unread: told of each folder below it that cannot be listed, which is then left out; None:
+            that is raised.
 
     Yields:
         The folder below the place with a slash at its end (``game/img1/``; empty for the place
@@ -302,7 +309,13 @@ def walk(root: Path) -> Iterator[tuple[str, list[str]]]:
         folder = waiting.pop()
         if folder.count("/") > _DEEPEST:
             raise _too_deep(root)
-        names, folders = _entries(root / folder)
+        try:
+            names, folders = _entries(root / folder)
+        except InputError as error:
+            if on_unread is None or not folder:
+                raise
+            on_unread(error)
+            continue
         met += len(names) + len(folders)
         if met > _MOST_ENTRIES:
             raise InputError(

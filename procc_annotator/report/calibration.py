@@ -16,6 +16,7 @@ from procc_annotator.io.camera_files.held_out_table import (
     HeldOutElement,
     camera_hash,
 )
+from procc_annotator.io.collections import camera_names
 from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
@@ -169,7 +170,7 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
 def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
     """Cameras of these frames that this run did not write: nobody should take them for its own."""
     for name in names:
-        for file_name in (f"camera_{name}.json", f"{name}.npy", f"{name}.yml"):
+        for file_name in camera_names(name):
             if file_name not in written and (out / file_name).exists():
                 yield file_name
 

@@ -12,6 +12,7 @@ from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.fitted_on import marked
+from procc_annotator.io.frame_names import file_of_frame
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import Disagreement
 from procc_annotator.metric.legacy import Average, LegacyMetrics
@@ -163,7 +164,8 @@ def paint_frames(
         except (ImageError, InputError) as error:
             compared.errors.append(str(error))
             continue
-        target = out / f"{frame.name}{suffix}"
+        target = out / file_of_frame(frame.name, suffix)
+        make_folder(target.parent)
         write_atomic(target, data)
         compared.pictures.append(target)
         yield target

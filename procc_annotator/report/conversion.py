@@ -18,7 +18,6 @@ from procc_annotator.io.annotation_files.exchange import (
 )
 from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.io.annotation_files.read_set import ReadSet, SetReader, read_set
-from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.report.conversion_output import (
     Converted,
@@ -26,10 +25,13 @@ from procc_annotator.report.conversion_output import (
     keep_apart,
     write_converted,
 )
+from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.picture_names import PictureNames
 from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
     picture_folders,
     picture_size,
+    picture_tree,
 )
 from procc_annotator.session.dataset.workspace import Workspace
 
@@ -71,9 +73,11 @@ def convert_annotations(
     folder = _annotation_folder(path)
     keep_apart(path, out)
     with open_source(folder) as source:
-        sizes = PictureSizes(picture_folders(path, folder), size)
-        pictures = sorted(path.name for path in sizes.files())
-        reader = SetReader(source, field, names, fmt=fmt, size_of=sizes.size, pictures=pictures)
+        sizes = PictureSizes(picture_folders(path, folder), size, picture_tree(path))
+        reader = SetReader(
+            source, field, names,
+            fmt=fmt, size_of=sizes.size, pictures=sizes.names(), called=sizes.called,
+        )  # fmt: skip
         complete = (
             replace(f, size=f.size or sizes.size(f.name), picture=f.picture or sizes.name(f.name))
             for f in reader.frames(progress)
@@ -83,7 +87,7 @@ def convert_annotations(
             inputs.add(os.path.realpath(wanted.into))
         done = write_converted(
             complete, out, target, wanted, field, inputs,
-            lambda frame: sizes.path(Path(frame.picture or "").stem) or sizes.path(frame.name),
+            lambda frame: _picture_among(sizes, frame),
         )  # fmt: skip
     done.source = reader.format.title
     done.problems = [*reader.reading.problems, *done.problems]
@@ -148,7 +152,8 @@ def read_annotations(
             names,
             fmt=fmt,
             size_of=lambda name: _size_in(workspace, name),
-            pictures=sorted(frame.image_file for frame in workspace.frames),
+            pictures=sorted(frame.picture for frame in workspace.frames),
+            called=PictureNames(workspace.index).called,
             progress=progress,
         )
 
@@ -173,7 +178,7 @@ def _frames_of(
             if annotation.polylines or annotation.extra or workspace.has_file(index):
                 # A video's frame is kept as a png when it is kept.
                 known = os.path.splitext(frame.image_file)[1].lower() in PICTURE_SUFFIXES
-                picture = frame.image_file if known else f"{frame.name}.png"
+                picture = frame.picture if known else f"{frame.name}.png"
                 size = _size_in(workspace, frame.name) if sized else None
                 yield ExchangedFrame(frame.name, annotation, size, picture)
         if progress is not None:
@@ -188,6 +193,13 @@ def _size_in(workspace: Workspace, name: str) -> Size | None:
         return None
 
 
+def _picture_among(sizes: PictureSizes, frame: ExchangedFrame) -> Path | None:
+    """The picture that a file tells, or else the one that is called like its frame."""
+    folder, slash, _ = frame.name.rpartition("/")
+    told = folder + slash + Path(frame.picture or "").stem
+    return sizes.path(told) or sizes.path(frame.name)
+
+
 def _picture_in(workspace: Workspace, name: str) -> Path | None:
     """The file of a frame's picture; None for frames of a video, which have none."""
     path = workspace.frames[workspace.index[name]].image_path
@@ -196,12 +208,7 @@ def _picture_in(workspace: Workspace, name: str) -> Path | None:
 
 def _annotation_folder(path: Path) -> Path:
     """Where the annotations of a dataset are; anything else is itself."""
-    inner = path / ANNOTATIONS_FOLDER
-    try:
-        names = os.listdir(inner) if path.is_dir() else []
-    except OSError:  # usually: no such folder
-        return path
-    return inner if any(name.lower().endswith((".json", ".xml")) for name in names) else path
+    return annotations_of(path) if path.is_dir() else path
 
 
 def _input_files(source: FileSource) -> set[str]:

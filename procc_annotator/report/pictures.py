@@ -10,6 +10,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.frame_names import file_of_frame
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.project import project_paint
 from procc_annotator.metric.score import score_to_read
@@ -67,7 +68,8 @@ def render_pictures(
         except ImageError as error:
             rendered.problems.append(str(error))
         else:
-            target = out / f"{frame.name}{suffix}"
+            target = out / file_of_frame(frame.name, suffix)
+            make_folder(target.parent)
             write_atomic(target, data)
             rendered.pictures.append(target)
         yield rendered

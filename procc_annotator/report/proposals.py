@@ -12,6 +12,7 @@ import numpy as np
 from procc_annotator.errors import SaveError
 from procc_annotator.fit.from_picture.proposal import NONE, STATES, SURE, UNSURE, KnownPosition
 from procc_annotator.io.atomic import remove, write_atomic
+from procc_annotator.io.collections import camera_name
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.figure import values_of
@@ -113,7 +114,7 @@ def _file_of(one: Proposed) -> str:
     """Where the camera of a frame goes, within OUT; empty without one."""
     if one.proposal is None or one.proposal.fit.camera is None:
         return ""
-    name = f"camera_{one.name}.json"
+    name = camera_name(one.name)
     return name if one.is_sure else f"{UNSURE_FOLDER}/{name}"
 
 
@@ -129,7 +130,8 @@ def _write_camera(one: Proposed, out: Path) -> str:
 def _remove_older(out: Path, names: Iterable[str], written: set[str]) -> None:
     """Remove cameras of these frames from before: one that was sure then may be unsure now."""
     for name in names:
-        for file in (f"camera_{name}.json", f"{UNSURE_FOLDER}/camera_{name}.json"):
+        own = camera_name(name)
+        for file in (own, f"{UNSURE_FOLDER}/{own}"):
             path = out / file
             if file in written or not path.exists():
                 continue

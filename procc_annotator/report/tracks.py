@@ -16,6 +16,7 @@ import numpy as np
 from procc_annotator.errors import InputError, SaveError
 from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.io.atomic import remove, write_atomic
+from procc_annotator.io.collections import camera_name
 from procc_annotator.io.csv_text import csv_cells
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.sheet.as_csv import csv_bytes
@@ -193,7 +194,7 @@ class _Writing:
 
     def _write(self, name: str, one: TrackedFrame) -> None:
         if one.fit is None or one.fit.camera is None:
-            path = self._out / f"camera_{name}.json"
+            path = self._out / camera_name(name)
             try:
                 if path.exists():
                     remove(path)
@@ -201,6 +202,7 @@ class _Writing:
                 raise SaveError(f"{path}: could not be removed: {error.strerror}") from error
             return
         file_name, data = camera_file(name, one.fit)
+        make_folder((self._out / file_name).parent)
         write_atomic(self._out / file_name, data)
 
     def __enter__(self) -> Self:
@@ -232,7 +234,7 @@ def _row(name: str, begin: str, one: TrackedFrame) -> Line:
         None if one.residual_px is None else round(one.residual_px, 3),
         *deviation_values(fit.deviations if fit is not None else None), one.anchor_distance,
         *(fit.size if fit is not None else (None, None)),
-        f"camera_{name}.json" if has_camera else None,
+        camera_name(name) if has_camera else None,
     )  # fmt: skip
     return dict(zip(_KEYS, cells, strict=True))
 

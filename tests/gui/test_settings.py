@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtCore import QByteArray, QSettings
 
 from procc_annotator.gui import settings as rows
+from procc_annotator.gui.keymap import Keymap
 from procc_annotator.gui.settings import SWITCHES, Setting, Settings
 
 # People keep their settings: these names are in their files.
@@ -30,6 +31,7 @@ KEPT = {
     "recent",
     "own_fields",
     "called",
+    "keys",
     "sources",
     "snapping",
     "pinned",
@@ -72,6 +74,8 @@ def test_names_in_the_file_stay_what_they_were() -> None:
 def test_what_is_set_is_read_again_in_the_next_run(row: Setting[Any]) -> None:
     values = {bool: True, float: 0.75, str: "criterion", tuple: (Path("/a"),), dict: {"x": [1]}}
     value = values.get(type(row.default), QByteArray(b"abc"))
+    if row is rows.KEYS:
+        value = Keymap({"undo": ("F2",), "redo": ()}, {"Middle line": "F"})
     if row.kind is rows.TEXTS:
         value = ("action:undo",)
     if row.kind.read("criterion") is None and isinstance(row.default, str):

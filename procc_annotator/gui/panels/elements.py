@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.neighbours import distances_from
-from procc_annotator.gui.element_keys import NATIVE, element_keys
+from procc_annotator.gui.element_keys import element_keys
+from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.panels.findings.signs import FindingSigns
 from procc_annotator.gui.panels.parts import NARROW, SEARCH_KEYS, empty_state
 from procc_annotator.gui.panels.refresher import Refresher, judged
@@ -70,7 +71,7 @@ class ElementsPanel(QWidget):
             document.review.notVisibleChanged,
         )
         Refresher(self, self._show_hover).follow(document.store, lambda s: s.hovered_class)
-        document.store.watch(lambda s: s.field, self._take_field)
+        document.store.watch(lambda s: (s.field, s.keymap), self._take_field)
 
     def focus_search(self) -> None:
         """Put the keyboard into the search box, its text ready to be replaced."""
@@ -129,7 +130,7 @@ class ElementsPanel(QWidget):
     def _listed_classes(self) -> tuple[object, ...]:
         field = self._document.field
         looks = ((e.name, e.title, e.group, e.colour, e.shortcut) for e in field.elements)
-        return (*looks, field.classes_without_geometry)
+        return (*looks, field.classes_without_geometry, self._document.state.keymap)
 
     def _fill(self) -> None:
         field = self._document.field
@@ -138,7 +139,8 @@ class ElementsPanel(QWidget):
         for known in (self._items, self._groups, self._shown):
             known.clear()
         self._room = ()
-        self._keys = {name: k.toString(NATIVE) for name, k in element_keys(field).items()}
+        keys = element_keys(field, self._document.state.keymap)
+        self._keys = {name: key.toString(NATIVE) for name, key in keys.items()}
         self._short = short_titles(field)
         self._findings.forget()
         listed = {e.name: e.group for e in field.elements}

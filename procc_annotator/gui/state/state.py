@@ -12,6 +12,7 @@ from typing import Literal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import SaveError
 from procc_annotator.field.model import Field
+from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
 from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.image.decode import HalfPicture, PixelArray
@@ -88,6 +89,7 @@ class State:
         blind_lock: the lock of the dataset to blind mode, if it has one.
         committed: the frames whose clicks were declared final.
         corrected: frame name -> its camera as somebody dragged it; nothing of it is in a file.
+        keymap: the keys of one's own.
         author: whose name points, comments and versions bear.
         notices: lines that are so until they are withdrawn.
         told: the last line that was said.
@@ -120,6 +122,7 @@ class State:
     committed: frozenset[str] = frozenset()
     corrected: Mapping[str, Correction] = field(default_factory=dict)
     author: str = ""
+    keymap: Keymap = USUAL
     notices: tuple[Notice, ...] = ()
     told: Told | None = None
 

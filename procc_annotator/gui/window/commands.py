@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QInputDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QDialog, QInputDialog, QMessageBox, QWidget
 
 from procc_annotator.gui.picture.canvas import Canvas
-from procc_annotator.gui.settings import AUTHOR, Settings
+from procc_annotator.gui.settings import AUTHOR, KEYS, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.key_sheet import KeySheet
+from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.version import __version__
 
 _TAU_STEP = 0.5
@@ -100,13 +101,22 @@ class Commands:
     def show_keys(self) -> None:
         """Open the sheet of keys."""
         if self._sheet is None:
-            self._sheet = KeySheet(self._document.field, self._window)
+            self._sheet = KeySheet(self._document.field, self._document.state.keymap, self._window)
             self._sheet.actionCalled.connect(self._call)
             self._sheet.elementCalled.connect(self._document.select_class)
-        self._sheet.show_field(self._document.field)
+        self._sheet.show_field(self._document.field, self._document.state.keymap)
         self._sheet.show()
         self._sheet.raise_()
         self._sheet.activateWindow()
+
+    def change_keys(self) -> None:
+        """Ask for other keys, and have them call what they stand for from now on."""
+        document = self._document
+        dialog = KeymapDialog(document.field, document.state.keymap, self._window)
+        if dialog.exec() == QDialog.DialogCode.Accepted:
+            self._settings.set(KEYS, dialog.keymap)
+            document.store.set(keymap=dialog.keymap)
+        dialog.deleteLater()
 
     def _call(self, name: str) -> None:
         action = self._window.findChild(QAction, f"action_{name}")

@@ -13,6 +13,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.neighbours import meeting
 from procc_annotator.fit.labels.finding import Remedy
 from procc_annotator.gui.element_keys import key_text
+from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.panels.states import class_swatch, class_title
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
@@ -89,6 +90,7 @@ def _add_split(menu: QMenu, document: Document, element_edits: ElementEdits, nam
             "Split here: the rest becomes",
             first=free,
             disabled=document.annotation.annotated,
+            keymap=document.state.keymap,
             chosen=element_edits.split,
         )
     )
@@ -154,6 +156,7 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
             "Change class to (swaps with an annotated one)",
             first=likely[:4],
             disabled=(name,),
+            keymap=document.state.keymap,
             chosen=element_edits.change_class,
         )
     )
@@ -167,6 +170,7 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
                 "Merge into",
                 first=[c for c in others if c in met],
                 disabled=[c for c in every if c not in others],
+                keymap=document.state.keymap,
                 chosen=element_edits.merge_into,
             )
         )
@@ -182,6 +186,7 @@ def class_menu(
     *,
     first: Sequence[str] = (),
     disabled: Collection[str] = (),
+    keymap: Keymap = USUAL,
     chosen: Callable[[str], None],
 ) -> QMenu:
     """A menu of all classes: suggestions, then a submenu for every group of the field.
@@ -192,6 +197,7 @@ def class_menu(
         title: of the menu, as in "Change class to".
         first: class names offered at the top, best first; they may be unknown to the field.
         disabled: class names that cannot be chosen now; they stay where they are, in grey.
+        keymap: whose keys stand beside the names.
         chosen: called with the class name of the chosen entry.
 
     Returns:
@@ -199,7 +205,7 @@ def class_menu(
     """
     menu = QMenu(title, parent)
     for name in dict.fromkeys(first):
-        _add(menu, field, name, disabled, chosen)
+        _add(menu, field, name, disabled, keymap, chosen)
     if first:
         menu.addSeparator()
     groups: dict[str, list[str]] = {}
@@ -210,7 +216,7 @@ def class_menu(
     for group, names in groups.items():
         submenu = menu.addMenu(_literal(group))
         for name in names:
-            _add(submenu, field, name, disabled, chosen)
+            _add(submenu, field, name, disabled, keymap, chosen)
         submenu.setEnabled(any(a.isEnabled() for a in submenu.actions()))
     return menu
 
@@ -220,10 +226,11 @@ def _add(
     field: Field,
     name: str,
     disabled: Collection[str],
+    keymap: Keymap,
     chosen: Callable[[str], None],
 ) -> QAction:
     text = _literal(class_title(field, name))
-    if keys := key_text(field, name):
+    if keys := key_text(field, name, keymap):
         # As text only: the keys themselves belong to choosing an element to draw.
         text += "\t" + keys
     action = menu.addAction(class_swatch(field, name), text)

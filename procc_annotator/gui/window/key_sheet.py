@@ -19,6 +19,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.gestures import GESTURES
+from procc_annotator.gui.keymap import NATIVE, Keymap
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.window.key_columns import KeyColumns, Section, SheetRow
 
@@ -27,7 +28,7 @@ _ACTION, _ELEMENT = "action:", "element:"  # what a row calls, before its name
 _MARGIN = 40  # of the window behind the sheet that stays in sight
 
 
-def sections_of(field: Field) -> tuple[Section, ...]:
+def sections_of(field: Field, keymap: Keymap) -> tuple[Section, ...]:
     """The sheet: actions by menu, gestures of the mouse, elements of the field."""
     sections = []
     for menu in MENUS:
@@ -36,12 +37,14 @@ def sections_of(field: Field) -> tuple[Section, ...]:
             if spec.menu.split("/")[0] == menu:
                 place = spec.menu.split("/", 1)[1] + ": " if "/" in spec.menu else ""
                 text = place + spec.text.lstrip("-")
-                rows.append(SheetRow(_native(spec.keys), text, f"{_ACTION}{spec.name}"))
+                rows.append(
+                    SheetRow(_native(keymap.of_action(spec)), text, f"{_ACTION}{spec.name}")
+                )
         sections.append(Section(menu, tuple(rows)))
     sections.append(Section("In the picture", tuple(SheetRow((k,), text) for k, text in GESTURES)))
     elements = [
-        SheetRow((key_text(field, name),), field.title_of(name), f"{_ELEMENT}{name}")
-        for name in element_keys(field)
+        SheetRow((key_text(field, name, keymap),), field.title_of(name), f"{_ELEMENT}{name}")
+        for name in element_keys(field, keymap)
     ]
     if elements:
         sections.append(Section("Choose an element", tuple(elements)))
@@ -54,7 +57,7 @@ class KeySheet(QDialog):
     actionCalled = Signal(str)
     elementCalled = Signal(str)
 
-    def __init__(self, field: Field, parent: QWidget) -> None:
+    def __init__(self, field: Field, keymap: Keymap, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("keySheet")
         self.setWindowTitle("Keys")
@@ -86,13 +89,13 @@ class KeySheet(QDialog):
         layout.addWidget(self.pages)
         layout.addWidget(buttons)
         self._sections: tuple[Section, ...] = ()
-        self.show_field(field)
+        self.show_field(field, keymap)
         room = parent.window().size() - QSize(_MARGIN, _MARGIN)
         self.resize(_SIZE.boundedTo(room))
 
-    def show_field(self, field: Field) -> None:
+    def show_field(self, field: Field, keymap: Keymap) -> None:
         """All keys, with those of a field's elements."""
-        self._sections = sections_of(field)
+        self._sections = sections_of(field, keymap)
         self.search.clear()
         self.search.setFocus()
         self._show()
@@ -119,4 +122,4 @@ class KeySheet(QDialog):
 
 
 def _native(keys: tuple[str, ...]) -> tuple[str, ...]:
-    return tuple(QKeySequence(k).toString(QKeySequence.SequenceFormat.NativeText) for k in keys)
+    return tuple(QKeySequence(k).toString(NATIVE) for k in keys)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from operator import attrgetter
 from typing import cast
@@ -12,6 +12,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu, QWidget
 
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
+from procc_annotator.gui.keymap import NATIVE, Keymap
 from procc_annotator.gui.state.document import Document
 
 
@@ -20,7 +21,7 @@ class Actions:
 
     def __init__(self, window: QMainWindow, canvas: QWidget) -> None:
         self._by_name: dict[str, QAction] = {}
-        self._tips: dict[str, str] = {}
+        self._reasons: dict[str, str] = {}
         self._texts: dict[str, str] = {}
         self._groups: dict[str, QActionGroup] = {}
         self.menus: dict[str, QMenu] = {m: window.menuBar().addMenu(_mnemonic(m)) for m in MENUS}
@@ -39,6 +40,14 @@ class Actions:
     def __iter__(self) -> Iterator[QAction]:
         return iter(self._by_name.values())
 
+    def set_keys(self, keymap: Keymap) -> None:
+        """Have other keys call the actions."""
+        for spec in ACTIONS:
+            action = self._by_name[spec.name]
+            reason = self._reasons.get(spec.name, "")
+            _give_keys(action, spec, keymap.of_action(spec))
+            self.set_reason(spec.name, reason)
+
     def set_checked(self, name: str, checked: bool) -> None:
         """Show a state that changed elsewhere, without calling anything."""
         action = self._by_name[name]
@@ -54,20 +63,15 @@ class Actions:
     def set_reason(self, name: str, reason: str) -> None:
         """Say in an action's tip why it does not do what it says; empty: it does."""
         action = self._by_name[name]
-        tip = self._tips.setdefault(name, action.toolTip())
+        tip = action.toolTip().split("\n")[0]
+        self._reasons[name] = reason
         action.setToolTip(f"{tip}\n{reason}" if reason else tip)
 
     def _make(self, spec: ActionSpec, window: QMainWindow, canvas: QWidget) -> QAction:
         action = QAction(spec.text.lstrip("-"), window)
         action.setObjectName(f"action_{spec.name}")
-        action.setShortcuts([QKeySequence(k) for k in spec.keys])
+        _give_keys(action, spec, spec.keys)
         action.setAutoRepeat(spec.repeat)
-        keys = (
-            f" ({action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)})"
-            if spec.keys
-            else ""
-        )
-        action.setToolTip(f"{spec.tip}{keys}")
         action.setStatusTip("")
         if spec.scope == "canvas":
             action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
@@ -90,6 +94,13 @@ class Actions:
         return menu
 
 
+def _give_keys(action: QAction, spec: ActionSpec, keys: Sequence[str]) -> None:
+    """Have keys call an action, and its tip name the first of them."""
+    action.setShortcuts([QKeySequence(key) for key in keys])
+    first = f" ({action.shortcut().toString(NATIVE)})" if keys else ""
+    action.setToolTip(f"{spec.tip}{first}")
+
+
 def _mnemonic(title: str) -> str:
     return f"&{title}" if title != "Element" else "E&lement"
 
@@ -105,6 +116,7 @@ class ActionStates(QObject):
         document.datasetChanged.connect(self._show_mode)
         document.annotationChanged.connect(self._show_steps)
         document.frameChanged.connect(self._show_steps)
+        document.store.watch(lambda state: state.keymap, self._take_keys)
         document.live_fit.changed.connect(self._show_live_fit)
         document.disagreement.changed.connect(self._show_maps)
         document.uncertainty.changed.connect(self._show_maps)
@@ -120,6 +132,9 @@ class ActionStates(QObject):
         actions.set_checked("lock_blind", bool(reason))
         actions.set_reason("blind", reason)
         actions.set_reason("live_fit", document.blind_lock.no_fit)
+
+    def _take_keys(self, keymap: Keymap) -> None:
+        self._actions.set_keys(keymap)
 
     def _show_steps(self) -> None:
         undone, redone = self._document.editing.steps

@@ -113,7 +113,7 @@ class PaletteEntries:
                 "Element",
                 field.title_of(name),
                 name,
-                key_text(field, name),
+                key_text(field, name, document.state.keymap),
                 partial(document.select_class, name),
                 document.selected_class == name,
             )

@@ -45,6 +45,7 @@ class Remembering:
             self._docks.restore(settings.get(rows.LAYOUT))
             self._docks.hide("agreement")  # there is no second annotator yet
         document.set_tau(settings.get(rows.TAU))
+        document.store.set(keymap=settings.get(rows.KEYS))
         for row, prefix in _CHOICES.items():
             if (name := settings.get(row)) != row.default:
                 self._actions[f"{prefix}_{name}"].trigger()

@@ -275,9 +275,11 @@ class Writing:
         return False
 
     def picture(self, frame: ExchangedFrame) -> str:
-        """The file name of a frame's picture; the usual one where it is not known."""
+        """The file name of a frame's picture, with the path of its frame; the usual one where it is
+        not known."""
         if frame.picture is not None:
-            return frame.picture
+            folder, slash, _ = frame.name.rpartition("/")
+            return frame.picture if "/" in frame.picture else folder + slash + frame.picture
         self.remarks.add("pictures were not found: their names are taken to end in .jpg")
         return f"{frame.name}.jpg"
 

@@ -141,7 +141,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
             "version": _VERSION,
             "flags": {},
             "shapes": shapes,
-            "imagePath": writing.picture(frame),
+            "imagePath": picture_name(writing.picture(frame)),
             "imageData": None,
             "imageHeight": size[1],
             "imageWidth": size[0],

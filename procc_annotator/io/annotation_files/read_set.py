@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 
 from procc_annotator.errors import AnnotationError, InputError
@@ -29,6 +29,10 @@ Progress = Callable[[int, int], None]
 
 def _nobody_knows(_: str) -> None:
     return None
+
+
+def _as_told(frame: str) -> str:
+    return frame
 
 
 @dataclass
@@ -72,6 +76,7 @@ class SetReader:
         fmt: str = "auto",
         size_of: Callable[[str], Size | None] = _nobody_knows,
         pictures: Sequence[str] = (),
+        called: Callable[[str], str] = _as_told,
     ) -> None:
         """Look what there is to read.
 
@@ -82,11 +87,13 @@ class SetReader:
             fmt: a name of `READABLE`, or ``auto`` to look into the files.
             size_of: the size in px of a frame's picture, for files that do not say it.
             pictures: names of the pictures around the files, as of `Reading`.
+            called: the name that a frame of the files has in the dataset.
 
         Raises:
             UsageError: no annotation, annotations of several formats, or of another sport.
             InputError: the source cannot be listed.
         """
+        self._called = called
         self.format: AnnotationFormat
         self.format, self.files = find_annotations(source, fmt)
         if self.format.classes == "soccernet":
@@ -109,6 +116,8 @@ class SetReader:
         for done, frame in enumerate(frames, start=1):
             if progress is not None:
                 progress(done, max(done, reading.total or 0))
+            if (name := self._called(frame.name)) != frame.name:
+                frame = replace(frame, name=name)
             if frame.name in seen:
                 both = (frame.picture, seen[frame.name])
                 pictures = " beside ".join(map(printable, filter(None, both)))
@@ -141,6 +150,7 @@ def read_set(
     fmt: str = "auto",
     size_of: Callable[[str], Size | None] = _nobody_knows,
     pictures: Sequence[str] = (),
+    called: Callable[[str], str] = _as_told,
     progress: Progress | None = None,
 ) -> ReadSet:
     """All annotations of a source, of any format.
@@ -151,10 +161,13 @@ def read_set(
         UsageError: no annotation, annotations of several formats, or of another sport.
         InputError: the source cannot be listed.
     """
-    reader = SetReader(source, field, names, fmt=fmt, size_of=size_of, pictures=pictures)
+    reader = SetReader(
+        source, field, names, fmt=fmt, size_of=size_of, pictures=pictures, called=called
+    )
     found = ReadSet(reader.format.title, files=tuple(reader.files))
     for frame in reader.frames(progress):
         found.frames[frame.name] = frame
-    found.problems, found.unread = reader.reading.problems, reader.reading.unread
+    found.problems = reader.reading.problems
+    found.unread = {called(name): error for name, error in reader.reading.unread.items()}
     found.losses, found.unknown = reader.losses, dict(reader.reading.unknown.most_common())
     return found

@@ -25,6 +25,7 @@ from procc_annotator.io.camera_files.krt_camera import write_krt
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.opencv_camera import write_opencv
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.io.frame_names import file_of_frame, leads_out
 from procc_annotator.io.json_text import printable
 from procc_annotator.metric.folds import folds_into_picture, official_tables
 
@@ -232,10 +233,11 @@ def write_cameras(
         for number, (frame, loaded) in enumerate(cameras, 1):
             encoded = _encoded(frame, loaded, writer, size, done)
             if encoded is not None:
-                name = writer.file_name.format(frame, split=split)
+                name = _place(writer, frame, split)
                 if archived:
                     archive.writestr(_entry(name), encoded)
                 else:
+                    _make_folder((out / name).parent)
                     write_atomic(out / name, encoded)
                 done.written += 1
             if progress is not None:
@@ -243,6 +245,13 @@ def write_cameras(
     if archived and done.written:
         write_atomic(out, buffer.getvalue())
     return done
+
+
+def _place(writer: CameraWriter, frame: str, split: str) -> str:
+    """Where a frame's file goes in the output; those of a tree keep their folders."""
+    head, slash, tail = writer.file_name.rpartition("/")
+    prefix, suffix = tail.split("{}")
+    return f"{head}{slash}".format(split=split) + file_of_frame(frame, suffix, prefix)
 
 
 def _encoded(
@@ -256,10 +265,8 @@ def _encoded(
         done.problems.append(str(loaded))
         return None
     shown = printable(frame)
-    if not _is_file_name(frame):
-        done.problems.append(
-            f"{shown}: is no name for a file, expected one without / \\ or the like"
-        )
+    if leads_out(frame) or not all(map(_is_file_name, frame.split("/"))):
+        done.problems.append(f"{shown}: is no name for a file, expected one without \\ or the like")
         return None
     try:
         loaded = _for_size(loaded, writer.size or size)

@@ -83,7 +83,7 @@ def gather_frames(
         picture = None
         if path is not None:
             try:
-                picture = _picture(path)
+                picture = _picture(path, pictures.name(name) or path.name)
             except InputError as error:
                 found.problems.append(str(error))
         split = splits.get(name, ONE_SPLIT)
@@ -238,10 +238,10 @@ def _earlier_changes(before: Path) -> str:
     return text.partition("\n## ")[2] and "## " + text.partition("\n## ")[2]
 
 
-def _picture(path: Path) -> ReleasedPicture:
+def _picture(path: Path, file: str) -> ReleasedPicture:
     data = read_file(path, ImageError)
     width, height = picture_size(path)
-    return ReleasedPicture(path.name, _sha256(data), len(data), width, height)
+    return ReleasedPicture(file, _sha256(data), len(data), width, height)
 
 
 def _sha256(data: bytes) -> str:

@@ -19,7 +19,11 @@ from procc_annotator.io.annotation_files.soccernet_annotation import write_annot
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 from procc_annotator.session.dataset.fit_sizes import told_size
-from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
+from procc_annotator.session.dataset.picture_sizes import (
+    PictureSizes,
+    picture_folders,
+    picture_tree,
+)
 from procc_annotator.words import count_of
 
 _SUFFIX = ".json"
@@ -74,9 +78,10 @@ def read_labels(path: Path, field: Field) -> ReadSet:
 
 
 def _read(source: FileSource, place: Path, field: Field, names: LabelMap | None) -> ReadSet:
-    sizes = PictureSizes(picture_folders(place, place))
-    pictures = sorted(picture.name for picture in sizes.files())
-    return read_set(source, field, names, size_of=sizes.size, pictures=pictures)
+    sizes = PictureSizes(picture_folders(place, place), tree=picture_tree(place))
+    return read_set(
+        source, field, names, size_of=sizes.size, pictures=sizes.names(), called=sizes.called
+    )
 
 
 def own_label_map(place: Path, field: Field) -> LabelMap | None:

@@ -6,15 +6,19 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from natsort import natsort_keygen
-
-from procc_annotator.errors import InputError, UsageError
-from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.errors import UsageError
+from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.label_map import LABELS_FILE
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, CAMERA_PREFIX, list_annotations
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import open_source
 from procc_annotator.session.database.file import FOLDER as WORKSPACE_FOLDER
+from procc_annotator.session.dataset.picture_tree import (
+    find_pictures,
+    kept_of_video,
+    pictures_in,
+    suffix_of,
+)
 
 FIELD_FILE = "field.toml"
 VIEWS_FILE = "views.csv"
@@ -23,33 +27,6 @@ FRAMES_FILE = "frames.csv"
 _ARCHIVES = frozenset({".zip"})
 _ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
 _OWN_THINGS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE)
-
-
-def pictures_in(folder: Path) -> list[str]:
-    """File names of a folder's pictures, their frames in natural order; none of those below it.
-
-    Raises:
-        InputError: the folder cannot be listed.
-    """
-    try:
-        with os.scandir(folder) as entries:
-            names = [
-                entry.name
-                for entry in entries
-                if _suffix(entry.name) in PICTURE_SUFFIXES
-                and not entry.name.startswith(".")
-                and _is_file(entry)
-            ]
-    except OSError as error:
-        raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
-    if len({(len(name), _suffix(name)) for name in names}) < 2 and _only_numbers(names):
-        return sorted(names)  # numbers of one length, as most are: the same order, at once
-    natural = natsort_keygen()
-    return sorted(names, key=lambda name: tuple(natural(p) for p in os.path.splitext(name)))
-
-
-def _only_numbers(names: Iterable[str]) -> bool:
-    return all(name.isascii() and os.path.splitext(name)[0].isdigit() for name in names)
 
 
 def like_cameras(pictures: Iterable[str]) -> str:
@@ -81,17 +58,6 @@ def like_cameras_in(place: Path) -> str:
     return like_cameras(pictures_in(folder)) if folder is not None else ""
 
 
-def _suffix(name: str) -> str:
-    return os.path.splitext(name)[1].lower()
-
-
-def _is_file(entry: os.DirEntry[str]) -> bool:
-    try:
-        return entry.is_file()
-    except OSError:  # a link that leads nowhere or in a circle does not end the listing
-        return False
-
-
 def annotation_folder(root: Path) -> Path:
     """Where annotations of a folder's pictures are: in its ``annotations/`` if that holds any JSON,
     or beside them."""
@@ -101,7 +67,7 @@ def annotation_folder(root: Path) -> Path:
 
 def frames_folder(video: Path) -> Path:
     """Where annotations and kept pictures of a video belong: ``match_frames`` beside it."""
-    return video.with_name(f"{video.stem}_frames")
+    return video.with_name(kept_of_video(video.name))
 
 
 def folder_of_dataset(place: Path) -> Path | None:
@@ -153,12 +119,26 @@ def annotations_of(dataset: Path) -> Path:
     if found:
         return found[0]
     inner = dataset / ANNOTATIONS_FOLDER
-    return inner if holds_annotations(inner) or _holds_xml(inner) else dataset
+    if holds_annotations(inner) or _holds(inner, ".xml"):
+        return inner
+    if _holds(inner, ".json") and not holds_annotations(dataset, deeper=False):
+        return inner  # one file of another program
+    return _beside_only_pictures(dataset) or dataset
 
 
-def _holds_xml(folder: Path) -> bool:
+def _beside_only_pictures(dataset: Path) -> Path | None:
+    """Where the annotations are of a dataset whose pictures all lie in one folder just below, if
+    they are there and none is at its top."""
+    if not dataset.is_dir() or holds_annotations(dataset, deeper=False):
+        return None
+    only = find_pictures(dataset).only_folder
+    place = annotation_folder(dataset / only)
+    return place if only and holds_annotations(place, deeper=False) else None
+
+
+def _holds(folder: Path, suffix: str) -> bool:
     try:
-        return any(_suffix(name) == ".xml" for name in os.listdir(folder))
+        return any(suffix_of(name) == suffix for name in os.listdir(folder))
     except OSError:  # usually: no such folder
         return False
 
@@ -182,7 +162,7 @@ def annotated_videos(folder: Path) -> list[Path]:
     """`frames_folder` of the videos in a folder, as far as they are annotated; none where the
     folder has annotations of its own."""
     try:
-        names = sorted(n for n in os.listdir(folder) if _suffix(n) in VIDEO_SUFFIXES)
+        names = sorted(n for n in os.listdir(folder) if suffix_of(n) in VIDEO_SUFFIXES)
     except OSError:  # usually: no such folder
         return []
     found = [f for f in (frames_folder(folder / name) for name in names) if holds_annotations(f)]
@@ -191,6 +171,12 @@ def annotated_videos(folder: Path) -> list[Path]:
     if holds_annotations(folder, deeper=False):
         return []
     return found
+
+
+def is_known_dataset(folder: Path) -> bool:
+    """Whether a folder was worked on as a dataset, so that it may be looked through unasked."""
+    own = any((folder / name).is_file() for name in _OWN_THINGS)
+    return own or (folder / WORKSPACE_FOLDER).is_dir()
 
 
 def holds_annotations(folder: Path, *, deeper: bool = True) -> bool:

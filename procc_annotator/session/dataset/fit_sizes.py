@@ -14,7 +14,11 @@ from procc_annotator.errors import ImageError
 from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.session.dataset.dataset_folder import frames_folder
-from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
+from procc_annotator.session.dataset.picture_sizes import (
+    PictureSizes,
+    picture_folders,
+    picture_tree,
+)
 from procc_annotator.words import count_of
 
 DEFAULT_SIZE = (960, 540)
@@ -45,11 +49,13 @@ class FitSizes:
         asked: one size for all frames; None for 960 px in the shape of each picture.
         folders: where the pictures may be, absolute; earlier ones count first.
         otherwise: the size of pictures that are not there.
+        tree: absolute; looked through where those folders hold no picture.
     """
 
     asked: Size | None = None
     folders: tuple[Path, ...] = ()
     otherwise: Size | None = None
+    tree: Path | None = None
 
     @classmethod
     def of(
@@ -65,14 +71,16 @@ class FitSizes:
                 picture that there is, or of the video that the frames are of.
         """
         folders = tuple(f.absolute() for f in picture_folders(dataset, annotations))
-        pictures = PictureSizes(folders)
+        tree = picture_tree(dataset)
+        tree = None if tree is None else tree.absolute()
+        pictures = PictureSizes(folders, tree=tree)
         sizes = (pictures.size(name) for name in frames)
         first = next((s for s in sizes if s is not None), None)
-        return cls(asked, folders, first or _size_of_video(annotations.absolute()))
+        return cls(asked, folders, first or _size_of_video(annotations.absolute()), tree)
 
     @cached_property
     def _pictures(self) -> PictureSizes:
-        return PictureSizes(self.folders)
+        return PictureSizes(self.folders, tree=self.tree)
 
     def picture_of(self, name: str) -> Path | None:
         """The picture of a frame, if there is one."""
@@ -101,7 +109,8 @@ def pictures_of_another_shape(
         frames: names; of many some are looked at.
         sizes: (width, height) px that are compared at.
     """
-    pictures = PictureSizes(picture_folders(annotations, annotations))
+    folders = picture_folders(annotations, annotations)
+    pictures = PictureSizes(folders, tree=picture_tree(annotations))
     looked_at = frames[:: max(1, len(frames) // _LOOKED_AT)]
     found = dict.fromkeys(size for size in map(pictures.size, looked_at) if size is not None)
     return [

@@ -1,28 +1,34 @@
-"""The frames of a dataset: which pictures there are, and the files their annotations belong in."""
+"""The frames of a dataset: which pictures there are, and the files their annotations belong in.
+
+In a tree of folders a frame is called by the path of its picture, ``game/img1/00037``.
+"""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from procc_annotator.errors import UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
-from procc_annotator.io.collections import OWN_FILES
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER, OWN_FILES
 from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.session.dataset.dataset_folder import (
     annotation_folder,
+    holds_annotations,
     json_stems,
     like_cameras,
-    pictures_in,
 )
+from procc_annotator.session.dataset.picture_tree import PictureTree, find_pictures
 
 
 @dataclass(frozen=True, slots=True)
 class Frame:
     """One picture of the dataset and the file its annotation belongs in.
 
-    ``annotation_stem`` is what that file is called where its letters are composed otherwise.
+    ``annotation_stem`` is what that file is called below its folder where that is not the frame's
+    name: its letters are composed otherwise, or it lies beside the picture in a tree.
     """
 
     name: str
@@ -38,6 +44,12 @@ class Frame:
         return self.image_folder / self.image_file
 
     @property
+    def picture(self) -> str:
+        """The name of the picture as files tell it: with its path, if the frame is called so."""
+        folder, slash, _ = self.name.rpartition("/")
+        return folder + slash + self.image_file
+
+    @property
     def annotation_path(self) -> Path:
         """Where its annotation is or will be."""
         return self.annotation_folder / f"{self.annotation_stem or self.name}.json"
@@ -46,7 +58,7 @@ class Frame:
 def list_frames(
     path: Path, annotations: Path | None = None
 ) -> tuple[Path, tuple[Frame, ...], tuple[str, ...]]:
-    """List a folder's pictures in natural order, or take a single picture.
+    """List a dataset's pictures in natural order, see `find_pictures`, or take a single picture.
 
     Args:
         path: folder or picture.
@@ -60,35 +72,85 @@ def list_frames(
         InputError: a folder that cannot be listed.
     """
     if path.is_dir():
-        root, pictures = path, pictures_in(path)
+        root, found = path, find_pictures(path)
     elif not path.exists():
         raise UsageError(f"{path}: no such file or folder")
     elif path.suffix.lower() not in PICTURE_SUFFIXES:
         kinds = ", ".join(sorted(PICTURE_SUFFIXES))
         raise UsageError(f"{path}: not a picture (expected {kinds}) and not a folder")
     else:
-        root, pictures = path.parent, [path.name]
-    folder = annotations if annotations is not None else annotation_folder(root)
-    frames: dict[str, Frame] = {}
-    notices: list[str] = []
-    # Only letters beside ASCII may be composed otherwise in the annotation's name.
-    plain = all(map(str.isascii, pictures))
-    stems = ByFrame[str]() if plain else ByFrame((s, s) for s in json_stems(folder))
-    for file_name in pictures:
-        name = os.path.splitext(file_name)[0]
-        if (own := f"{name}.json") in OWN_FILES:
-            notices.append(f"{file_name} is left out: {own} is not its annotation; rename it")
-        elif name in frames:
-            kept = frames[name].image_file
-            notices.append(f"{file_name} is left out: {kept} already is frame {name}")
-        else:
-            frames[name] = Frame(name, file_name, root, folder, stems.get(name, ""))
-    if remark := like_cameras(frame.image_file for frame in frames.values()):
+        root, found = path.parent, PictureTree((("", (path.name,)),))
+    listing = _Listing(root, found, annotations)
+    for below, names in found.folders:
+        listing.add(below, names)
+    frames = tuple(listing.frames.values())
+    notices = [*found.notices, *listing.notices]
+    if remark := like_cameras(frame.image_file for frame in frames):
         notices.insert(0, remark)  # the window shows the first three
-    if folder != root and annotations is None:
-        unused = sum(stem in frames for stem in json_stems(root))
-        if unused:
-            notices.append(
-                f"annotations are those in {folder}; {unused} beside the pictures are not used"
-            )
-    return root, tuple(frames.values()), tuple(notices)
+    if annotations is None and not found.in_tree:
+        notices += _not_used(root, found.only_folder, frames)
+    return root, frames, tuple(notices)
+
+
+class _Listing:
+    """The frames of a dataset's folders, as they are gone through."""
+
+    def __init__(self, root: Path, found: PictureTree, annotations: Path | None) -> None:
+        self.frames: dict[str, Frame] = {}
+        self.notices: list[str] = []
+        self._root, self._found = root, found
+        self._apart = annotations
+        if annotations is None and found.in_tree:
+            inner = root / ANNOTATIONS_FOLDER
+            self._apart = inner if found.container or holds_annotations(inner) else None
+
+    def add(self, below: str, names: Iterable[str]) -> None:
+        """Take down the pictures of a folder."""
+        called = self._found.called(below)
+        in_tree = self._found.in_tree
+        folder = self._apart or _folder_of(self._root, below, names, in_tree=in_tree)
+        # Beside its picture an annotation file has no path in its name.
+        prefix = called if self._apart is not None else ""
+        image_folder = self._root / below if below else self._root
+        # Only letters beside ASCII may be composed otherwise in the annotation's name.
+        plain = all(map(str.isascii, names))
+        there = folder / prefix if prefix else folder
+        stems = ByFrame[str]() if plain else ByFrame((s, s) for s in json_stems(there))
+        for file_name in names:
+            stem = os.path.splitext(file_name)[0]
+            name = called + stem
+            if (own := f"{stem}.json") in OWN_FILES:
+                self.notices.append(
+                    f"{called}{file_name} is left out: {own} is not its annotation; rename it"
+                )
+            elif name in self.frames:
+                kept = self.frames[name].image_file
+                self.notices.append(
+                    f"{called}{file_name} is left out: {kept} already is frame {name}"
+                )
+            else:
+                written = prefix + stems.get(stem, stem)
+                written = "" if written == name else written
+                self.frames[name] = Frame(name, file_name, image_folder, folder, written)
+
+
+def _folder_of(root: Path, below: str, names: Iterable[str], *, in_tree: bool) -> Path:
+    """Where the annotations of a folder's pictures are, or are to be made."""
+    if in_tree or not below:
+        return annotation_folder(root / below if below else root)
+    usual = annotation_folder(root)
+    if usual != root or {os.path.splitext(name)[0] for name in names} & {*json_stems(root)}:
+        return usual
+    beside = annotation_folder(root / below)
+    return beside if json_stems(beside) else root / ANNOTATIONS_FOLDER
+
+
+def _not_used(root: Path, only_folder: str, frames: Sequence[Frame]) -> Iterator[str]:
+    """That there are annotations beside the pictures while others are taken."""
+    folder = frames[0].annotation_folder if frames else root
+    beside = root / only_folder if only_folder else root
+    if folder == beside:
+        return
+    names = {frame.name for frame in frames}
+    if unused := sum(stem in names for stem in json_stems(beside)):
+        yield f"annotations are those in {folder}; {unused} beside the pictures are not used"

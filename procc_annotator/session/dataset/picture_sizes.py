@@ -12,30 +12,37 @@ from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.io.frame_names import ByFrame
-
-# Where the published sets and other programs keep pictures.
-_PICTURE_FOLDERS = ("", "images", "img1", "v3_frames")
+from procc_annotator.session.dataset.dataset_folder import is_known_dataset
+from procc_annotator.session.dataset.picture_names import PICTURE_FOLDERS, PictureNames
+from procc_annotator.session.dataset.picture_tree import find_pictures
 
 
 class PictureSizes:
     """Pictures by frame name, in the folders around a set of annotations."""
 
-    def __init__(self, folders: Iterable[Path], otherwise: Size | None = None) -> None:
+    def __init__(
+        self, folders: Iterable[Path], otherwise: Size | None = None, tree: Path | None = None
+    ) -> None:
         """List the pictures.
 
         Args:
             folders: where they may be; earlier ones count first.
             otherwise: the size of those that are not there.
+            tree: a folder that is looked through, however deep, where those hold none.
         """
         self._paths = ByFrame[Path]()
+        self._names = PictureNames(self._paths)
         self._otherwise = otherwise
         for folder in folders:
-            for inner in _PICTURE_FOLDERS:
+            for inner in PICTURE_FOLDERS:
                 self._list(folder / inner)
+        if tree is not None and not self._paths:
+            for frame, picture in find_pictures(tree).frames():
+                self._paths.setdefault(frame, tree / picture)
 
     def size(self, frame: str) -> Size | None:
         """(width, height) px of a frame's picture as it is shown; None if nobody knows."""
-        path = self._paths.get(frame)
+        path = self._paths.get(self.called(frame))
         try:
             return picture_size(path) if path is not None else self._otherwise
         except ImageError:
@@ -43,12 +50,25 @@ class PictureSizes:
 
     def path(self, frame: str) -> Path | None:
         """A frame's picture, if there is one."""
-        return self._paths.get(frame)
+        return self._paths.get(self.called(frame))
 
     def name(self, frame: str) -> str | None:
-        """The file name of a frame's picture, if there is one."""
-        path = self._paths.get(frame)
-        return path.name if path is not None else None
+        """The file name of a frame's picture, with the path of the frame, if there is one."""
+        path = self.path(frame)
+        folder, slash, _ = frame.rpartition("/")
+        return folder + slash + path.name if path is not None else None
+
+    def called(self, frame: str) -> str:
+        """As `PictureNames.called`."""
+        return self._names.called(frame)
+
+    def names(self) -> list[str]:
+        """The names of the pictures, in a tree with their paths, in plain order."""
+        return sorted(frame + path.suffix for frame, path in self._paths.items())
+
+    def frames(self) -> list[str]:
+        """The frames that have a picture."""
+        return list(self._paths)
 
     def files(self) -> list[Path]:
         """The pictures that were found."""
@@ -76,6 +96,20 @@ def picture_folders(dataset: Path, annotations: Path) -> list[Path]:
     if not dataset.is_dir() or dataset.resolve().name == ANNOTATIONS_FOLDER:
         found.append(dataset.resolve().parent)
     return found
+
+
+def picture_tree(dataset: Path) -> Path | None:
+    """The folder below which the pictures of a dataset may lie; None where nobody named any.
+
+    Args:
+        dataset: as the user named it.
+    """
+    if not dataset.is_dir():
+        return None
+    above = dataset.resolve().parent
+    if dataset.resolve().name != ANNOTATIONS_FOLDER:
+        return dataset
+    return above if is_known_dataset(above) else None
 
 
 def picture_size(path: Path) -> Size:

@@ -4,7 +4,7 @@ them."""
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from procc_annotator.errors import UsageError
@@ -76,9 +76,8 @@ def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
     root, frames, notices = list_frames(path, annotations)
     if not frames:
         raise UsageError(f"nothing to do: no picture in {path}")
-    folder = Path(os.path.abspath(root))
     found = tuple(
-        Frame(f.name, f.image_file, folder, f.annotation_folder, f.annotation_stem) for f in frames
+        replace(frame, image_folder=Path(os.path.abspath(frame.image_folder))) for frame in frames
     )
     return PictureSource(path, root, found, notices=notices)
 

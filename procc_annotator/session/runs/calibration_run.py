@@ -20,6 +20,8 @@ from procc_annotator.io.camera_files.fitted_on import DIGEST, FIT_KEY, annotatio
 from procc_annotator.io.camera_files.held_out_table import HeldOut
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.io.collections import camera_name
+from procc_annotator.io.frame_names import file_of_frame
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.folds import folds_into_picture
 from procc_annotator.metric.measure import measure
@@ -169,16 +171,16 @@ def camera_file(name: str, fit: FitResult, digest: str | None = None) -> tuple[s
     """
     if isinstance(fit.camera, HomographyCamera):
         data, _ = encode_camera(LoadedCamera(fit.camera, "homography", fit.size), "carwc")
-        return f"{name}.npy", data
+        return file_of_frame(name, ".npy"), data
     if isinstance(fit.camera, FisheyeCamera):
         data, _ = encode_camera(LoadedCamera(fit.camera, "fisheye", fit.size), "opencv")
-        return f"{name}.yml", data
+        return file_of_frame(name, ".yml"), data
     if fit.camera is None:
         raise ValueError("a failed fit has no camera")
     more: dict[str, Any] = {"image_width": fit.size[0], "image_height": fit.size[1]}
     if digest is not None:
         more[FIT_KEY] = {"model": fit.model, DIGEST: digest}
-    return f"camera_{name}.json", write_camera(fit.camera, more)
+    return camera_name(name), write_camera(fit.camera, more)
 
 
 class CalibrationRun(SetRun[FrameFile, Calibrated, SetAccumulator]):

@@ -14,6 +14,8 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.fitted_on import BESIDE, DIGEST, FIT_KEY, annotation_digest
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.io.collections import camera_names
+from procc_annotator.io.frame_names import file_of_frame
 from procc_annotator.session.runs.calibration_run import camera_file
 from procc_annotator.version import __version__
 
@@ -47,7 +49,7 @@ def save_fit(
     """
     name, data = camera_file(frame, fit)
     path = folder / name
-    beside = folder / f"{frame}{BESIDE}"
+    beside = folder / file_of_frame(frame, BESIDE)
     others = _cameras_of(folder, frame)
     for there in others:
         if not _is_saved_fit(there, beside):
@@ -56,7 +58,7 @@ def save_fit(
             )
     what = _fitted_from(annotation, fit, field)
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         reason = error.strerror or str(error)
         raise SaveError(f"{path}: could not be saved: {reason}") from error
@@ -102,7 +104,7 @@ def _fitted_from(annotation: FrameAnnotation, fit: FitResult, field: str) -> dic
 
 def _cameras_of(folder: Path, frame: str) -> list[Path]:
     """The files of a frame's camera that are there."""
-    paths = (folder / f"camera_{frame}.json", folder / f"{frame}.npy", folder / f"{frame}.yml")
+    paths = [folder / name for name in camera_names(frame)]
     return [path for path in paths if path.exists()]
 
 

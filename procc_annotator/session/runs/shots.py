@@ -35,8 +35,17 @@ def find_shots(source: PictureSource, progress: Callable[[int, int], None]) -> l
         begins = scene_cuts(video, progress=progress, cancelled=lambda: False)
     else:
         begins = _cuts_in_folder(source.frames, progress)
-    inner = [n for n in begins if 0 < n < count and _is_cut(source.frames, n)]
+    told = set(begins)
+    inner = [
+        n
+        for n in range(1, count)
+        if _other_folder(source.frames, n) or (n in told and _is_cut(source.frames, n))
+    ]
     return [range(first, past) for first, past in pairwise([0, *inner, count])]
+
+
+def _other_folder(frames: Sequence[Frame], number: int) -> bool:
+    return frames[number].image_folder != frames[number - 1].image_folder
 
 
 def _cuts_in_folder(frames: Sequence[Frame], progress: Callable[[int, int], None]) -> list[int]:

@@ -167,7 +167,7 @@ def test_a_set_is_written_to_a_folder_and_to_an_archive(tmp_path: Path) -> None:
         ("00001", loaded("plain")),
         ("00002", loaded("flat")),
         ("00003", CameraError("3.json", "is empty")),
-        ("a/b", loaded("plain")),
+        ("../b", loaded("plain")),
         ("00004", loaded("bent")),
     ]
     steps: list[tuple[int, int]] = []
@@ -181,7 +181,7 @@ def test_a_set_is_written_to_a_folder_and_to_an_archive(tmp_path: Path) -> None:
     assert steps[-1] == (5, 5)
     assert done.problems[0].startswith("00002: K, R and t cannot hold a homography")
     assert done.problems[1] == "3.json: is empty"
-    assert done.problems[2].startswith("a/b: is no name for a file")
+    assert done.problems[2].startswith("../b: is no name for a file")
     archive = tmp_path / "submission.zip"
     done = write_cameras(cameras, archive, "submission", split="challenge")
     with zipfile.ZipFile(archive) as zipped:

@@ -171,7 +171,7 @@ class FieldMapPanel(QWidget):
 
     def _tip(self, name: str) -> str:
         title = class_title(self._document.field, name)
-        keys = key_text(self._document.field, name)
+        keys = key_text(self._document.field, name, self._document.state.keymap)
         shortcut = f"  ({keys})" if keys else ""
         state = self._states.get(name, ElementState.UNTOUCHED)
         best = _words(self._next) if self._next and name == self._next.name else ""

@@ -1,0 +1,181 @@
+"""Which keys call what: those of the table of actions and of the field, or one's own instead."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from PySide6.QtGui import QKeySequence
+
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Element
+from procc_annotator.gui.actions import ACTIONS, ActionSpec
+from procc_annotator.gui.gestures import HELD_KEYS
+
+NATIVE = QKeySequence.SequenceFormat.NativeText
+_PORTABLE = QKeySequence.SequenceFormat.PortableText
+_HELD = "what is held down in the picture"
+
+
+@dataclass(frozen=True)
+class Keymap:
+    """Keys of one's own; what is not named has its usual keys.
+
+    Attributes:
+        actions: name in the table of actions -> its keys, none for an action without any.
+        elements: class -> its keys, "" for none.
+    """
+
+    actions: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    elements: Mapping[str, str] = field(default_factory=dict)
+
+    def __hash__(self) -> int:
+        return hash((frozenset(self.actions.items()), frozenset(self.elements.items())))
+
+    def of_action(self, spec: ActionSpec) -> tuple[str, ...]:
+        """The keys that call an action."""
+        return self.actions.get(spec.name, spec.keys)
+
+    def of_element(self, element: Element) -> str:
+        """The keys that choose an element, unless they call something else."""
+        return self.elements.get(element.name, element.shortcut)
+
+    def with_action(self, spec: ActionSpec, keys: tuple[str, ...]) -> Keymap:
+        """The same with other keys of an action."""
+        others = {name: own for name, own in self.actions.items() if name != spec.name}
+        own = {} if keys == spec.keys else {spec.name: keys}
+        return Keymap(others | own, self.elements)
+
+    def with_element(self, element: Element, keys: str) -> Keymap:
+        """The same with other keys of an element."""
+        others = {name: own for name, own in self.elements.items() if name != element.name}
+        own = {} if keys == element.shortcut else {element.name: keys}
+        return Keymap(self.actions, others | own)
+
+
+USUAL = Keymap()
+
+# What hands know from elsewhere, or from the other side of the keyboard.
+PRESETS: Mapping[str, Keymap] = {
+    "Usual": USUAL,
+    "Left-handed": Keymap(
+        {
+            "next_frame": ("P", "PgDown"),
+            "previous_frame": ("O", "PgUp"),
+            "next_unfinished": ("Ctrl+Alt+P",),
+            "previous_unfinished": ("Ctrl+Alt+O",),
+            "next_element": ("Shift+P",),
+            "previous_element": ("Shift+O",),
+            "regularise": ("L",),
+            "regularise_all": ("Shift+L",),
+            "switch_mode": ("Home",),
+            "snapping": ("End",),
+            "copy_previous": ("Ins",),
+            "confirm_all": ("Shift+Ins",),
+        }
+    ),
+    "Like CVAT": Keymap(
+        {
+            "next_frame": ("F", "PgDown"),
+            "previous_frame": ("D", "PgUp"),
+            "ten_on": ("V", "Shift+PgDown"),
+            "ten_back": ("C", "Shift+PgUp"),
+            "next_unfinished": ("Shift+F",),
+            "previous_unfinished": ("Shift+D",),
+            "fit": ("Ctrl+0",),
+            "copy_previous": ("Ctrl+V",),
+            "next_camera": ("Ctrl+Alt+C",),
+            "previous_camera": ("Ctrl+Alt+Shift+C",),
+        }
+    ),
+    "Like labelme": Keymap(
+        {
+            "draw_mode": ("Ctrl+N",),
+            "edit_mode": ("Ctrl+J",),
+            "open_folder": ("Ctrl+O", "Ctrl+U"),
+            "uncertainty": ("Ctrl+Shift+U",),
+            "fit": ("F", "Ctrl+Shift+G"),
+            "next_frame": ("D", "PgDown"),
+            "previous_frame": ("A", "PgUp"),
+        }
+    ),
+}
+
+
+def chords_of(text: str) -> tuple[str, ...]:
+    """The chords of a sequence in Qt's own words; () for keys that Qt does not know."""
+    written = QKeySequence(text).toString(_PORTABLE)
+    return tuple(written.split(", ")) if written else ()
+
+
+def clashes(keymap: Keymap, elements: Sequence[Element] = ()) -> dict[str, str]:
+    """What cannot be called since its keys mean something else, too.
+
+    A sequence that begins with another's keys clashes with it: Qt would wait whether more comes.
+
+    Returns:
+        ``action:NAME`` or ``element:CLASS`` -> the title of what it clashes with.
+    """
+    taken = [(chords_of(key), "", _HELD) for key in HELD_KEYS]
+    taken += [(chords_of(key), id_, title) for id_, title, keys in _calls(keymap, elements)
+              for key in keys]  # fmt: skip
+    found: dict[str, str] = {}
+    for i, (chords, id_, title) in enumerate(taken):
+        for other, other_id, other_title in taken[:i]:
+            short = min(len(chords), len(other))
+            if short and chords[:short] == other[:short] and id_ != other_id:
+                found.setdefault(id_, other_title)
+                if other_id:
+                    found.setdefault(other_id, title)
+    return found
+
+
+def _calls(
+    keymap: Keymap, elements: Sequence[Element]
+) -> Iterator[tuple[str, str, tuple[str, ...]]]:
+    for spec in ACTIONS:
+        yield f"action:{spec.name}", spec.text.lstrip("-"), keymap.of_action(spec)
+    for element in elements:
+        keys = keymap.of_element(element)
+        yield f"element:{element.name}", element.title, (keys,) if keys else ()
+
+
+# --- as it is kept and handed on ------------------------------------------------------------------
+
+
+def to_values(keymap: Keymap) -> dict[str, object]:
+    """A keymap as plain values, for a file."""
+    actions = {name: list(keys) for name, keys in sorted(keymap.actions.items())}
+    return {"actions": actions, "elements": dict(sorted(keymap.elements.items()))}
+
+
+def from_values(values: object) -> Keymap:
+    """A keymap from plain values; actions that this version does not know are left out.
+
+    Raises:
+        UsageError: that is no keymap; with the place in it.
+    """
+    if not isinstance(values, dict):
+        raise UsageError('expected an object with "actions" and "elements"')
+    actions, elements = values.get("actions", {}), values.get("elements", {})
+    if not isinstance(actions, dict) or not isinstance(elements, dict):
+        raise UsageError('"actions" and "elements": expected objects')
+    known = {spec.name for spec in ACTIONS}
+    own = {}
+    for name, keys in actions.items():
+        if not isinstance(keys, list):
+            raise UsageError(f"actions.{name}: expected a list of keys, like {_LIKE}")
+        own[str(name)] = tuple(_key(key, f"actions.{name}") for key in keys)
+    chosen = {
+        str(name): _key(key, f"elements.{name}") if key else "" for name, key in elements.items()
+    }
+    return Keymap({name: keys for name, keys in own.items() if name in known}, chosen)
+
+
+_LIKE = '["Ctrl+Shift+R"]'
+
+
+def _key(value: object, place: str) -> str:
+    if not isinstance(value, str) or not chords_of(value) or "Unknown" in chords_of(value):
+        raise UsageError(f"{place}: {value!r} is no key; expected one like {_LIKE}")
+    return value

@@ -1,0 +1,192 @@
+"""Pictures in folders of folders: a frame is called by its path, in every command."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import shutil
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.field.load import load_field
+from procc_annotator.session.dataset.frames import list_frames
+from procc_annotator.session.dataset.workspace import Workspace
+
+MATCHES = ("a/img1", "b/img1")
+FRAMES = ("00001", "00002")
+NAMES = [f"{match}/{frame}" for match in MATCHES for frame in FRAMES]
+
+
+@dataclass(frozen=True)
+class Tree:
+    root: Path
+    cameras: Path
+
+
+@pytest.fixture
+def tree(sample_data: Path, tmp_path: Path) -> Tree:
+    """Two matches whose pictures have the same names, annotated beside them."""
+    made = Tree(tmp_path / "season", tmp_path / "cameras")
+    for match in MATCHES:
+        for place in (made.root, made.cameras):
+            (place / match).mkdir(parents=True)
+        for frame in FRAMES:
+            for suffix in (".jpg", ".json"):
+                shutil.copy(sample_data / f"{frame}{suffix}", made.root / match)
+            camera = f"camera_{frame}.json"
+            shutil.copy(sample_data / "cameras" / "pinhole" / camera, made.cameras / match)
+    return made
+
+
+def test_every_picture_is_a_frame_of_its_own(tree: Tree) -> None:
+    root, frames, notices = list_frames(tree.root)
+    assert root == tree.root
+    assert [frame.name for frame in frames] == NAMES
+    assert notices == ()
+    assert [f.annotation_path for f in frames] == [tree.root / f"{name}.json" for name in NAMES]
+
+
+def test_commands_agree_on_the_names_of_frames(cli, tree: Tree, tmp_path: Path) -> None:
+    out = tmp_path / "s.csv"
+    assert cli("evaluate", tree.root, tree.cameras, "-o", out).exit_code == 0
+    with out.open(encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    evaluated = {cell for row in rows for cell in row if cell.endswith(FRAMES)}
+    done = cli("export", tree.root, tmp_path / "out.zip", "--cameras", tree.cameras)
+    assert done.exit_code == 0, done.stderr
+    with zipfile.ZipFile(tmp_path / "out.zip") as archive:
+        exported = {name.removesuffix(".json") for name in archive.namelist()} - {"jac", "jac.csv"}
+        scores = json.loads(archive.read("jac.json"))
+    assert evaluated == exported == set(NAMES)
+    assert "4 frames" in done.stdout
+    assert scores["summary"]
+
+
+def test_pictures_and_cameras_are_written_into_folders_as_they_lie(
+    cli, tree: Tree, tmp_path: Path
+) -> None:
+    assert cli("render", tree.root, tmp_path / "r", "--cameras", tree.cameras).exit_code == 0
+    assert cli("calibrate", tree.root, tmp_path / "c").exit_code == 0
+    assert cli("convert", tree.cameras, tmp_path / "k", "--to", "opencv").exit_code == 0
+    for name in NAMES:
+        match, _, frame = name.rpartition("/")
+        assert (tmp_path / "r" / f"{name}.png").is_file()
+        assert (tmp_path / "c" / match / f"camera_{frame}.json").is_file()
+        assert list((tmp_path / "k" / match).glob(f"*{frame}*"))
+    done = cli("render", tree.root, tmp_path / "r", "--cameras", tree.cameras)
+    assert done.exit_code == 2
+    assert "holds a/img1/00001.png and 3 more" in done.stderr
+
+
+@pytest.mark.parametrize("fmt", ["soccernet", "labelme", "cvat", "coco"])
+def test_other_formats_hold_a_tree_with_its_pictures(
+    cli, tree: Tree, tmp_path: Path, fmt: str
+) -> None:
+    place = tmp_path / "there"
+    assert cli("convert", tree.root, place, "--to", fmt, "--pictures").exit_code == 0
+    assert len(list(place.rglob("*.jpg"))) == len(NAMES)
+    done = cli("evaluate", place, tree.cameras, "-o", tmp_path / "s.csv")
+    assert done.exit_code == 0, done.stderr
+    text = (tmp_path / "s.csv").read_text()
+    assert all(name in text for name in NAMES)
+
+
+def test_what_one_match_has_goes_with_the_whole_tree(cli, tree: Tree, tmp_path: Path) -> None:
+    """Cameras of one match alone lie in the only folder of their place."""
+    for place in (tree.root, tree.cameras):
+        for match in ("a", "b"):
+            for file in (place / match / "img1").iterdir():
+                file.rename(place / match / file.name)
+            (place / match / "img1").rmdir()
+    shutil.rmtree(tree.cameras / "b")
+    done = cli("export", tree.root, tmp_path / "out", "--cameras", tree.cameras)
+    assert done.exit_code == 0, done.stderr
+    with (tmp_path / "out/jac.csv").open(encoding="utf-8") as file:
+        scored = {row["name"]: row["camera"] for row in csv.DictReader(file)}
+    assert set(scored) == {"a/00001", "a/00002", "b/00001", "b/00002"}
+    assert [bool(scored[name]) for name in sorted(scored)] == [True, True, False, False]
+
+
+def test_annotations_may_lie_apart_in_folders_of_the_same_names(
+    cli, tree: Tree, tmp_path: Path
+) -> None:
+    for match in MATCHES:
+        for frame in FRAMES:
+            (tree.root / match / f"{frame}.json").unlink()
+    done = cli("annotate", tree.root, tree.root / "annotations", "--cameras", tree.cameras)
+    assert done.exit_code == 0, done.stderr
+    assert (tree.root / "annotations/a/img1/00002.json").is_file()
+    workspace = Workspace.open(tree.root, load_field())
+    assert all(workspace.annotated_count(index) for index in range(len(NAMES)))
+    assert cli("check", tree.root, "--no-paint").exit_code == 0
+    assert "4 frames" in cli("evaluate", tree.root, tree.cameras).stdout
+
+
+def test_game_state_folders_go_by_their_pictures(cli, tree: Tree, tmp_path: Path) -> None:
+    """Its file lies above img1 and leaves that folder out."""
+    for match in MATCHES:
+        folder = tree.root / match
+        game = folder.parent
+        assert cli("convert", folder, game, "--to", "soccernet-gsr").exit_code == 0
+        for frame in FRAMES:
+            (folder / f"{frame}.json").unlink()
+    done = cli("evaluate", tree.root, tree.cameras, "-o", tmp_path / "s.csv")
+    assert done.exit_code == 0, done.stderr
+    assert all(name in (tmp_path / "s.csv").read_text() for name in NAMES)
+    done = cli("propose", tree.root, tmp_path / "p")
+    assert "all frames are annotated" in done.stderr
+
+
+def test_pictures_of_one_folder_keep_plain_names(sample_data: Path, tmp_path: Path) -> None:
+    (tmp_path / "game/img1").mkdir(parents=True)
+    shutil.copy(sample_data / "00001.jpg", tmp_path / "game/img1")
+    _, (frame,), _ = list_frames(tmp_path / "game")
+    assert frame.name == "00001"
+    assert frame.annotation_path == tmp_path / "game/annotations/00001.json"
+    shutil.copy(sample_data / "00001.json", tmp_path / "game/img1")
+    _, (frame,), _ = list_frames(tmp_path / "game")
+    assert frame.annotation_path == tmp_path / "game/img1/00001.json"
+
+
+def test_a_damaged_tree_loses_only_what_is_damaged(cli, tree: Tree, tmp_path: Path) -> None:
+    (tree.root / "a" / "again").symlink_to(tree.root, target_is_directory=True)
+    (tree.root / "b" / "nowhere.jpg").symlink_to(tree.root / "gone.jpg")
+    (tree.root / "b/img1/00001.json").write_text("{")
+    done = cli("export", tree.root, tmp_path / "out")
+    assert done.exit_code == 1
+    assert "b/img1/00001.json" in done.stderr
+    written = {p.relative_to(tmp_path / "out").as_posix() for p in (tmp_path / "out").rglob("0*")}
+    assert written == {f"{name}.json" for name in NAMES if name != "b/img1/00001"}
+
+
+def test_an_unreadable_folder_is_told_and_the_others_are_there(
+    tree: Tree, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As a disk with a fault does: permissions do not stop everybody."""
+    listed = os.scandir
+
+    def scandir(path):
+        if str(path).rstrip("/").endswith("season/a"):
+            raise OSError(5, "Input/output error")
+        return listed(path)
+
+    monkeypatch.setattr(os, "scandir", scandir)
+    _, frames, notices = list_frames(tree.root)
+    assert [frame.name for frame in frames] == NAMES[2:]
+    assert len(notices) == 1
+    assert "a/: cannot be listed: Input/output error" in notices[0].replace("season/a:", "a/:")
+
+
+def test_what_is_annotated_in_a_tree_is_saved_beside_its_picture(tree: Tree) -> None:
+    (tree.root / "b/img1/00002.json").unlink()
+    workspace = Workspace.open(tree.root, load_field())
+    index = workspace.index["b/img1/00002"]
+    workspace.edit(index, "taken over", workspace.read(workspace.index["a/img1/00002"]))
+    workspace.save(index)
+    texts = [(tree.root / m / "00002.json").read_bytes() for m in MATCHES]
+    assert texts[0] == texts[1]
+    assert {p.name for p in tree.root.rglob("*.json")} == {f"{frame}.json" for frame in FRAMES}

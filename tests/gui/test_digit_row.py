@@ -1,0 +1,95 @@
+"""Keys of the digits on keyboards that write other things with them."""
+
+from __future__ import annotations
+
+import sys
+
+import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+
+from procc_annotator.gui.main_window import MainWindow
+
+# The offscreen platform has no window manager to pass these on to.
+pytestmark = [
+    pytest.mark.qt_log_ignore("This plugin does not support", extend=True),
+    pytest.mark.skipif(
+        sys.platform in ("win32", "darwin"), reason="the codes of X11's keys are written here"
+    ),
+]
+
+PLAIN, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
+ALTGR = Qt.KeyboardModifier.GroupSwitchModifier
+
+
+def wanted(
+    widget: QWidget, place: int, key: Qt.Key, text: str, held: Qt.KeyboardModifier = PLAIN
+) -> bool:
+    """Whether somebody wants a key of the digit row before the shortcuts, as the platform asks."""
+    override = QKeyEvent(QEvent.Type.ShortcutOverride, key.value, held, 9 + place, 0, 0, text)
+    override.ignore()
+    QApplication.sendEvent(widget, override)
+    return override.isAccepted()
+
+
+def strike(
+    widget: QWidget, place: int, key: Qt.Key, text: str, held: Qt.KeyboardModifier = PLAIN
+) -> bool:
+    """A key of the digit row as the platform sends it: who wants it is asked first.
+
+    Returns:
+        Whether somebody wanted it before the shortcuts.
+    """
+    before = wanted(widget, place, key, text, held)
+    press = QKeyEvent(QEvent.Type.KeyPress, key.value, held, 9 + place, 0, 0, text)
+    QApplication.sendEvent(widget, press)
+    return before
+
+
+def test_french_digits_without_shift(window: MainWindow) -> None:
+    for place, key, text in (
+        (1, Qt.Key.Key_Ampersand, "&"),
+        (2, Qt.Key.Key_Eacute, "é"),
+        (10, Qt.Key.Key_Agrave, "à"),
+    ):
+        window.document.select_class(None)
+        assert strike(window.canvas, place, key, text)
+        shortcut = str(place % 10)
+        expected = next(e.name for e in window.document.field.elements if e.shortcut == shortcut)
+        assert window.document.selected_class == expected
+
+
+def test_french_digits_with_shift(window: MainWindow) -> None:
+    strike(window.canvas, 1, Qt.Key.Key_1, "1", SHIFT)
+    expected = next(e.name for e in window.document.field.elements if e.shortcut == "Shift+1")
+    assert window.document.selected_class == expected
+
+
+def test_the_french_sixth_key_is_no_minus(window: MainWindow) -> None:
+    # What is wanted is pressed without asking the shortcuts; an event sent by hand asks them.
+    assert wanted(window.canvas, 6, Qt.Key.Key_Minus, "-")
+    assert not wanted(window.canvas, 20, Qt.Key.Key_Minus, "-")  # the key of other keyboards
+
+
+def test_the_german_slash_is_a_digit_with_shift(window: MainWindow) -> None:
+    assert strike(window.canvas, 7, Qt.Key.Key_Slash, "/", SHIFT)
+    expected = next(e.name for e in window.document.field.elements if e.shortcut == "Shift+7")
+    assert window.document.selected_class == expected
+    assert window.canvas.hasFocus()
+
+
+def test_what_is_typed_stays_text(window: MainWindow) -> None:
+    window.frames.focus_filter()
+    box: QLineEdit = window.frames.filter
+    before = window.document.selected_class
+    strike(box, 1, Qt.Key.Key_Ampersand, "&")
+    assert box.text() == "&"
+    assert window.document.selected_class == before
+    box.clear()
+
+
+def test_third_level_keys_are_none_of_its_business(window: MainWindow) -> None:
+    window.document.select_class(None)
+    assert not strike(window.canvas, 7, Qt.Key.Key_BraceLeft, "{", ALTGR)
+    assert window.document.selected_class is None
