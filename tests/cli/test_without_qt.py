@@ -104,12 +104,15 @@ def test_every_command_does_its_work(dataset, sample_data: Path, tmp_path: Path)
     shape = '<polyline label="halfway line" points="0.0,0.0;10.0,10.0"></polyline>'
     image = f'<image id="0" name="1.jpg" width="960" height="540">{shape}</image>'
     (tmp_path / "named.xml").write_text(f"<annotations>{image}</annotations>")
+    (tmp_path / "gold.csv").write_text("frame\n1\n2\n")
     runpy.run_path(str(ROOT / "docs/examples/three_views.py"))["make_dataset"](tmp_path / "views")
     tree, others = sample_data / "cameras" / "true", dataset.annotations
     commands: list[list[object]] = [
         ["evaluate", root, cameras, "--recipe", tmp_path / "recipe.json"],
         ["repeat", tmp_path / "recipe.json", "--data", root],
         ["agree", root, others],
+        ["assign", root, tmp_path / "study", "--annotators", "anna,ben"],
+        ["gold", root, others, "--gold", tmp_path / "gold.csv"],
         ["compare", f"a={cameras}", f"b={cameras}", root],
         ["report", root, "--cameras", cameras, "-o", tmp_path / "r.csv"],
         ["calibrate", root, tmp_path / "fitted", "--model", "P"],
