@@ -121,7 +121,7 @@ def compare(
 ) -> None:
     written_to = outputs.figure_files(output)
     shown_field = chosen_field(field, dataset, lines=lines)
-    source_a, source_b = open_sources((a, b), options.shown_size(camera_size))
+    source_a, source_b = open_sources((a, b), options.shown_size(camera_size), shown_field)
     _check_outputs(written_to, pictures, (source_a, source_b), dataset)
     names, images = frames_of(dataset, shown_field)
     if dataset is None:
@@ -147,7 +147,7 @@ def compare(
 
 
 def open_sources(
-    texts: tuple[str, str], camera_size: tuple[int, int] | None
+    texts: tuple[str, str], camera_size: tuple[int, int] | None, field: Field
 ) -> tuple[CameraSet, CameraSet]:
     """The two sources.
 
@@ -158,7 +158,7 @@ def open_sources(
     for spec in parse_sources(texts):
         if not spec.path.exists():
             raise UsageError(f"{spec.path}: does not exist")
-        source = CameraSet.open(spec.path, spec.format, spec.name, camera_size)
+        source = CameraSet.open(spec.path, spec.format, spec.name, camera_size, field)
         for notice in source.notices:
             typer.echo(f"note: {spec.name}: {notice}", err=True)
         opened.append(source)
