@@ -212,6 +212,7 @@ class TestKeysHeldElsewhere:
             QTest.keyClick(view, Qt.Key.Key_Down)
         elif where == "source":
             window.show_panel("cameras")
+            settle(window, qtbot)  # rows of before are gone
             radio = window.findChild(QRadioButton, "cameras_set_0")
             qtbot.waitUntil(radio.isVisible)
             QTest.mouseClick(radio, LEFT, NONE, QPoint(8, radio.height() // 2))

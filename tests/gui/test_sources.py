@@ -177,6 +177,8 @@ class TestRows:
         assert audited.toolbar.cameras.currentText() == "bad"
 
     def test_a_double_click_lets_the_name_be_typed(self, audited: MainWindow, qtbot: QtBot) -> None:
+        audited.show_panel("cameras")
+        settle(audited, qtbot)  # rows of before are gone
         row = child(audited, SourceRow, "cameras_row_1")
         QTest.mouseDClick(row.radio, Qt.MouseButton.LeftButton)
         assert row.edit.isVisible()
