@@ -12,9 +12,10 @@ from procc_annotator.report.scores.chance_sheets import (
     ends_of,
     interval_columns,
 )
+from procc_annotator.report.sheet.counts import FRAMES
 from procc_annotator.report.sheet.figure import Figure
 from procc_annotator.report.sheet.figures import JAC_DIFFERENCE, MEAN_JAC, P_CORRECTED, P_VALUE
-from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, counted, of
 from procc_annotator.session.runs.certainty import Certainty
 from procc_annotator.session.runs.strata import Stratum
 
@@ -56,7 +57,7 @@ def strata_sheet(
 def figures_sheet(parts: Sequence[Stratum], certainty: Certainty, described: str) -> Sheet:
     """Every figure of every source in each part at every threshold, with intervals."""
     by = parts[0].by
-    columns = [Column("value", by), Column("source", "source"), TAU, whole("frames", "frames")]
+    columns = [Column("value", by), Column("source", "source"), TAU, counted(FRAMES)]
     for figure in WITH_INTERVAL:
         columns += [of(figure), *interval_columns(figure)]
     rows: list[tuple[Value, ...]] = []
@@ -69,8 +70,8 @@ def figures_sheet(parts: Sequence[Stratum], certainty: Certainty, described: str
             for at, tau in enumerate(certainty.thresholds):
                 row: list[Value] = [part.value or "(none)", source.marked_name, tau, frames]
                 for key, ratios in sums.items():
-                    counted = float(ratios.wholes[:, at].sum())
-                    row.append(float(ratios.parts[:, at].sum()) / counted if counted else None)
+                    whole = float(ratios.wholes[:, at].sum())
+                    row.append(float(ratios.parts[:, at].sum()) / whole if whole else None)
                     row += ends_of(ends[key, tau])
                 rows.append(tuple(row))
     notes = (f"In brackets {certainty.described}.",)
@@ -86,7 +87,7 @@ def differences_sheet(parts: Sequence[Stratum], certainty: Certainty, described:
     names = [source.marked_name for source in certainty.sources]
     columns = [Column("value", by), TAU, Column("a", "A"), Column("b", "B")]
     for figure, key in DIFFERENCES:
-        columns += [of(figure), *interval_columns(figure), whole(f"{key}_frames", "frames")]
+        columns += [of(figure), *interval_columns(figure), counted(FRAMES, key=f"{key}_frames")]
         columns += [of(f, key=f"{key}_{f.key}", group=figure.title) for f in (P_VALUE, P_CORRECTED)]
     rows: list[tuple[Value, ...]] = []
     for part, tau in product(parts, certainty.thresholds):
@@ -109,7 +110,7 @@ def differences_sheet(parts: Sequence[Stratum], certainty: Certainty, described:
 
 def _columns(certainty: Certainty, by: str, tau: float) -> tuple[Column, ...]:
     names = [source.marked_name for source in certainty.sources]
-    columns = [Column("value", by), whole("frames", "frames")]
+    columns = [Column("value", by), counted(FRAMES)]
     for name in names:
         columns += _with_interval(MEAN_JAC, f"JaC@{tau:g} %", name)
     for pair in certainty.pairs:
