@@ -11,6 +11,7 @@ from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
 from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
 from procc_annotator.errors import UsageError
+from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.fit.determined import LIMITS
 from procc_annotator.fit.fitting import check_model
 from procc_annotator.io.camera_files.fitted_on import TABLE_FILE
@@ -27,10 +28,12 @@ from procc_annotator.report.targets import Interrupted, is_archive
 from procc_annotator.report.together import POSITIONS_FILE
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.fit_sizes import FitSizes
 from procc_annotator.session.runs.calibration_run import CalibrationRun
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import WORTH_WORKERS
 from procc_annotator.session.runs.together_run import SharedRun
+from procc_annotator.session.runs.unfinished import Unfinished, unfinished_file
 from procc_annotator.words import count_of, first_of
 
 HELP = """\
@@ -59,6 +62,9 @@ explain the annotation, not how well it would show what nobody annotated. --held
 every element is left out in turn and judged by the camera of the others, which takes some ten times
 as long. The distances go to held_out.csv, and evaluate and report tell them beside the cameras'
 figures.
+
+A run that was stopped or killed goes on with --resume, in the same words: what was done is not done
+again, and the files are those of one run. Frames whose files changed since are fitted anew.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is listed with the reason and is no error.
@@ -112,6 +118,7 @@ def calibrate(
     shared_position: SharedPosition = False,
     groups: options.Groups = None,
     held_out: HeldOut = False,
+    resume: options.Resume = False,
     overwrite: Overwrite = False,
 ) -> None:
     check_model(model)
@@ -126,29 +133,64 @@ def calibrate(
     place = annotations_of(dataset)
     names = options.label_map(labels, setup.field)
     with open_annotations(place, setup.field, names) as source:
-        _check_out(out, source, overwrite=overwrite, positions=shared_position)
+        left = unfinished_file(out, "calibrate")
+        going_on = options.goes_on(left, out, resume=resume, overwrite=overwrite)
+        _check_out(out, source, overwrite=overwrite or going_on, positions=shared_position)
         datasets.report_mismatch(source, setup.field)
         datasets.report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
+        asked = _terms(setup, thresholds, sizes, model, held_out, shared_position)
         try:
-            if shared_position:
-                run = fit_set(source, dataset, setup, sizes, model, groups, workers, dask)
-                raise typer.Exit(_share(run, setup, thresholds, out))
-            each = CalibrationRun(source, setup, sizes, thresholds, model, hold_out=held_out)
-            raise typer.Exit(_each_alone(each, out, workers, dask))
+            with Unfinished(left, asked, resume=going_on) as kept:
+                if shared_position:
+                    fits = fit_set(
+                        source, dataset, setup, sizes, model, groups, workers, dask, kept
+                    )
+                    code = _share(fits, setup, thresholds, out)
+                else:
+                    each = CalibrationRun(
+                        source, setup, sizes, thresholds, model, hold_out=held_out
+                    )
+                    each.kept = kept
+                    code = _each_alone(each, out, workers, dask)
+                kept.finish()
         except Interrupted as stopped:
             raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
+        raise typer.Exit(code)
+
+
+def _terms(
+    setup: EvaluationSetup,
+    thresholds: tuple[float, ...],
+    sizes: FitSizes,
+    model: str,
+    held_out: bool,
+    shared_position: bool,
+) -> dict[str, str]:
+    """What a run has to share with the one that it goes on with."""
+    return {
+        "way to calibrate": " ".join(
+            word
+            for word, wanted in (("held out", held_out), ("shared position", shared_position))
+            if wanted
+        ),
+        "model": model,
+        "thresholds": ", ".join(f"{tau:g}" for tau in thresholds),
+        "scoring": setup.describe(ground_only=True),
+        "field": f"{setup.field.described}, {field_fingerprint(setup.field)[:12]}",
+        "size": f"{sizes.asked}, of frames without picture {sizes.otherwise}",
+    }
 
 
 def _what_is_there(stopped: Interrupted, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
+    go_on = "run it again with --resume to go on"
     if is_archive(out):
-        return f"{out} was not written"
+        return f"{out} was not written; {go_on}"
     if not stopped.written:
-        return "nothing was written"
+        return f"no camera was written; {go_on}"
     return (
-        f"{stopped.written} of {stopped.total} cameras written to {out}, {TABLE_FILE} not; run it"
-        " again with --overwrite to get all of them"
+        f"{stopped.written} of {stopped.total} cameras written to {out}, {TABLE_FILE} not; {go_on}"
     )
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import options, outputs
+from procc_annotator.cli import chance_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
     report_like_cameras,
@@ -26,6 +26,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import read_annota
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.source import open_source
+from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report import comparison
 from procc_annotator.report.comparison import (
     ComparisonReport,
@@ -33,12 +34,16 @@ from procc_annotator.report.comparison import (
     paint_frames,
     write_comparison,
 )
+from procc_annotator.report.comparison_chance import intervals_sheet, nearer_sheet
+from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.runs.clusters import Clusters, clusters_of
 from procc_annotator.session.runs.comparison_run import ComparisonRun
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import count_of, listed
 
 HELP = """\
@@ -48,6 +53,10 @@ by frame name. A is the reference of the metrics of earlier papers (IoU and the 
 A pixel counts when both cameras see the ground there and at least one of the two ground points lies
 on the field. Distances are in metres on the ground, and in pixels of B's picture.
 
+--intervals says how far the figures of the set would differ on other frames of the same kind, whole
+shots or values of a tag drawn together (--cluster); --versus C compares A with C as well, and says
+figure by figure which of B and C is nearer to A (permutation test, corrected by Holm).
+
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 """
 
@@ -56,6 +65,7 @@ Example:
 
 \b
   procc-annotator compare carwc=homographies/ ours=cameras/ match/ --pictures out/ -n 20
+  procc-annotator compare reference=true/ ours=cameras/ match/ --versus theirs=others.zip
 """
 
 # A frame takes about 30 ms, a process half a second to start.
@@ -89,6 +99,17 @@ Worst = Annotated[
         help="How many frames to draw and list, largest median disagreement first; 0 for all.",
     ),
 ]
+Intervals = Annotated[
+    bool, typer.Option("--intervals", help="Also 95 % intervals of the figures of the set.")
+]
+Versus = Annotated[
+    str | None,
+    typer.Option(
+        metavar="[NAME=]PATH",
+        show_default=False,
+        help="A third source: is it nearer to A than B is, beyond chance, on the frames all have?",
+    ),
+]
 Workers = Annotated[
     int | None,
     typer.Option(
@@ -116,13 +137,20 @@ def compare(
     output: options.FigureFiles = None,
     pictures: Pictures = None,
     worst: Worst = 10,
+    intervals: Intervals = False,
+    versus: Versus = None,
+    tags: chance_options.TagsFile = None,
+    cluster: chance_options.Cluster = None,
+    seed: chance_options.Seed = 1,
     workers: Workers = None,
     dask: Dask = None,
 ) -> None:
     written_to = outputs.figure_files(output)
     shown_field = chosen_field(field, dataset, lines=lines)
-    source_a, source_b = open_sources((a, b), options.shown_size(camera_size))
-    _check_outputs(written_to, pictures, (source_a, source_b), dataset)
+    texts = (a, b) if versus is None else (a, b, versus)
+    source_a, source_b, *third = open_sources(texts, options.shown_size(camera_size))
+    _check_outputs(written_to, pictures, (source_a, source_b, *third), dataset)
+    alike = _clusters_of(dataset, tags, cluster)
     names, images = frames_of(dataset, shown_field)
     if dataset is None:
         _report_field_around((source_a, source_b), shown_field)
@@ -130,11 +158,21 @@ def compare(
         p.parent.resolve() == pictures.resolve() for p in images.values()
     ):
         raise UsageError(f"{pictures}: this is the dataset itself, choose another folder")
-    comparison = ComparisonRun(source_a, source_b, shown_field, options.parse_size(size), names)
+    terms = shown_field, options.parse_size(size), names
+    comparison = ComparisonRun(source_a, source_b, *terms)
+    others = [ComparisonRun(source_a, other, *terms) for other in third]
     count = comparison.total
     with make_executor(workers, dask, frames=count, worth_from=_WORTH_WORKERS) as executor:
         comparison.executor = executor
         compared = compare_sources(comparison, with_progress)
+        for run in others:
+            run.executor = executor
+        versus_others = [compare_sources(run, with_progress) for run in others]
+    for other in versus_others:
+        compared.errors = list(dict.fromkeys((*compared.errors, *other.errors)))
+        compared.notices |= other.notices
+    if intervals or others or cluster is not None:
+        compared.chance = _chance(compared, versus_others, alike, Draws(seed=seed))
     compared.fitted = _fitted_on((source_a, source_b), dataset, shown_field)
     _print_comparison(compared, worst or count)
     for path in written_to:
@@ -146,10 +184,8 @@ def compare(
     raise typer.Exit(report_unreadable(compared.errors))
 
 
-def open_sources(
-    texts: tuple[str, str], camera_size: tuple[int, int] | None
-) -> tuple[CameraSet, CameraSet]:
-    """The two sources.
+def open_sources(texts: Sequence[str], camera_size: tuple[int, int] | None) -> list[CameraSet]:
+    """The sources.
 
     Raises:
         UsageError: a source that is none, or two of one name.
@@ -162,7 +198,44 @@ def open_sources(
         for notice in source.notices:
             typer.echo(f"note: {spec.name}: {notice}", err=True)
         opened.append(source)
-    return opened[0], opened[1]
+    return opened
+
+
+def _clusters_of(
+    dataset: Path | None, tags: Path | None, by: str | None
+) -> Callable[[Sequence[str]], Clusters]:
+    """Which frames are alike: by a tag, or by the dataset's table of frames or names."""
+    read = None if tags is None else Tags.read(tags)
+    cluster = chance_options.cluster_of(by, read)
+    values = chance_options.tags_by_set(read, [""]).get("", {}).get(cluster or "", {})
+    places = {} if dataset is None else {"": dataset}
+    order = chance_options.orders_by_set(places, None).get("")
+    return lambda frames: clusters_of(frames, cluster, values, order)
+
+
+def _chance(
+    compared: ComparisonReport,
+    others: Sequence[ComparisonReport],
+    alike: Callable[[Sequence[str]], Clusters],
+    draws: Draws,
+) -> tuple[Sheet, ...]:
+    """The intervals, and, of three sources, which of two is nearer to the first."""
+    a, b = compared.marked_names
+    clusters = alike([frame.name for frame in compared.frames])
+    described = compared.described
+    sheets = [intervals_sheet(compared.frames, clusters, draws, (a, b), described)]
+    for other in others:
+        names = a, other.marked_names[1]
+        clusters = alike([frame.name for frame in other.frames])
+        sheets.append(intervals_sheet(other.frames, clusters, draws, names, described))
+        of_other = {frame.name: frame for frame in other.frames}
+        own = [frame for frame in compared.frames if frame.name in of_other]
+        if not own:
+            raise UsageError(f"no frame has cameras of {a}, {b} and {names[1]}")
+        pair = own, [of_other[frame.name] for frame in own]
+        clusters = alike([frame.name for frame in own])
+        sheets.append(nearer_sheet(pair, clusters, draws, (a, b, names[1]), described))
+    return tuple(sheets)
 
 
 def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | None, dict[str, Path]]:
@@ -270,6 +343,8 @@ def _print_comparison(compared: ComparisonReport, worst: int) -> None:
     console = stdout_console()
     console.print(comparison.disagreement_table(compared))
     console.print(comparison.legacy_table(compared))
+    for sheet in compared.chance:
+        console.print(sheet)
     console.print(comparison.worst_comparison_table(compared, worst))
 
 

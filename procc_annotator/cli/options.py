@@ -135,6 +135,10 @@ KeepOptional = Annotated[
         help="Write elements, too, that SoccerNet has no class for (marks, landmarks).",
     ),
 ]
+Resume = Annotated[
+    bool,
+    typer.Option("--resume", help="Go on where a run in the same words was stopped; else begin."),
+]
 Overwrite = Annotated[
     bool, typer.Option("--overwrite", help="Replace files of OUT that are there.")
 ]
@@ -308,3 +312,24 @@ def setup_for(
 def shown_size(size: str | None) -> tuple[int, int] | None:
     """An optional size, read."""
     return None if size is None else parse_size(size)
+
+
+def goes_on(left: Path, out: Path, *, resume: bool, overwrite: bool) -> bool:
+    """Whether a run goes on with what another one left.
+
+    Args:
+        left: see `procc_annotator.session.runs.unfinished.unfinished_file`.
+        out: of the command.
+
+    Raises:
+        UsageError: both was asked for; or neither, and somebody's work would be lost.
+    """
+    if resume and overwrite:
+        raise UsageError("--resume goes on and --overwrite begins anew: give one of them")
+    if not left.exists():
+        return False
+    if not resume and not overwrite:
+        raise UsageError(
+            f"{out}: a run was stopped here; --resume goes on with it, --overwrite begins anew"
+        )
+    return resume

@@ -13,6 +13,7 @@ from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import SURE
 from procc_annotator.fit.from_picture.proposing import propose_camera
@@ -35,6 +36,7 @@ from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.known_positions import read_positions
 from procc_annotator.session.runs.proposal_run import ProposalRun, Proposer
 from procc_annotator.session.runs.proposer_plugins import WithPlugin, chosen_proposer
+from procc_annotator.session.runs.unfinished import Unfinished, unfinished_file
 from procc_annotator.words import count_of
 
 HELP = """\
@@ -55,6 +57,9 @@ when those that are not sure are looked at again.
 --with NAME asks a detector, too: a package that proposes cameras or labelled points for a picture
 (docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found there is
 made right and judged alike.
+
+A run that was stopped or killed goes on with --resume, in the same words: what was looked at is not
+looked at again, and the cameras are those of one run.
 
 Exit code: 0; 1 if some pictures or annotations were unreadable (listed); 2 if there was nothing to
 do. A frame without a camera is no error.
@@ -122,6 +127,7 @@ def propose(
     camera_format: options.CameraFormat = "auto",
     workers: Workers = None,
     dask: options.Dask = None,
+    resume: options.Resume = False,
     overwrite: Overwrite = False,
 ) -> None:
     for given in (annotations, known):
@@ -134,16 +140,27 @@ def propose(
     shown = chosen_field(field, dataset, lines=lines)
     pictures = open_pictures(dataset, annotations)
     datasets.report_remarks(pictures.notices)
-    _check_out(out, [pictures.path, *([known] if known is not None else [])], overwrite=overwrite)
+    left = unfinished_file(out, "propose")
+    going_on = options.goes_on(left, out, resume=resume, overwrite=overwrite)
+    inputs = [pictures.path, *([known] if known is not None else [])]
+    _check_out(out, inputs, overwrite=overwrite or going_on)
     positions = () if known is None else read_positions(known, shown, camera_format)
     annotated = None if every_frame else pictures.annotated(annotations, shown)
     wanted = _wanted(pictures.frames[::every], shown, annotated)
     chosen = wanted.frames
     run = ProposalRun(chosen, shown, proposer, positions)
+    asked = {
+        "detector": detector or "",
+        "field": f"{shown.described}, {field_fingerprint(shown)[:12]}",
+    }
     try:
-        with make_executor(workers, dask, frames=run.total, worth_from=_WORTH_WORKERS) as executor:
-            run.executor = executor
+        with (
+            Unfinished(left, asked, resume=going_on) as kept,
+            make_executor(workers, dask, frames=run.total, worth_from=_WORTH_WORKERS) as executor,
+        ):
+            run.executor, run.kept = executor, kept
             found = propose_for_set(run, out, with_progress)
+            kept.finish()
     except Interrupted as stopped:
         raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
     if positions and found.states and not found.states[SURE]:
@@ -215,11 +232,12 @@ def _wanted(frames: tuple[Frame, ...], field: Field, annotated: FrameAnnotations
 
 def _what_is_there(stopped: Interrupted, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
+    go_on = "run it again with --resume to go on"
     if not stopped.written:
-        return "nothing was written"
+        return f"no sure camera was written; {go_on}"
     return (
         f"{count_of(stopped.written, 'sure camera')} of {count_of(stopped.total, 'frame')} written"
-        f" to {out}, {TABLE_FILE} not; run it again with --overwrite to get all of them"
+        f" to {out}, {TABLE_FILE} not; {go_on}"
     )
 
 

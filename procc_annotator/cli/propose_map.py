@@ -7,21 +7,19 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.field_option import chosen_field
-from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.label_map import LABELS_FILE, Ordered, Rule
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.json_text import printable
 from procc_annotator.session.dataset.annotation_source import read_labels
-from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.field_match import mismatch_of
-from procc_annotator.session.labels.label_places import CameraOf
+from procc_annotator.session.labels.label_places import cameras_of
 from procc_annotator.session.labels.label_proposal import LabelProposal, propose_labels
-from procc_annotator.session.labels.label_shapes import LabelledFrame, labelled_frames
+from procc_annotator.session.labels.label_shapes import labelled_frames
 from procc_annotator.session.labels.proposed_file import better_field, proposed_text
 from procc_annotator.words import count_of
 
@@ -75,24 +73,15 @@ def propose_map(
             f"nothing to do: every label of {annotations} is a class of the field {known.title}"
         )
     shown = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
-    proposals = propose_labels(frames, known, None if shown is None else _of_files(shown))
+    unusable: list[str] = []
+    given = None if shown is None else cameras_of(shown, unusable.append)
+    proposals = propose_labels(frames, known, given)
+    code = max(code, datasets.report_unreadable(unusable))
     _tell(proposals, known, annotations)
     text = proposed_text(proposals, annotations.name, known, given_cameras=shown is not None)
     write_atomic(output, text.encode())
     typer.echo(f"written: {output}; look at it, then: --map {output}")
     raise typer.Exit(code)
-
-
-def _of_files(cameras: CameraSet) -> CameraOf:
-    def camera(frame: LabelledFrame, size: tuple[int, int]) -> CameraOrProjections | None:
-        try:
-            found = cameras.camera(frame.name, size)
-        except CameraError as error:
-            typer.echo(f"unreadable: {error}", err=True)
-            return None
-        return None if found is None else found.camera
-
-    return camera
 
 
 def _tell(proposals: list[LabelProposal], field: Field, place: Path) -> None:

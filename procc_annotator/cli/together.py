@@ -14,6 +14,7 @@ from procc_annotator.session.dataset.fit_sizes import FitSizes
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import WORTH_WORKERS, annotation_files
 from procc_annotator.session.runs.together_run import OwnFit, SetFits, read_groups
+from procc_annotator.session.runs.unfinished import Unfinished
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,7 @@ def fit_set(
     groups: Path | None,
     workers: int | None,
     dask: str | None,
+    kept: Unfinished | None = None,
 ) -> FittedSet:
     """Fit every frame of a set by itself, with a progress bar.
 
@@ -60,6 +62,7 @@ def fit_set(
         model: P, R, R+ or auto.
         groups: CSV file of groups, if any.
         workers, dask: see `make_executor`.
+        kept: what was done before, and where the rest is kept.
 
     Raises:
         UsageError: there is nothing to fit, or a model that has no position.
@@ -68,6 +71,6 @@ def fit_set(
     known = None if groups is None else read_groups(groups, set_name_of(dataset))
     fits = SetFits(source, setup.field, sizes, model, known)
     with make_executor(workers, dask, frames=fits.total, worth_from=WORTH_WORKERS) as executor:
-        fits.executor = executor
+        fits.executor, fits.kept = executor, kept
         frames = list(with_progress(fits, fits.total, "fitting"))
     return FittedSet(fits, frames)

@@ -21,6 +21,7 @@ _PARTS = ("line", "circle", "area", "mark")  # which are often written in one wo
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 _SAME_WORD = 0.8  # as difflib compares: a letter or two apart
 _LIKE = 0.7
+_SAID_OTHERWISE = 0.95  # the likeness of the same words, if they are another way to say it
 _LONGEST = 120
 _MOST_WORDS = 16
 
@@ -46,10 +47,13 @@ def similar_classes(label: str, field: Field) -> Similar:
     exact = field.canonical_name(label)
     if field.knows(exact):
         return Similar((exact,), 1.0)
-    ways = _ways(words_of(label))
-    own_sides = _sides(words_of(label))
-    scored = [(max(_likeness(way, c) for way in ways for c in own), name)
-              for name, own in _class_words(field)]  # fmt: skip
+    words = words_of(label)
+    own_sides = _sides(words)
+    ways = [(words, 1.0), *((way, _SAID_OTHERWISE) for way in _other_ways(words))]
+    scored = [
+        (max(_likeness(way, own) * share for way, share in ways for own in theirs), name)
+        for name, theirs in _class_words(field)
+    ]
     best = max((score for score, _ in scored), default=0.0)
     if best < _LIKE:
         return Similar((), best)
@@ -101,9 +105,9 @@ def _parted(word: str) -> list[str]:
     return [singular]
 
 
-def _ways(words: Words) -> list[Words]:
-    """A label's words, and what else they may say."""
-    ways = [words]
+def _other_ways(words: Words) -> list[Words]:
+    """What a label's words may say, too."""
+    ways = []
     for own, others in _table()["phrases"].items():
         for other in others:
             phrase = words_of(other)

@@ -19,7 +19,7 @@ from procc_annotator.metric.legacy import Average, LegacyMetrics
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.as_json import json_bytes
+from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
 from procc_annotator.report.sheet.figure import values_of
 from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
 from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
@@ -78,6 +78,7 @@ class ComparisonReport:
     notices: Counter[str] = field(default_factory=Counter)
     pictures: list[Path] = field(default_factory=list)
     fitted: tuple[bool, bool] = (False, False)
+    chance: tuple[Sheet, ...] = ()  # intervals, where they were asked for
 
     @property
     def marked_names(self) -> tuple[str, str]:
@@ -261,6 +262,8 @@ def _json(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
             "legacy": {name: asdict(average) for name, average in summary.legacy.items()},
         },
     }
+    if compared.chance:
+        content["chance"] = {sheet.name: sheet_entry(sheet) for sheet in compared.chance}
     return json_bytes(content)
 
 

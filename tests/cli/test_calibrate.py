@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 import json
 import re
+import subprocess
+import sys
 import zipfile
 from pathlib import Path
 
@@ -15,7 +17,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.session.runs import calibration_run
+from procc_annotator.session.runs import calibration_run, together_run
 from tests.bench.sports.views import Views
 
 
@@ -229,17 +231,98 @@ def test_an_interrupted_run_says_what_is_there_and_how_to_go_on(
         done = cli("calibrate", dataset.root, out, "-m", "P")
         assert done.exit_code == 130
         assert f"interrupted: 16 of 20 cameras written to {out}, calibration.csv not" in done.stderr
-        assert "again with --overwrite" in done.stderr
-        assert len(list(out.iterdir())) == 16
+        assert "again with --resume" in done.stderr
+        assert len(list(out.glob("camera_*.json"))) == 16
         fits = 0
         archive = cli("calibrate", dataset.root, tmp_path / "out.zip", "-m", "P")
         assert "out.zip was not written" in archive.stderr
-        assert not list(tmp_path.glob("*out.zip*"))
+        assert not (tmp_path / "out.zip").exists()
     again = cli("calibrate", dataset.root, out)
     assert again.exit_code == 2
-    assert "but no calibration.csv, as an interrupted run leaves them" in again.stderr
+    assert "a run was stopped here; --resume goes on with it, --overwrite begins" in again.stderr
     assert cli("calibrate", dataset.root, out, "-m", "P", "--overwrite").exit_code == 0
     assert len(table(out)) == 20
+
+
+@pytest.mark.parametrize("more", [(), ("--held-out",), ("--shared-position",)])
+@pytest.mark.parametrize("name", ["out", "out.zip"])
+def test_a_stopped_run_goes_on_and_writes_the_bytes_of_one_run(
+    cli, dataset, tmp_path, monkeypatch, more, name
+) -> None:
+    for number in range(15):  # more than one chunk
+        copy = dataset.annotations / f"again{number}.json"
+        copy.write_bytes((dataset.annotations / "1.json").read_bytes())
+    asked = ("calibrate", dataset.root, "-m", "P", *more)
+    assert cli(*asked, tmp_path / "one" / name).exit_code == 0
+    modules = [calibration_run, together_run]
+    fitted = []
+
+    def counted(annotation, *args, **options):
+        fitted.append(annotation)
+        if len(fitted) == 18:
+            raise KeyboardInterrupt
+        return fit_camera(annotation, *args, **options)
+
+    out = tmp_path / "two" / name
+    with monkeypatch.context() as patched:
+        for module in modules:
+            patched.setattr(module, "fit_camera", counted)
+        assert cli(*asked, out).exit_code == 130
+        fitted.clear()
+        other = cli("calibrate", dataset.root, "-m", "R", *more, out, "--resume")
+        assert (other.exit_code, fitted) == (2, [])
+        assert "begun with another model (P, now R)" in other.stderr
+        fitted.extend([None] * 20)  # no further interrupt
+        done = cli(*asked, out, "--resume")
+    assert done.exit_code == 0, done.output
+    assert len(fitted) == 20 + 4  # the first chunk of 16 was kept
+    assert contents(tmp_path / "two") == contents(tmp_path / "one")
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """Every file below a folder, hidden ones too."""
+    found = (path for path in folder.rglob("*") if path.is_file())
+    return {str(path.relative_to(folder)): path.read_bytes() for path in found}
+
+
+def test_a_killed_run_goes_on_but_fits_anew_what_changed(cli, dataset, tmp_path) -> None:
+    """What a kill leaves: a last line that was cut off; and somebody corrects a click meanwhile."""
+    out = tmp_path / "out"
+    left = out / ".calibrate.unfinished"
+    code = (
+        "import os; from procc_annotator.report import calibration;"
+        "calibration.csv_bytes = lambda table: os.kill(os.getpid(), 9);"
+        "from procc_annotator.cli.main import run; run()"
+    )
+    words = ["calibrate", str(dataset.root), str(out), "-m", "P"]
+    killed = subprocess.run([sys.executable, "-c", code, *words], check=False, capture_output=True)
+    assert killed.returncode == -9
+    lines = left.read_bytes().splitlines(keepends=True)
+    assert len(lines) == 2  # what was asked for, and the only chunk
+    left.write_bytes(lines[0] + lines[1][:-40])
+    assert cli(*words, "--resume").exit_code == 0
+    assert not left.exists()
+    whole = contents(out)
+    left.write_bytes(b"".join(lines))
+    file = dataset.annotations / "3.json"
+    file.write_bytes((dataset.annotations / "2.json").read_bytes())
+    assert cli(*words, "--resume").exit_code == 0
+    changed = contents(out)
+    assert {name for name in whole if whole[name] != changed[name]} == {
+        "camera_3.json", "calibration.csv"
+    }  # fmt: skip
+
+
+def test_resume_says_what_it_cannot_go_on_with(cli, dataset, tmp_path) -> None:
+    out = tmp_path / "out"
+    asked = ("calibrate", dataset.root, out, "--resume")
+    assert "give one of them" in cli(*asked, "--overwrite").stderr
+    assert cli(*asked).exit_code == 0  # nothing is there: it begins
+    assert "holds cameras or their tables already" in cli(*asked).stderr
+    (out / ".calibrate.unfinished").write_text("[]\n")
+    damaged = cli(*asked)
+    assert damaged.exit_code == 2
+    assert "is not what a run of this program leaves" in damaged.stderr
 
 
 def test_cameras_that_are_hardly_determined_are_named(cli, dataset, tmp_path) -> None:

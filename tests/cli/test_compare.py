@@ -316,3 +316,79 @@ def test_cameras_in_a_dataset_of_another_sport_are_told(cli, sample_data) -> Non
     assert "the field Soccer does not know any of the" in done.stderr
     assert "name the dataset after B" in done.stderr
     assert "does not know" not in cli("compare", court / "bad", court / "true", court.parent).stderr
+
+
+# ------------------------------------------------------------------------------------- intervals
+
+
+@pytest.fixture
+def far(dataset) -> Path:
+    """The dataset's cameras, each moved by 1 to 3 metres."""
+    folder = dataset.root / "far"
+    folder.mkdir()
+    for n, (name, pan) in enumerate(PANS.items()):
+        moved = camera_file(pan, position_meters=[1.0 + 0.5 * n, 60.0, -14.0])
+        (folder / f"camera_{name}.json").write_text(json.dumps(moved))
+    return folder
+
+
+def test_intervals_are_about_means_and_medians_of_frames(cli, dataset, far, tmp_path) -> None:
+    out = tmp_path / "out.json"
+    done = cli("compare", dataset.cameras, f"far={far}", "--intervals", "-o", out)
+    assert done.exit_code == 0, done.output
+    assert "not clustered" in " ".join(done.stdout.split())
+    content = json.loads(out.read_text())
+    rows = {(r["figure"], r["over"]): r for r in content["chance"]["intervals"]["rows"]}
+    mean = rows["frames' medians on the ground, m", "mean"]
+    # Of 1, 1.5, 2, 2.5 and 3 m: mean 2, deviation of the mean 0.354, Student's quantile 2.776.
+    assert mean["value"] == pytest.approx(2.0, abs=1e-6)
+    assert mean["low"] == pytest.approx(2.0 - 2.776 * 0.35355, abs=1e-3)
+    assert mean["high"] == pytest.approx(2.0 + 2.776 * 0.35355, abs=1e-3)
+    median = rows["frames' medians on the ground, m", "median"]
+    assert median["value"] == content["summary"]["metres"]["median"]
+    assert 1.0 - 1e-6 <= median["low"] < median["value"] < median["high"] <= 3.0 + 1e-6
+    within = rows["within 0.5 m, %", "share of all area"]
+    assert (within["value"], within["low"], within["high"]) == (0.0, 0.0, 0.0)
+    plain = tmp_path / "plain.json"
+    assert cli("compare", dataset.cameras, f"far={far}", "-o", plain).exit_code == 0
+    del content["chance"]
+    assert json.loads(plain.read_text()) == content
+
+
+def test_of_three_sources_the_nearer_one_is_told_where_frames_are_enough(
+    cli, dataset, other, far, tmp_path
+) -> None:
+    out = tmp_path / "out.json"
+    arguments = ("compare", f"true={dataset.cameras}", f"near={other}", "--versus", f"far={far}")
+    assert cli(*arguments, "-o", out).exit_code == 0
+    rows = {r["figure"]: r for r in json.loads(out.read_text())["chance"]["nearer"]["rows"]}
+    metres = rows["frames' medians on the ground, m"]
+    assert metres["difference"] == pytest.approx(0.4 - 2.0, abs=1e-6)
+    assert metres["high"] < 0.0
+    # Five frames can be exchanged in 32 ways: no p is below 1/16.
+    assert metres["p"] == pytest.approx(2 / 32)
+    assert metres["nearer"] == "undecided"
+    for name, pan in ((str(n), PANS["1"] + n / 2) for n in range(20, 40)):
+        for folder, x in ((dataset.cameras, 0.0), (other, 0.3), (far, 1.0 + int(name) / 20)):
+            moved = camera_file(pan, position_meters=[x, 60.0, -14.0])
+            (folder / f"camera_{name}.json").write_text(json.dumps(moved))
+    (far / "camera_1.json").unlink()
+    (dataset.root / "tags.csv").write_text("frame,day\n20,a\n21,a\n22,b\n")
+    done = cli(*arguments, "--tags", dataset.root / "tags.csv", "--cluster", "day", "-o", out)
+    assert done.exit_code == 0, done.output
+    content = json.loads(out.read_text())["chance"]["nearer"]
+    rows = {r["figure"]: r for r in content["rows"]}
+    for figure in ("frames' medians on the ground, m", "IoU whole, %", "projection error, m"):
+        assert rows[figure]["nearer"] == "near", figure
+        assert rows[figure]["frames"] == 24
+    assert "clusters by day" in content["notes"][0]
+
+
+def test_a_third_source_that_shares_no_frame_is_one_line(cli, dataset, other, tmp_path) -> None:
+    third = tmp_path / "third"
+    third.mkdir()
+    (third / "camera_77.json").write_text(json.dumps(camera_file(0.0)))
+    done = cli("compare", dataset.cameras, other, "--versus", third)
+    assert done.exit_code == 2
+    (line,) = done.stderr.splitlines()
+    assert "no frame has cameras of both" in line

@@ -239,7 +239,9 @@ def test_what_makes_no_sense(cli, dataset, tmp_path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-def test_an_interrupted_run_says_what_is_there(cli, bare, monkeypatch, fits, tmp_path) -> None:
+def test_an_interrupted_run_says_what_is_there_and_goes_on(
+    cli, bare, monkeypatch, fits, tmp_path
+) -> None:
     calls = []
 
     def stopped(picture, field, *, known):
@@ -252,4 +254,14 @@ def test_an_interrupted_run_says_what_is_there(cli, bare, monkeypatch, fits, tmp
     done = cli("propose", bare.root, tmp_path / "out")
     assert done.exit_code == 130
     assert "interrupted: 2 sure cameras of 5 frames written" in done.stderr
-    assert files(tmp_path / "out") == ["camera_1.json", "camera_2.json"]
+    assert "again with --resume" in done.stderr
+    cameras = ["camera_1.json", "camera_2.json"]
+    assert files(tmp_path / "out") == [".propose.unfinished", *cameras]
+    assert "--resume goes on with it" in cli("propose", bare.root, tmp_path / "out").stderr
+    done = cli("propose", bare.root, tmp_path / "out", "--resume")
+    assert done.exit_code == 0, done.output
+    assert len(calls) == 3 + 3  # two were kept
+    assert cli("propose", bare.root, tmp_path / "one").exit_code == 0
+    assert files(tmp_path / "out") == files(tmp_path / "one")
+    for file in (tmp_path / "one").glob("camera_*"):
+        assert (tmp_path / "out" / file.name).read_bytes() == file.read_bytes()

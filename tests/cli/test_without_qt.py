@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import os
+import runpy
 import subprocess
 import sys
 from pathlib import Path
@@ -9,6 +12,9 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from procc_annotator.cli.main import COMMANDS
+
+ROOT = Path(__file__).parents[2]
 WITHOUT = """
 import sys
 class NoQt:
@@ -67,3 +73,75 @@ def test_the_window_says_what_is_missing_in_a_line(dataset) -> None:
     done = without_qt("open", dataset.root)
     assert done.returncode == 2
     assert "Traceback" not in done.stderr
+
+
+EVERY = """
+import json
+import os
+from procc_annotator.cli.main import app
+asked = json.load(sys.stdin)
+ended = []
+for arguments in asked:
+    try:
+        app(arguments, prog_name="procc-annotator")
+        ended.append(0)
+    except SystemExit as end:
+        ended.append(end.code)
+print(json.dumps(ended), file=sys.stderr)
+"""
+
+
+def test_every_command_does_its_work(dataset, sample_data: Path, tmp_path: Path) -> None:
+    """All of them one after the other in one program: what they need of Qt is nothing."""
+    root, cameras = dataset.root, dataset.cameras
+    one = tmp_path / "one"
+    one.mkdir()
+    for file in ("00002.jpg", "00002.json"):
+        (one / file).write_bytes((sample_data / file).read_bytes())
+    bare = tmp_path / "bare"
+    bare.mkdir()
+    (bare / "1.jpg").write_bytes((one / "00002.jpg").read_bytes())
+    shape = '<polyline label="halfway line" points="0.0,0.0;10.0,10.0"></polyline>'
+    image = f'<image id="0" name="1.jpg" width="960" height="540">{shape}</image>'
+    (tmp_path / "named.xml").write_text(f"<annotations>{image}</annotations>")
+    (tmp_path / "gold.csv").write_text("frame\n1\n2\n")
+    runpy.run_path(str(ROOT / "docs/examples/three_views.py"))["make_dataset"](tmp_path / "views")
+    tree, others = sample_data / "cameras" / "true", dataset.annotations
+    commands: list[list[object]] = [
+        ["evaluate", root, cameras, "--recipe", tmp_path / "recipe.json"],
+        ["repeat", tmp_path / "recipe.json", "--data", root],
+        ["agree", root, others],
+        ["assign", root, tmp_path / "study", "--annotators", "anna,ben"],
+        ["gold", root, others, "--gold", tmp_path / "gold.csv"],
+        ["compare", f"a={cameras}", f"b={cameras}", root],
+        ["report", root, "--cameras", cameras, "-o", tmp_path / "r.csv"],
+        ["calibrate", root, tmp_path / "fitted", "--model", "P"],
+        ["propose", bare, tmp_path / "proposed"],
+        ["track", one, tmp_path / "tracked"],
+        ["annotate", one, tmp_path / "annotated", "--cameras", tree],
+        ["check", root],
+        ["field-size", root],
+        ["triangulate", tmp_path / "views"],
+        ["export", root, tmp_path / "out.zip"],
+        ["convert", root, tmp_path / "match.xml", "--to", "cvat"],
+        ["convert", cameras, tmp_path / "sub.zip", "--to", "submission"],
+        ["propose-map", tmp_path / "named.xml"],
+        ["release", root, tmp_path / "released"],
+        ["render", one, tmp_path / "drawn", "--cameras", tree],
+        ["check-submission", tmp_path / "sub.zip"],
+        ["headless", one, tmp_path / "headless"],
+        ["desktop-entry", "--install"],
+        ["field", "list"],
+        ["field", "show", "tennis"],
+    ]
+    assert {str(command[0]) for command in commands} == {c.name for c in COMMANDS} - {"open"}
+    done = subprocess.run(
+        [sys.executable, "-c", WITHOUT.rpartition("from procc")[0] + EVERY],
+        input=json.dumps([[str(word) for word in command] for command in commands]),
+        capture_output=True, text=True, check=False, cwd=tmp_path,
+        env={**os.environ, "XDG_DATA_HOME": str(tmp_path / "share"), "HOME": str(tmp_path)},
+    )  # fmt: skip
+    assert "Traceback" not in done.stderr, done.stderr
+    ended = json.loads(done.stderr.splitlines()[-1])
+    for command, code in zip(commands, ended, strict=True):
+        assert code == 0, (command, code, done.stderr)

@@ -19,6 +19,8 @@ from procc_annotator.gui.worker import run_in_background
 from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report.plotted import plotted_sheet
+from procc_annotator.report.sheet.as_csv import CRLF, csv_bytes
 
 
 class TakingAlong(QWidget):
@@ -86,7 +88,7 @@ class TakingAlong(QWidget):
             self._document.say("there is nothing plotted to take along")
             return
         run_in_background(
-            lambda _: page.table(data, request).csv(),
+            lambda _: csv_bytes(plotted_sheet(page.table(data, request)), line_end=CRLF).decode(),
             on_result=use,
             on_error=lambda text: self._document.say(text, "error"),
             owner=self,

@@ -41,9 +41,12 @@ def _distribution(report: AuditReport, charted: list[Charted], jacs: list[Floats
             drawn = violins.violinplot([values], [place], widths=0.8, showextrema=False)
             for body in drawn["bodies"]:
                 body.set(facecolor=one.look.colour, alpha=0.5)
+            low, middle, high = np.percentile(values, (25, 50, 75))
+            violins.plot([place, place], [low, high], color=one.look.colour, lw=4)
             violins.plot(
-                [place], [np.median(values)], marker=one.look.marker, color=one.look.colour, ms=5
-            )
+                [place], [middle], marker=one.look.marker, color=one.look.colour, ms=8, mec="white",
+                mew=1.5,
+            )  # fmt: skip
             share = 100 * (np.arange(len(values)) + 0.5) / len(values)
             curves.plot(share, np.sort(values), **line_style(one.look))
         names = [chart_label(one.look.name) for one in charted]
@@ -55,7 +58,8 @@ def _distribution(report: AuditReport, charted: list[Charted], jacs: list[Floats
     return draw_chart(
         9,
         "How the JaC of frames is distributed",
-        f"Left: how many frames have which JaC at {report.tau:g} px; the mark is the median. Right:"
+        f"Left: how many frames have which JaC at {report.tau:g} px; the bar holds the middle half"
+        " of them, the mark is the median. Right:"
         " the frames of each source in the order of their JaC: a curve above another has at every"
         f" rank the better frame. Frames without a camera are left out ({terms(report)}).",
         2.9,

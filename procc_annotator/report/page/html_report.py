@@ -23,6 +23,8 @@ from procc_annotator.report.page.report_tables import (
     terms,
 )
 from procc_annotator.report.sheet.as_html import html_table
+from procc_annotator.report.sheet.definitions import definitions
+from procc_annotator.report.sheet.figures import FN, FP, JAC, TP
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.resources import resources_dir
 
@@ -84,15 +86,20 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
     ]
     tables = [comparison_table(report), fits_table(report), frames_table(report)]
     tables.append(errors_table(report))
+    shown = [table for table in tables if table is not None]
+    classes = classes_section(report)
+    every = every_frame_table(report) if len(report.frames) <= MOST_FRAMES else None
+    explained = [*shown, *report.told.sheets, *page.over_time, classes, *page.pair_tables]
     text = _template().render(
         heading=heading,
         report=report,
         page=page,
         terms=terms(report),
-        tables=[table for table in tables if table is not None],
+        tables=shown,
         chance=report.told.sheets,
-        classes=classes_section(report),
-        frames=every_frame_table(report) if len(report.frames) <= MOST_FRAMES else None,
+        classes=classes,
+        frames=every,
+        definitions=definitions(explained, also=(TP, FP, FN, JAC)),
         failures=failures[:MOST_FAILURES],
         more_failures=max(0, len(failures) - MOST_FAILURES),
         notices=notices,

@@ -11,9 +11,10 @@ from procc_annotator.field.model import Field
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.legacy import Average
 from procc_annotator.report.comparison import ComparisonScene
+from procc_annotator.report.sheet.counts import FRAMES
 from procc_annotator.report.sheet.figure import Figure, values_of
 from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
-from procc_annotator.report.sheet.sheet import Column, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import Column, Sheet, counted, of
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.comparison_run import (
     ComparedFrame,
@@ -180,7 +181,7 @@ def disagreement_section(pairs: Sequence[ReportedPair]) -> Sheet:
     """One row a pair: metres on the ground, px in the picture."""
     columns = (
         Column("sources", "Sources"),
-        whole("frames", "Frames"),
+        counted(FRAMES),
         *(_spread_column(f, "metres", "on the ground, m") for f in METRES),
         of(WITHIN),
         *(_spread_column(f, "pixels", "in the picture, px") for f in PIXELS),
@@ -203,7 +204,7 @@ def _spread_column(figure: Figure, what: str, group: str) -> Column:
 
 def legacy_section(reference: str, pairs: Sequence[ReportedPair]) -> Sheet:
     """One row a source: the metrics of earlier papers against the reference, mean and median."""
-    columns = [Column("source", "Source"), whole("frames", "Frames")]
+    columns = [Column("source", "Source"), counted(FRAMES)]
     for figure in LEGACY:
         group = f"{figure.title}, {figure.unit}"
         for average in ("mean", "median"):

@@ -8,6 +8,15 @@ from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.io.camera_files.fitted_on import FITTED
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.scores.held_out_sheet import held_out_sheet
+from procc_annotator.report.sheet.counts import (
+    ERROR_POINTS,
+    EVALUATED,
+    IMAGES,
+    MIRRORED,
+    UNDEFINED,
+    UNMATCHED,
+    WITHOUT,
+)
 from procc_annotator.report.sheet.figure import shortest
 from procc_annotator.report.sheet.figures import (
     BIAS_DOWN,
@@ -21,7 +30,7 @@ from procc_annotator.report.sheet.figures import (
     MEDIAN_PX,
     P95_PX,
 )
-from procc_annotator.report.sheet.sheet import Column, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import Column, Sheet, counted, of
 from procc_annotator.session.runs.audit_figures import bias, gather
 
 SOURCE = Column("source", "Source")
@@ -103,11 +112,9 @@ def frames_table(report: AuditReport) -> Sheet:
     columns = (
         SOURCE,
         Column("folder", "Folder"),
-        whole("images", "Annotated frames"),
-        whole("evaluated", "With a camera"),
-        whole("without", "Without"),
-        whole("mirrored", f"Labels mirrored@{report.tau:g}"),
-        whole("unmatched_cameras", "Cameras without annotation"),
+        *map(counted, (IMAGES, EVALUATED, WITHOUT)),
+        counted(MIRRORED, f"@{report.tau:g}"),
+        counted(UNMATCHED),
     )
     rows = []
     for source in report.sources:
@@ -157,8 +164,7 @@ def errors_table(report: AuditReport) -> Sheet:
     """How the distances of points are spread, and whether they lean to one side."""
     columns = (
         SOURCE,
-        whole("points", "Points"),
-        whole("undefined", "without distance"),
+        *map(counted, (ERROR_POINTS, UNDEFINED)),
         *map(of, (MEDIAN_PX, P95_PX, LARGEST_PX, BIAS_RIGHT, BIAS_DOWN)),
     )
     rows = []

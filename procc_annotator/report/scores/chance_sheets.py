@@ -10,6 +10,7 @@ from procc_annotator.metric.chance.intervals import Interval
 from procc_annotator.metric.chance.paired import PairedDifference
 from procc_annotator.metric.chance.power import frames_needed, least_difference
 from procc_annotator.metric.sets import SetSummary
+from procc_annotator.report.sheet.counts import FRAMES, FRAMES_FOR, ONLY_A, ONLY_B, RANK, SHARED
 from procc_annotator.report.sheet.figure import Figure
 from procc_annotator.report.sheet.figures import (
     BEST_IN,
@@ -24,7 +25,7 @@ from procc_annotator.report.sheet.figures import (
     P_VALUE,
     SCORE_DIFFERENCE,
 )
-from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, counted, of
 from procc_annotator.session.runs.audit import TAU_GRID
 from procc_annotator.session.runs.certainty import Certainty
 
@@ -91,8 +92,7 @@ def interval_columns(figure: Figure) -> tuple[Column, Column]:
 
 def differences_sheet(certainty: Certainty, described: str) -> Sheet:
     """Every two sources on the frames both have, at every threshold."""
-    columns = [TAU, Column("a", "A"), Column("b", "B"), whole("shared", "frames of both")]
-    columns += [whole("only_a", "only A"), whole("only_b", "only B")]
+    columns = [TAU, Column("a", "A"), Column("b", "B"), *map(counted, (SHARED, ONLY_A, ONLY_B))]
     for figure, _ in _DIFFERENCES:
         points = figure.unit.replace("%", "points")
         heading = f"{figure.title}, {points}"
@@ -137,7 +137,7 @@ def ranks_sheet(certainty: Certainty, described: str) -> Sheet:
     columns = [Column("source", "source")]
     for tau in certainty.thresholds:
         group = f"at {tau:g} px"
-        columns.append(whole(f"rank_{tau:g}", "rank", group=group))
+        columns.append(counted(RANK, key=f"rank_{tau:g}", group=group))
         columns.append(of(BEST_IN, key=f"best_in_{tau:g}", group=group))
     places = {tau: certainty.ranks("mean_jac", tau) for tau in certainty.thresholds}
     chances = certainty.chances_of_being_best
@@ -148,20 +148,23 @@ def ranks_sheet(certainty: Certainty, described: str) -> Sheet:
         )
         for n, source in enumerate(certainty.sources)
     )
-    note = (
-        "By JaC. A rank is one more than the sources that are better beyond chance: those that the"
-        f" data cannot tell apart share it. {BEST_IN.definition}"
-    )
+    note = f"By JaC. Rank: {RANK.definition[0].lower()}{RANK.definition[1:]} {BEST_IN.definition}"
     return Sheet("ranks", "Ranks", tuple(columns), rows, described, (note,))
 
 
 def power_sheet(certainty: Certainty, described: str) -> Sheet:
     """How many frames a set like this one needs to find differences of 1, 2 and 5 points of JaC; of
     a single source, to know it to 1, 2 and 5 points."""
-    columns = [TAU, Column("a", "A"), Column("b", "B"), whole("frames", "frames")]
+    columns = [TAU, Column("a", "A"), Column("b", "B"), counted(FRAMES)]
     columns.append(of(LEAST_DIFFERENCE, heading=f"{LEAST_DIFFERENCE.title}, points"))
     columns += [
-        whole(f"frames_for_{100 * p:g}", f"{100 * p:g}", group="frames for points") for p in POINTS
+        counted(
+            FRAMES_FOR,
+            key=f"frames_for_{100 * p:g}",
+            heading=f"{100 * p:g}",
+            group="frames for points",
+        )
+        for p in POINTS
     ]
     names = [source.marked_name for source in certainty.sources]
     rows: list[tuple[Value, ...]] = []

@@ -7,9 +7,10 @@ from typing import Any, Protocol
 
 from procc_annotator.io.camera_files.fitted_on import FITTED
 from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE
+from procc_annotator.report.sheet.counts import FRAMES, HELD_OUT_ELEMENTS
 from procc_annotator.report.sheet.figure import shortest
 from procc_annotator.report.sheet.figures import HELD_OUT, IN_SAMPLE
-from procc_annotator.report.sheet.sheet import Column, Sheet, Value, of, whole
+from procc_annotator.report.sheet.sheet import Column, Sheet, Value, counted, of
 from procc_annotator.session.runs.held_out import HeldOutFigures
 from procc_annotator.words import count_of
 
@@ -37,7 +38,7 @@ def held_out_sheet(
     fits = [(name, source) for name, source in sources if source.fitted]
     if not fits:
         return None
-    columns = [Column("source", "Source"), whole("elements", "Elements"), whole("frames", "Frames")]
+    columns = [Column("source", "Source"), counted(HELD_OUT_ELEMENTS), counted(FRAMES)]
     columns += [
         of(figure, f"@{tau:g}", key=f"{figure.key}@{shortest(tau)}")
         for tau in thresholds

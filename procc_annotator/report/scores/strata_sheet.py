@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from procc_annotator.report.scores.chance_sheets import ends_of, interval_columns
+from procc_annotator.report.sheet.counts import FRAMES
 from procc_annotator.report.sheet.figure import Figure
 from procc_annotator.report.sheet.figures import JAC_DIFFERENCE, MEAN_JAC, P_CORRECTED
-from procc_annotator.report.sheet.sheet import Column, Sheet, Value, of, whole
+from procc_annotator.report.sheet.sheet import Column, Sheet, Value, counted, of
 from procc_annotator.session.runs.certainty import Certainty
 from procc_annotator.session.runs.strata import Stratum
 
@@ -49,7 +50,7 @@ def strata_sheet(
 
 def _columns(certainty: Certainty, by: str, tau: float) -> tuple[Column, ...]:
     names = [source.marked_name for source in certainty.sources]
-    columns = [Column("value", by), whole("frames", "frames")]
+    columns = [Column("value", by), counted(FRAMES)]
     for name in names:
         columns += _with_interval(MEAN_JAC, f"JaC@{tau:g} %", name)
     for pair in certainty.pairs:

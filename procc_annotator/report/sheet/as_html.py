@@ -57,7 +57,8 @@ def _heading(column: ShownColumn) -> str:
     if column.better is not None:
         meaning, sign = _ARROWS[column.better]
         arrow = f'&nbsp;<span role="img" aria-label="{meaning}">{sign}</span>'
-    return f'<th scope="col"{_side(column)}>{escape(column.heading)}{arrow}</th>'
+    means = f' title="{escape(column.definition)}"' if column.definition else ""
+    return f'<th scope="col"{_side(column)}{means}>{escape(column.heading)}{arrow}</th>'
 
 
 def _cell(column: ShownColumn, cell: Cell) -> str:

@@ -30,7 +30,7 @@ _SPECIAL = {
     "<": r"\textless{}",
     ">": r"\textgreater{}",
     "|": r"\textbar{}",
-    '"': r"\textquotedbl{}",
+    '"': "''",
     "–": "--",
     "²": r"\textsuperscript{2}",
     "°": r"\textdegree{}",
@@ -62,7 +62,7 @@ _LOOKS = (
 def escape_latex(text: str) -> str:
     """Text that LaTeX shows as it is; line breaks and control characters become spaces."""
     plain = re.sub(r"[\x00-\x1f\x7f]+", " ", text)
-    # Straight double quotes, < and > come out as other characters in LaTeX's old encoding.
+    # < and > come out as other characters in LaTeX's old encoding, which has no straight quotes.
     return "".join(_SPECIAL.get(character, character) for character in plain)
 
 

@@ -87,6 +87,17 @@ def whole(key: str, heading: str = "", *, group: str = "", joined: str = "") -> 
     return Column(key, heading or key, "whole", group=group, joined=joined)
 
 
+def counted(
+    figure: Figure, at: str = "", *, key: str = "", heading: str = "", group: str = ""
+) -> Column:
+    """A count that has a definition as a column.
+
+    Args:
+        at, key, heading, group: as of `of`.
+    """
+    return Column(key or figure.key, heading or f"{figure.title}{at}", "whole", figure, group)
+
+
 @dataclass(frozen=True)
 class Sheet:
     """Columns and rows, to be written as CSV, JSON, Parquet, HTML, LaTeX, or on the terminal.

@@ -10,12 +10,13 @@ from procc_annotator.report.sheet.sheet import Sheet
 
 @dataclass(frozen=True, slots=True)
 class ShownColumn:
-    """A heading, with what is better and where it stands."""
+    """A heading, with what is better, where it stands and what it means."""
 
     heading: str
     better: Better | None
     numeric: bool
     group: str
+    definition: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +54,7 @@ def shown(sheet: Sheet) -> ShownSheet:
     columns = tuple(
         ShownColumn(
             column.heading, column.figure.better if column.figure else None,
-            column.numeric, column.group,
+            column.numeric, column.group, column.figure.definition if column.figure else "",
         )
         for column in sheet.columns
         if not column.joined

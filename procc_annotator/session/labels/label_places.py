@@ -10,12 +10,14 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.errors import CameraError
 from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.io.annotation_files.label_map import LEFT_TO_RIGHT, ORDERS, LabelMap, Ordered
 from procc_annotator.metric.measure import measure_projected
 from procc_annotator.metric.project import ProjectedField, project_field
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.labels.label_shapes import LabelledFrame, Points, middle
 
 _WIDTH = 960
@@ -80,6 +82,26 @@ def find_places(
                 known, shapes=known.shapes + len(shapes), frames=known.frames + 1
             )
     return places
+
+
+def cameras_of(cameras: FrameCameras, told: Callable[[str], object] | None = None) -> CameraOf:
+    """Given cameras.
+
+    Args:
+        cameras: by the names of frames.
+        told: of each one that cannot be used, why; None: nobody is.
+    """
+
+    def camera(frame: LabelledFrame, size: tuple[int, int]) -> CameraOrProjections | None:
+        try:
+            found = cameras.camera(frame.name, size)
+        except CameraError as error:
+            if told is not None:
+                told(str(error))
+            return None
+        return None if found is None else found.camera
+
+    return camera
 
 
 def fitted_cameras(names: LabelMap, field: Field) -> CameraOf:

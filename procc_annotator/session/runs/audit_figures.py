@@ -6,8 +6,6 @@ the protocol gives no distance take no part; they are counted.
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -16,7 +14,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.io.csv_text import no_formula
 from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit
 
 FloatArray = NDArray[np.floating[Any]]
@@ -39,18 +36,10 @@ _SMALLEST_JUMP = np.array([0.5, 0.5, 0.5, 10.0, 0.5, 0.5, 0.5])
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """Numbers as columns of equal length, for a file."""
+    """Numbers as columns of equal length, for a file; NaN is undefined."""
 
     header: tuple[str, ...]
     columns: tuple[Sequence[Any] | NDArray[Any], ...]
-
-    def csv(self) -> str:
-        """RFC 4180 with its CRLF line ends; undefined figures are empty."""
-        text = io.StringIO(newline="")
-        writer = csv.writer(text)
-        writer.writerow(self.header)
-        writer.writerows(zip(*(_written(column) for column in self.columns), strict=True))
-        return text.getvalue()
 
 
 @dataclass(frozen=True, eq=False)
@@ -337,10 +326,3 @@ def envelope(
 
 def _joined(parts: list[NDArray[Any]], empty: NDArray[Any]) -> NDArray[Any]:
     return np.concatenate(parts) if parts else empty
-
-
-def _written(column: Sequence[Any] | NDArray[Any]) -> list[Any]:
-    if isinstance(column, np.ndarray) and np.issubdtype(column.dtype, np.floating):
-        return ["" if math.isnan(v) else float(f"{v:.6g}") for v in column.tolist()]
-    values = column.tolist() if isinstance(column, np.ndarray) else column
-    return [no_formula(v) if isinstance(v, str) else v for v in values]

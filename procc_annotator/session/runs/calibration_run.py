@@ -225,6 +225,18 @@ class CalibrationRun(SetRun[FrameFile, Calibrated, SetAccumulator]):
             if result.size is not None:
                 self.sizes.add(result.size)
 
+    def _digest(self, chunk: Sequence[FrameFile]) -> str:
+        return self.task.input_digest(chunk, self.task.sizes.picture_of)
+
+    def _sums_of(self, results: Sequence[Calibrated]) -> SetAccumulator:
+        sums = SetAccumulator(self.task.setup, self.task.thresholds)
+        for result in results:
+            if result.has_camera:
+                sums.add(result.name, None, result.scores)
+            elif result.error is None:
+                sums.add_missing_camera(result.name)
+        return sums
+
     def summary(self) -> dict[float, SetSummary]:
         """Figures of the frames seen so far, by threshold."""
         return self._sums.summary()

@@ -15,7 +15,9 @@ from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Propo
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.runs.kept_values import to_text
 from procc_annotator.session.runs.set_run import SetRun
+from procc_annotator.session.runs.unfinished import digest_of, stamp_of_file
 
 
 class Proposer(Protocol):
@@ -93,6 +95,17 @@ class ProposalRun(SetRun[Frame, Proposed, None]):
     ) -> None:
         super().__init__(frames, ProposeCameras(field, known, propose))
 
+    def _digest(self, chunk: Sequence[Frame]) -> str:
+        parts: list[object] = [to_text(self.task.known)]
+        for frame in chunk:
+            # A frame of a video lies in the video's file.
+            file = frame.image_folder if frame.image_folder.is_file() else frame.image_path
+            parts += [frame.name, stamp_of_file(file)]
+        return digest_of(*parts)
+
+    def _sums_of(self, results: Sequence[Proposed]) -> None:
+        return None
+
 
 @dataclass(frozen=True)
 class SecondLook:
@@ -134,5 +147,5 @@ def second_look(run: ProposalRun, found: Sequence[Proposed]) -> SecondLook | Non
     frames = [frame for frame in run.frames if frame.name in before]
     known = (*run.task.known, *positions)
     again = ProposalRun(frames, run.task.field, run.task.propose, known)
-    again.executor = run.executor
+    again.executor, again.kept = run.executor, run.kept
     return SecondLook(positions, again, before)

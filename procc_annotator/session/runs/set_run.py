@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -22,6 +22,7 @@ from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import require_lists
 from procc_annotator.session.dataset.what_lies_there import instead_of_annotations
 from procc_annotator.session.runs.execution.executor import Executor, InProcess
+from procc_annotator.session.runs.unfinished import Unfinished, digest_of, stamp_of_file
 
 # Frames a worker takes at once where each gets a fit: about half a second's work.
 CHUNK = 16
@@ -58,9 +59,11 @@ class SetRun(Generic[F, R, S]):
         executor: who does the work; this process unless another one is put here.
         chunk: frames a worker takes at once. It belongs to the task, not to the machine: sums of
             other chunks may differ in their last digit.
+        kept: what was done before, and where what is done now is kept; None keeps nothing.
     """
 
     chunk: int = CHUNK
+    kept: Unfinished | None = None
 
     def __init__(
         self,
@@ -83,10 +86,38 @@ class SetRun(Generic[F, R, S]):
         return tuple(map(_name_of, self.frames))
 
     def __iter__(self) -> Iterator[R]:
-        chunks = (self.frames[i : i + self.chunk] for i in range(0, self.total, self.chunk))
-        for results, sums in self.executor.map(self.task, chunks, name=frames_in_words):
+        chunks = [self.frames[i : i + self.chunk] for i in range(0, self.total, self.chunk)]
+        for results, sums in self._pieces(chunks, self.kept):
             self._take(results, sums)
             yield from results
+
+    def _pieces(
+        self, chunks: list[Sequence[F]], kept: Unfinished | None
+    ) -> Iterator[tuple[list[R], S]]:
+        """Results and sums of the chunks: those that are kept, and the others as they are made."""
+        if kept is None:
+            yield from self.executor.map(self.task, chunks, name=frames_in_words)
+            return
+        keys = [self._digest(chunk) for chunk in chunks]
+        missing = (chunk for chunk, key in zip(chunks, keys, strict=True) if key not in kept)
+        made = iter(self.executor.map(self.task, missing, name=frames_in_words))
+        for chunk, key in zip(chunks, keys, strict=True):
+            if key not in kept:
+                results, sums = next(made)
+                kept.add(key, results)
+                yield results, sums
+            elif (found := kept.results(key)) is not None:
+                yield found, self._sums_of(found)
+            else:  # damaged on the disk
+                yield self.task(chunk)
+
+    def _digest(self, chunk: Sequence[F]) -> str:
+        """What tells this chunk's work from any other: its frames, and what their files hold."""
+        raise NotImplementedError
+
+    def _sums_of(self, results: Sequence[R]) -> S:
+        """What the task would sum up with these results, to the last bit."""
+        raise NotImplementedError
 
     def _take(self, results: Sequence[R], sums: S) -> None:
         """Add what a chunk brought, in the order of the chunks."""
@@ -163,6 +194,25 @@ class AnnotationTask:
         annotation = read_plain(data, shown, field)
         require_lists(annotation, shown)
         return annotation
+
+    def input_digest(
+        self, chunk: Sequence[FrameFile], pictures: Callable[[str], Path | None]
+    ) -> str:
+        """What tells the work on a chunk from any other, for `SetRun`.
+
+        Args:
+            chunk: frames and their files.
+            pictures: where a frame's picture is, which may tell its size.
+        """
+        parts: list[object] = []
+        for name, file in chunk:
+            picture = pictures(name)
+            try:
+                data: object = self.annotations.opened.read(file)
+            except InputError as error:
+                data = f"unreadable: {error}"
+            parts += [name, data, "" if picture is None else stamp_of_file(picture)]
+        return digest_of(*parts)
 
     def close(self) -> None:
         """Close what a worker opened."""

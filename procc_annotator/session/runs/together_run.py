@@ -103,6 +103,12 @@ class SetFits(SetRun[FrameFile, OwnFit, None]):
         )
         self.groups = groups
 
+    def _digest(self, chunk: Sequence[FrameFile]) -> str:
+        return self.task.input_digest(chunk, self.task.sizes.picture_of)
+
+    def _sums_of(self, results: Sequence[OwnFit]) -> None:
+        return None
+
     def describe(self, fitted: Sequence[OwnFit]) -> str:
         """Which models the frames got, in words."""
         fits = [frame.fit for frame in fitted if frame.fit is not None]

@@ -82,7 +82,10 @@ def test_the_ordered_curve_has_the_frames_values(drawn: dict[str, Figure]) -> No
         known = sorted(100 * jac for jac in jacs if jac is not None)
         np.testing.assert_allclose(np.asarray(line.get_ydata()), known, atol=1e-4)
         np.testing.assert_allclose(np.asarray(line.get_xdata()), [10, 30, 50, 70, 90])
-    medians = [float(np.asarray(line.get_ydata())[0]) for line in violins.lines]
+    for bar, jacs in zip(violins.lines[::2], (A, B), strict=True):
+        quarters = np.percentile([100 * jac for jac in jacs if jac is not None], (25, 75))
+        np.testing.assert_allclose(np.asarray(bar.get_ydata()), quarters, atol=1e-4)
+    medians = [float(np.asarray(mark.get_ydata())[0]) for mark in violins.lines[1::2]]
     np.testing.assert_allclose(medians, [75, 75], atol=1e-4)
 
 

@@ -18,7 +18,7 @@ from procc_annotator.gui.state.set_edits import (
     why_left_alone,
 )
 from procc_annotator.gui.tasks.dialog_task import DialogTask
-from procc_annotator.gui.worker import JobControl
+from procc_annotator.gui.tasks.files.label_look import LabelLook, LookedAt
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset.workspace import Workspace
@@ -26,15 +26,18 @@ from procc_annotator.session.facts.origins import OriginKind
 
 if TYPE_CHECKING:
     from procc_annotator.gui.tasks.files.dialogs import ImportDialog
+    from procc_annotator.gui.tasks.files.label_dialog import LabelDialog
     from procc_annotator.io.annotation_files.read_set import ReadSet
 
 _LISTED = 200
 
 
 class AnnotationImporter(DialogTask):
-    """Asks what to import, reads it in the background, and saves it frame by frame."""
+    """Asks what to import, reads it in the background, asks what labels stand for that are no
+    class, and saves it frame by frame."""
 
     dialog: ImportDialog | None
+    names: LabelDialog | None = None
 
     def __init__(self, document: Document, parent: QWidget) -> None:
         super().__init__(document, parent)
@@ -58,20 +61,42 @@ class AnnotationImporter(DialogTask):
 
     def start(self, path: Path) -> None:
         """Read the annotations and take them over, as the dialog says."""
-        from procc_annotator.report.conversion import read_annotations
 
         document, dialog = self._document, self.dialog
         if dialog is None:
             return
         document.save_now()
-        fmt, reopen = str(dialog.formats.currentData()), document.reopener()
+        look = LabelLook(path, str(dialog.formats.currentData()), document)
         self._replace = dialog.replace.isChecked()
         dialog.set_running(True)
+        self._work.start(look.read, self._ask_names, progress=dialog.advance)
 
-        def read(control: JobControl) -> ReadSet:
-            return read_annotations(path, reopen(), fmt=fmt, progress=control.progress_or_stop)
+    def _ask_names(self, looked: LookedAt) -> None:
+        """Ask what labels stand for that are no class; where there are none, begin to save."""
+        from procc_annotator.gui.tasks.files.label_dialog import LabelDialog
 
-        self._work.start(read, self._take, progress=dialog.advance)
+        if not looked.proposals or self.dialog is None:
+            self._take(looked.found)
+            return
+        self.dialog.set_running(False)
+        self.names = names = LabelDialog(
+            self.dialog, looked.proposals, looked.field, better=looked.better,
+            has_file=looked.has_file,
+        )  # fmt: skip
+        names.accepted.connect(lambda: self._read_again(looked, names))
+        names.rejected.connect(lambda: self._fail("Cancelled; nothing was imported."))
+        names.open()
+
+    def _read_again(self, looked: LookedAt, names: LabelDialog) -> None:
+        """Read by the names that were chosen, and keep them with the dataset if that is wanted."""
+        if self.dialog is None:
+            return
+        rules, keep = names.rules, names.keep.isChecked()
+        self.dialog.set_running(True)
+        self._work.start(
+            partial(looked.look.read_by, looked, rules, keep=keep), self._take,
+            progress=self.dialog.advance,
+        )  # fmt: skip
 
     def cancel(self) -> None:
         """Stop; frames that are saved already stay so, and are told."""

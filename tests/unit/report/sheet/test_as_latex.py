@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
 
 from procc_annotator.metric.spread import Spread
 from procc_annotator.report.page.report_pairs import ReportedPair, disagreement_section
@@ -83,3 +88,22 @@ def test_a_wide_table_is_for_both_columns_of_a_page() -> None:
     text = latex_table(_wide(5), 500.0)
     assert text.startswith(r"\begin{table*}")
     assert text.endswith(r"\end{table*}")
+
+
+def test_latex_sets_every_table_within_the_text(tmp_path: Path) -> None:
+    """With no package beside the article: what it draws is asked of LaTeX itself."""
+    pdflatex = shutil.which("pdflatex")
+    if pdflatex is None:
+        pytest.skip("pdflatex is not here")
+    strange = Sheet("s", 'a\\b_&%$#{}~^<>|"–²°', (Column("x", "<|x|>"), of(Figure("y", "y"))), (
+        ("100 % \\input{x} ~^ \"quoted\" a|b {–} 3² 4°", 1.0),
+    ))  # fmt: skip
+    tables = latex_tables([*(_wide(columns) for columns in (2, 5, 9)), strange])
+    document = "\\documentclass{article}\\begin{document}\n" + tables + "\\end{document}\n"
+    (tmp_path / "a.tex").write_text(document, encoding="utf-8")
+    done = subprocess.run(
+        [pdflatex, "-interaction=nonstopmode", "-halt-on-error", "a.tex"],
+        cwd=tmp_path, capture_output=True, text=True, errors="replace", timeout=120, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert "Overfull" not in done.stdout

@@ -11,12 +11,14 @@ import pytest
 from rich.console import Console
 
 from procc_annotator.io.csv_text import formula_text
-from procc_annotator.report.sheet import figures
+from procc_annotator.report.sheet import counts, figures
 from procc_annotator.report.sheet.as_csv import csv_bytes
+from procc_annotator.report.sheet.as_html import html_table
 from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
 from procc_annotator.report.sheet.as_terminal import terminal_table
+from procc_annotator.report.sheet.definitions import definitions
 from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.sheet import Column, Sheet, Value, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, counted, of, whole
 from procc_annotator.report.sheet.shown import shown
 
 LOW = Figure("low", "low", "%")
@@ -114,3 +116,27 @@ def test_the_terminal_shows_title_terms_and_notes() -> None:
 def test_a_row_of_another_length_is_refused() -> None:
     with pytest.raises(ValueError, match="2 values, 1 columns"):
         Sheet("odd", "", (Column("a"),), ((1, 2),))
+
+
+def test_every_figure_and_count_says_what_it_means() -> None:
+    """What a page's columns mean is told in one place, where they are listed."""
+    found: list[Figure] = []
+    for value in (*vars(figures).values(), *vars(counts).values()):
+        found += [f for f in (value if isinstance(value, tuple) else [value]) if type(f) is Figure]
+    assert len(found) > 60
+    assert [f.key for f in found if not f.definition.endswith((".", ")"))] == []
+
+
+def test_a_page_explains_its_columns_once() -> None:
+    first = Sheet("a", "A", (Column("source"), of(figures.MEAN_JAC), counted(counts.FRAMES)), ())
+    second = Sheet("b", "B", (of(figures.MEAN_JAC, "@5"), of(figures.JAC)), ())
+    told = definitions([first, second], also=[figures.TP])
+    assert [title for title, _ in told] == ["tp", "JaC, %", "frames"]
+    assert told[1][1] == (figures.MEAN_JAC.definition, figures.JAC.definition)
+    rows = Sheet(
+        "c", "C", (Column("figure"), TAU), (("median", 1.0),), of_rows=(figures.MEDIAN_PX,)
+    )
+    assert definitions([rows]) == (("median, px", (figures.MEDIAN_PX.definition,)),)
+    assert f'title="{figures.TP.definition}"' in html_table(
+        Sheet("d", "D", (Column("source"), counted(figures.TP)), ())
+    )

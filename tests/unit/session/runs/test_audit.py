@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 from pathlib import Path
 
@@ -277,9 +275,3 @@ def test_a_timeline_has_gaps_where_there_is_no_score() -> None:
     line = figures.timeline(["a", "b"], {"b": made_up([], frame="b")}, 30.0)
     assert np.isnan(line[0])
     assert line[1] == 1.0
-
-
-def test_a_table_leaves_out_what_is_undefined_and_runs_no_formula() -> None:
-    table = figures.Table(("name", "jac"), (["=cmd()", "b, c"], np.array([0.5, np.nan])))
-    rows = list(csv.reader(io.StringIO(table.csv())))
-    assert rows == [["name", "jac"], ["'=cmd()", "0.5"], ["b, c", ""]]

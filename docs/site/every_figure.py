@@ -1,0 +1,45 @@
+"""The page of figures, made from the list that every table and page of the program is made from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from mkdocs.config.defaults import MkDocsConfig
+from mkdocs.structure.files import File, Files
+
+from procc_annotator.report.sheet import counts, figures
+from procc_annotator.report.sheet.figure import Figure
+
+INTRODUCTION = """\
+# Every figure
+
+What the columns of tables, files and reports mean. *Key* is the name in CSV, JSON and Parquet; an
+arrow says which way is better. How the figures are worked out: [metrics](metrics.md),
+[is the difference real](chance.md), [steady over time](over-time.md).
+
+| figure | key | means |
+|---|---|---|
+"""
+ARROWS = {"higher": " ↑", "lower": " ↓", None: ""}
+
+
+def on_files(files: Files, config: MkDocsConfig) -> Files:
+    """Add the page of figures."""
+    rows = "\n".join(_row(figure) for figure in _listed())
+    files.append(File.generated(config, "every-figure.md", content=INTRODUCTION + rows + "\n"))
+    return files
+
+
+def _listed() -> Iterator[Figure]:
+    """Every figure and count once, in the order of their modules."""
+    met: set[Figure] = set()
+    for value in (*vars(figures).values(), *vars(counts).values()):
+        for figure in value if isinstance(value, tuple) else (value,):
+            if isinstance(figure, Figure) and figure not in met:
+                met.add(figure)
+                yield figure
+
+
+def _row(figure: Figure) -> str:
+    title = f"{figure.title}, {figure.unit}" if figure.unit else figure.title
+    return f"| {title}{ARROWS[figure.better]} | `{figure.key}` | {figure.definition} |"

@@ -1,0 +1,129 @@
+"""How surely the figures of a comparison are known, as sheets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from procc_annotator.metric.chance.paired import PairedDifference
+from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.report.agreement_figures import intervals_described
+from procc_annotator.report.scores.chance_sheets import ends_of
+from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.figures import (
+    LEGACY,
+    METRES,
+    P_CORRECTED,
+    P_VALUE,
+    PIXELS,
+    WITHIN,
+)
+from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
+from procc_annotator.session.runs.clusters import Clusters
+from procc_annotator.session.runs.comparison_certainty import (
+    KEYS,
+    SHARES,
+    KnownFigure,
+    known_figures,
+    known_medians,
+    nearer,
+)
+from procc_annotator.session.runs.comparison_run import ComparedFrame
+
+# By the keys of `KEYS`; of the distances the median of a frame is meant.
+_FIGURES: dict[str, Figure] = {
+    "metres": METRES[1],
+    "pixels": PIXELS[1],
+    "within": WITHIN,
+    **{figure.key: figure for figure in LEGACY},
+}
+_WORDS = {
+    "metres": "frames' medians on the ground, m",
+    "pixels": "frames' medians in the picture, px",
+}
+_ENDS = (
+    Column("low", "low", "number", joined=" [{}, "),
+    Column("high", "high", "number", joined="{}]"),
+)
+
+
+def intervals_sheet(
+    frames: Sequence[ComparedFrame],
+    clusters: Clusters,
+    draws: Draws,
+    names: tuple[str, str],
+    described: str,
+) -> Sheet:
+    """Every figure of a comparison with its interval.
+
+    Args:
+        frames: those compared. clusters: of them. draws: says the level.
+        names: of the two sources. described: field and size.
+    """
+    known, medians = known_figures(frames, clusters, draws), known_medians(frames, clusters, draws)
+    rows: list[Row] = []
+    figures: list[Figure] = []
+
+    def add(over: str, key: str, found: KnownFigure) -> None:
+        figures.append(_FIGURES[key])
+        rows.append((_words(key), over, found.value, *ends_of(found.interval), found.frames))
+
+    for key in KEYS:
+        add("share of all area" if key == "within" else "mean", key, known[key])
+        if key in medians:
+            add("median", key, medians[key])
+    columns = (
+        Column("figure", "figure"), Column("over", "over frames"),
+        Column("value", "value", "number"), *_ENDS, whole("frames"),
+    )  # fmt: skip
+    note = f"In brackets {intervals_described(draws, clusters)}."
+    return Sheet(
+        "intervals", f"{names[1]} against {names[0]}, intervals", columns, tuple(rows), described,
+        (note,), of_rows=tuple(figures),
+    )  # fmt: skip
+
+
+def nearer_sheet(
+    pair: tuple[Sequence[ComparedFrame], Sequence[ComparedFrame]],
+    clusters: Clusters,
+    draws: Draws,
+    names: tuple[str, str, str],
+    described: str,
+) -> Sheet:
+    """Which of two sources is nearer to a third, figure by figure.
+
+    Args:
+        pair: the comparisons of each with the third, of the same frames. clusters: of these.
+        names: of the third, and of the two.
+        described: field and size.
+    """
+    found = nearer(pair[0], pair[1], clusters, draws)
+    columns = (
+        Column("figure", "figure"), Column("difference", f"{names[1]} less {names[2]}", "number"),
+        *_ENDS, whole("frames", "frames of all"), of(P_VALUE), of(P_CORRECTED),
+        Column("nearer", f"nearer to {names[0]}"),
+    )  # fmt: skip
+    rows = tuple(
+        (_words(key), one.value, *ends_of(one.interval), one.frames, one.p, one.corrected,
+         _nearer(key, one, names[1:]))
+        for key, one in found.items()
+    )  # fmt: skip
+    notes = (
+        f"Means over the frames that all three have. In brackets"
+        f" {intervals_described(draws, clusters)}; p corrected for {len(found)} figures,"
+        f" {draws.count:,} exchanges, seed {draws.seed}.",
+    )
+    title = f"Is {names[1]} or {names[2]} nearer to {names[0]}"
+    figures = tuple(_FIGURES[key] for key in found)
+    return Sheet("nearer", title, columns, rows, described, notes, of_rows=figures)
+
+
+def _words(key: str) -> str:
+    figure = _FIGURES[key]
+    return _WORDS.get(key) or f"{figure.title}, {figure.unit}"
+
+
+def _nearer(key: str, found: PairedDifference, names: Sequence[str]) -> str:
+    if found.value is None or not found.beyond_chance:
+        return "undecided"
+    second = (found.value > 0) != (key in SHARES)
+    return names[second]
