@@ -90,7 +90,9 @@ def render(
     )
     (tau,) = options.thresholds_or_default([threshold])
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
-    camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
+    camera_set = datasets.open_cameras(
+        cameras, camera_format, options.shown_size(camera_size), setup.field
+    )
     folder = workspace.frames[0].annotation_path.parent
     outputs.check_folder_apart(out, [folder, *([camera_set] if camera_set is not None else [])])
     suffix = f".{picture_format.value}"

@@ -265,7 +265,7 @@ def _make(
     """Score, draw and write; returns the figures, and what went wrong while drawing."""
     with ExitStack() as opened:
         source = opened.enter_context(open_annotations(folder, call.setup.field, call.labels))
-        collections = [opened.enter_context(_open(spec)) for spec in call.specs]
+        collections = [opened.enter_context(_open(spec, call.setup.field)) for spec in call.specs]
         datasets.report_mismatch(source, call.setup.field)
         named = list(zip(call.specs, collections, strict=True))
         for spec, collection in named:
@@ -348,8 +348,8 @@ def annotation_place(
     return annotations or (folder if folder.is_dir() else dataset), {}
 
 
-def _open(spec: SourceSpec) -> CameraCollection:
-    return CameraCollection.open(spec.path, spec.format)
+def _open(spec: SourceSpec, field: Field) -> CameraCollection:
+    return CameraCollection.open(spec.path, spec.format, field=field)
 
 
 def _pair(text: str) -> tuple[str, str]:
