@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.errors import CameraError
+from procc_annotator.extras import how_to_have
 from procc_annotator.io.json_text import printable
 
 NPY_MAGIC = b"\x93NUMPY"
@@ -130,7 +131,7 @@ def _mat(data: bytes, path: str) -> dict[str, Any]:
         raise CameraError(
             path,
             "is a MATLAB file, and reading it needs scipy",
-            advice="install it with: pip install 'procc-annotator[mat]'",
+            advice=how_to_have("mat"),
         ) from error
     try:
         with warnings.catch_warnings():
