@@ -9,7 +9,6 @@ import sys
 # What each is for, and the library that it brings.
 EXTRAS = {
     "dask": ("a Dask cluster", "distributed"),
-    "mat": ("MATLAB files", "scipy"),
     "parquet": ("Parquet tables", "pyarrow"),
 }
 

@@ -12,8 +12,8 @@ from types import MappingProxyType
 from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.api.given import as_field, as_path
 from procc_annotator.errors import InputError, ProccError, UsageError
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit import fitting
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Size

@@ -93,7 +93,7 @@ def annotate(
     shown = chosen_field(field, source, lines=lines)
     pictures = open_pictures(source, out)
     datasets.report_remarks(pictures.notices)
-    with CameraCollection.open(cameras, camera_format) as collection:
+    with CameraCollection.open(cameras, camera_format, field=shown) as collection:
         _check_out(out, collection)
         datasets.report_remarks(collection.notices)
         chosen = _with_camera(pictures.frames[::every], collection, cameras)

@@ -310,6 +310,4 @@ def _report_problems(report: CalibrationReport, out: Path) -> int:
             f" written now and not touched: {first_of(report.stale)}",
             err=True,
         )
-    for error in report.errors:
-        typer.echo(f"unreadable: {error}", err=True)
-    return 1 if report.errors else 0
+    return datasets.report_unreadable(report.errors)

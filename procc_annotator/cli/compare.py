@@ -38,6 +38,7 @@ from procc_annotator.report.comparison_chance import intervals_sheet, nearer_she
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.clusters import Clusters, clusters_of
@@ -148,7 +149,8 @@ def compare(
     written_to = outputs.figure_files(output)
     shown_field = chosen_field(field, dataset, lines=lines)
     texts = (a, b) if versus is None else (a, b, versus)
-    source_a, source_b, *third = open_sources(texts, options.shown_size(camera_size))
+    own_size = options.shown_size(camera_size)
+    source_a, source_b, *third = open_sources(texts, own_size, shown_field)
     _check_outputs(written_to, pictures, (source_a, source_b, *third), dataset)
     alike = _clusters_of(dataset, tags, cluster)
     names, images = frames_of(dataset, shown_field)
@@ -184,7 +186,9 @@ def compare(
     raise typer.Exit(report_unreadable(compared.errors))
 
 
-def open_sources(texts: Sequence[str], camera_size: tuple[int, int] | None) -> list[CameraSet]:
+def open_sources(
+    texts: Sequence[str], camera_size: tuple[int, int] | None, field: Field
+) -> list[CameraSet]:
     """The sources.
 
     Raises:
@@ -194,7 +198,7 @@ def open_sources(texts: Sequence[str], camera_size: tuple[int, int] | None) -> l
     for spec in parse_sources(texts):
         if not spec.path.exists():
             raise UsageError(f"{spec.path}: does not exist")
-        source = CameraSet.open(spec.path, spec.format, spec.name, camera_size)
+        source = CameraSet.open(spec.path, spec.format, spec.name, camera_size, field)
         for notice in source.notices:
             typer.echo(f"note: {spec.name}: {notice}", err=True)
         opened.append(source)
@@ -312,8 +316,7 @@ def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
 
 
 def _annotation_folder(dataset: Path) -> Path:
-    folder = dataset / ANNOTATIONS_FOLDER
-    return folder if folder.is_dir() else dataset
+    return annotations_of(dataset) if dataset.is_dir() else dataset
 
 
 def _check_outputs(

@@ -10,6 +10,7 @@ from typing import Annotated
 
 import typer
 
+from procc_annotator.cli.problems import folded
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
@@ -118,9 +119,13 @@ def annotated_frames(
 
 
 def open_cameras(
-    path: Path | None, camera_format: str, camera_size: tuple[int, int] | None = None
+    path: Path | None,
+    camera_format: str,
+    camera_size: tuple[int, int] | None,
+    field: Field,
 ) -> CameraSet | None:
-    """The cameras, if any were asked for; remarks on their files go to stderr.
+    """The cameras, if any were asked for, of pictures that show a field; remarks on their files go
+    to stderr.
 
     Raises:
         UsageError: no such folder or file, or no camera in it.
@@ -129,7 +134,7 @@ def open_cameras(
         return None
     if not path.exists():
         raise UsageError(f"{path}: does not exist")
-    cameras = CameraSet.open(path, camera_format, camera_size=camera_size)
+    cameras = CameraSet.open(path, camera_format, camera_size=camera_size, field=field)
     if not cameras.frames:
         raise UsageError(f"nothing to do: no camera (format {camera_format}) in {path}")
     report_remarks(cameras.notices)
@@ -241,7 +246,8 @@ def mismatch_at(
 
 
 def report_unreadable(problems: list[str], word: str = "unreadable") -> int:
-    """One line each on stderr, after a word that says what they are; returns the exit code."""
-    for problem in problems:
+    """One line each on stderr, after a word that says what they are, and one line for many files
+    with the same problem; returns the exit code."""
+    for problem in folded(problems):
         typer.echo(f"{word}: {problem}", err=True)
     return 1 if problems else 0

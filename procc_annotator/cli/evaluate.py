@@ -340,9 +340,7 @@ def report_problems(scored: list[Scored]) -> int:
             of = f"{name}: " if len(sets) > 1 else ""
             typer.echo(f"note: {of}{in_pixels_words(one.in_pixels)}", err=True)
     errors = dict.fromkeys(error for one in scored for error in one.errors)
-    for error in errors:
-        typer.echo(f"unreadable: {error}", err=True)
-    return 1 if errors else 0
+    return report_unreadable(list(errors))
 
 
 def _tags_of_no_frame(tags: Tags, frames: Mapping[str, tuple[str, ...]]) -> list[str]:

@@ -75,7 +75,9 @@ def export(
     )
     thresholds = options.thresholds_or_default(threshold)
     with datasets.annotated_frames(dataset, setup.field, annotations) as (frames, source):
-        camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
+        camera_set = datasets.open_cameras(
+            cameras, camera_format, options.shown_size(camera_size), setup.field
+        )
         scoring = Scoring(setup, thresholds, camera_set)
         inputs = [one for one in (camera_set, source) if one is not None]
         outputs.check_place(out, inputs)

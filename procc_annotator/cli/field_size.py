@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
@@ -17,7 +18,8 @@ from procc_annotator.cli.datasets import (
 )
 from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
 from procc_annotator.errors import SaveError, UsageError
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import Field, Stadiums
+from procc_annotator.field.stadiums import with_stadiums
 from procc_annotator.fit.fitting import check_model
 from procc_annotator.fit.together.stadium import open_dimensions
 from procc_annotator.metric.setup import EvaluationSetup
@@ -25,9 +27,15 @@ from procc_annotator.report import together
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_field import add_dimensions, keep_field
-from procc_annotator.session.dataset.dataset_folder import annotations_of, folder_of_dataset
+from procc_annotator.session.dataset.dataset_folder import (
+    STADIUMS_FILE,
+    annotations_of,
+    folder_of_dataset,
+)
+from procc_annotator.session.dataset.stadiums_file import read_stadiums, write_stadiums
 from procc_annotator.session.facts.origins import default_author
 from procc_annotator.session.runs.together_run import FieldSize, find_field_sizes
+from procc_annotator.words import count_of, first_of
 
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations; its frames are of one
@@ -36,8 +44,10 @@ names that the rules of the sport leave open; every frame keeps a camera of its 
 that the frames do not determine to half a metre is told, and counts as it was.
 
 With --save the dimensions are kept in the workspace of the dataset, with its field and where its
-lines lie: its window and the other commands then go by them. The official evaluation uses nominal
-ones, as does --field with the name alone. A single frame tells no dimensions: nothing is kept then.
+lines lie: its window and the other commands then go by them. With --groups they go to stadiums.csv
+in its folder, a row a frame, and every frame is fitted, judged and drawn with those of its stadium.
+The official evaluation uses nominal ones, as does --field with the name alone. A single frame tells
+no dimensions: nothing is kept then.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
 """
@@ -47,7 +57,8 @@ Examples:
 
 \b
   procc-annotator field-size match/ --save
-  procc-annotator field-size annotations/ --groups stadiums.csv -t 2 -t 5
+  procc-annotator field-size annotations/ --groups matches.csv -t 2 -t 5
+  procc-annotator field-size match/ --groups matches.csv --save
 """
 
 
@@ -60,9 +71,7 @@ Dimension = Annotated[
 Model = Annotated[
     str, typer.Option("--model", "-m", metavar="P|R|R+|R2|F|auto", help="Camera of each frame.")
 ]
-Save = Annotated[
-    bool, typer.Option("--save", help="Keep the dimensions in the dataset's workspace.")
-]
+Save = Annotated[bool, typer.Option("--save", help="Keep the dimensions with the dataset.")]
 
 
 def field_size(
@@ -85,8 +94,6 @@ def field_size(
     )
     names = open_dimensions(setup.field, dimension)
     thresholds = options.thresholds_or_default(threshold)
-    if save and groups is not None:
-        raise UsageError("--save is for one stadium, --groups for several: choose one of them")
     place = annotations_of(dataset)
     kept_in = _workspace_of(dataset) if save else None
     with open_annotations(place, setup.field) as source:
@@ -98,7 +105,10 @@ def field_size(
         found = find_field_sizes(fitted.fits, fitted.frames, setup, thresholds, names, progress)
     _print_sizes(found, fitted, setup)
     if kept_in is not None:
-        _save(kept_in, setup.field, found)
+        if fitted.fits.groups is None:
+            _save(kept_in, setup.field, found)
+        else:
+            _save_stadiums(kept_in, setup.field, found, fitted.fits.groups)
     errors = [frame.error for frame in fitted.frames if frame.error is not None]
     raise typer.Exit(report_unreadable(errors))
 
@@ -157,3 +167,44 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
     if not written or database.problem:
         raise SaveError(f"{dataset}: {database.problem or 'the dimensions were not written'}")
     typer.echo(f"kept in the workspace of {dataset}: {sized.described}")
+    if (dataset / STADIUMS_FILE).is_file():
+        typer.echo(
+            f"note: frames in {dataset / STADIUMS_FILE} go by the dimensions there", err=True
+        )
+
+
+def _save_stadiums(
+    dataset: Path, field: Field, sizes: list[FieldSize], groups: Mapping[str, str | None]
+) -> None:
+    """Keep the dimensions of each stadium, beside those of others that were kept before.
+
+    Raises:
+        UsageError: none is determined.
+        InputError: what was kept before cannot be used.
+        SaveError: they could not be written.
+    """
+    found = {
+        size.group: size.stadium.values
+        for size in sizes
+        if size.stadium is not None and size.stadium.values and size.stadium.frames > 1
+    }
+    if not found:
+        raise UsageError(
+            "nothing to save: no dimension of a stadium with several frames is determined"
+        )
+    path = dataset / STADIUMS_FILE
+    known = read_stadiums(path, field) if path.is_file() else Stadiums({}, {})
+    frames = {f: s for f, s in known.frames.items() if groups.get(f) is None}
+    frames |= {frame: group for frame, group in groups.items() if group in found}
+    dimensions = {s: {**known.dimensions.get(s, {}), **found.get(s, {})} for s in frames.values()}
+    stadiums = Stadiums(frames, dimensions)
+    with_stadiums(field, stadiums)  # a field can have them, or nothing is written
+    write_stadiums(path, stadiums)
+    counted = f"{count_of(len(found), 'stadium')}, {count_of(len(frames), 'frame')}"
+    typer.echo(f"written: {path} ({counted})")
+    left_out = sorted({s.group for s in sizes} - found.keys())
+    if left_out:
+        typer.echo(
+            f"note: not determined, or of a single frame, and not kept: {first_of(left_out)}",
+            err=True,
+        )

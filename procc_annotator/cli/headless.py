@@ -97,7 +97,7 @@ def _export_and_draw(
 ) -> list[str]:
     """Export with, and draw, the camera set that agrees best; returns what could not be read."""
     workspace = datasets.open_dataset(dataset, setup.field)
-    camera_set = datasets.open_cameras(cameras, "auto")
+    camera_set = datasets.open_cameras(cameras, "auto", None, setup.field)
     exported = export_dataset(
         DatasetFrames(workspace), out / "export", Scoring(setup, THRESHOLDS, camera_set)
     )

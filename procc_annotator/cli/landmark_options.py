@@ -180,14 +180,16 @@ def groups_asked_for(
 
 
 def cameras_asked_for(
-    cameras: str | None, camera_format: str, camera_size: str | None
+    cameras: str | None, camera_format: str, camera_size: str | None, field: Field
 ) -> CameraSet | None:
     if cameras is None:
         return None
     spec = parse_source(cameras, camera_format)
     if not spec.path.exists():
         raise UsageError(f"{spec.path}: does not exist")
-    given = CameraSet.open(spec.path, spec.format, spec.name, options.shown_size(camera_size))
+    given = CameraSet.open(
+        spec.path, spec.format, spec.name, options.shown_size(camera_size), field
+    )
     if not given.frames:
         raise UsageError(f"nothing to do: no camera (format {spec.format}) in {spec.path}")
     report_remarks(given.notices)

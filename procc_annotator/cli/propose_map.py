@@ -72,7 +72,7 @@ def propose_map(
         raise UsageError(
             f"nothing to do: every label of {annotations} is a class of the field {known.title}"
         )
-    shown = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
+    shown = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size), known)
     unusable: list[str] = []
     given = None if shown is None else cameras_of(shown, unusable.append)
     proposals = propose_labels(frames, known, given)

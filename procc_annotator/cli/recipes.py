@@ -32,6 +32,7 @@ from procc_annotator.report.recipe import (
 )
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.session.dataset.annotation_source import ReadSource
+from procc_annotator.session.dataset.dataset_folder import STADIUMS_FILE, folder_of_dataset
 from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
     picture_folders,
@@ -102,10 +103,12 @@ class RecipeFor:
         """
         own_file = self.field.file
         maps = {m.path for m in (map_of(one.annotations) for one in asked) if m is not None}
+        stadiums = {p for one in asked if (p := stadiums_of(one)) is not None}
         more = [
             *((("field", own_file),) if own_file is not None else ()),
             *self.beside,
             *((LABELS_ROLE, path) for path in sorted(maps)),
+            *(("stadiums", path) for path in sorted(stadiums)),
         ]
         paths = [p for one in asked for p in (one.annotations.path, one.cameras.path)]
         root = common_folder([*paths, *(path for _, path in more)])
@@ -172,6 +175,13 @@ def evaluation_of(
         _picture_sizes(one.annotations),
         figures_of(summaries),
     )
+
+
+def stadiums_of(one: Asked) -> Path | None:
+    """The file that gives frames the dimensions of their stadiums; None where none does."""
+    folder = folder_of_dataset(one.annotations.path)
+    used = one.setup.field.stadiums is not None and folder is not None
+    return folder / STADIUMS_FILE if used and folder is not None else None
 
 
 def map_of(annotations: FileSource) -> LabelMap | None:

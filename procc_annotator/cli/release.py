@@ -43,6 +43,7 @@ from procc_annotator.session.database.places import database_path, kept_elsewher
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import (
     FIELD_FILE,
+    STADIUMS_FILE,
     annotations_of,
     folder_of_dataset,
 )
@@ -263,10 +264,11 @@ class _Making:
         return origins_of(data)
 
     def field_file(self, files: dict[str, bytes]) -> None:
-        """The dataset's own field, where it has one."""
-        path = None if self._folder is None else self._folder / FIELD_FILE
-        if path is not None and path.is_file():
-            files[FIELD_COPY] = read_file(path)
+        """The dataset's own field, and the dimensions of its stadiums, where it has them."""
+        for name, copy in ((FIELD_FILE, FIELD_COPY), (STADIUMS_FILE, STADIUMS_FILE)):
+            path = None if self._folder is None else self._folder / name
+            if path is not None and path.is_file():
+                files[copy] = read_file(path)
 
 
 def _as_file(suffix: str, write: Callable[[Path], T]) -> tuple[T, bytes]:

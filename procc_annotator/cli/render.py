@@ -90,9 +90,12 @@ def render(
     )
     (tau,) = options.thresholds_or_default([threshold])
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
-    camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
-    folder = workspace.frames[0].annotation_path.parent
-    outputs.check_folder_apart(out, [folder, *([camera_set] if camera_set is not None else [])])
+    camera_set = datasets.open_cameras(
+        cameras, camera_format, options.shown_size(camera_size), setup.field
+    )
+    outputs.check_folder_apart(
+        out, [workspace.annotations, *([camera_set] if camera_set is not None else [])]
+    )
     suffix = f".{picture_format.value}"
     names = (f"{frame.name}{suffix}" for frame in workspace.frames)
     outputs.check_replaces_nothing(out, names, overwrite=overwrite)

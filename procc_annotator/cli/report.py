@@ -41,6 +41,7 @@ from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.report.sheet.as_latex import ARTICLE_PT
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
@@ -265,7 +266,7 @@ def _make(
     """Score, draw and write; returns the figures, and what went wrong while drawing."""
     with ExitStack() as opened:
         source = opened.enter_context(open_annotations(folder, call.setup.field, call.labels))
-        collections = [opened.enter_context(_open(spec)) for spec in call.specs]
+        collections = [opened.enter_context(_open(spec, call.setup.field)) for spec in call.specs]
         datasets.report_mismatch(source, call.setup.field)
         named = list(zip(call.specs, collections, strict=True))
         for spec, collection in named:
@@ -343,13 +344,12 @@ def annotation_place(
         typer.echo(f"note: {notice}", err=True)
     if workspace.frames:
         pictures = ByFrame((frame.name, frame.image_path) for frame in workspace.frames)
-        return workspace.frames[0].annotation_folder, pictures
-    folder = dataset / ANNOTATIONS_FOLDER
-    return annotations or (folder if folder.is_dir() else dataset), {}
+        return annotations or workspace.annotations, pictures
+    return annotations or annotations_of(dataset), {}
 
 
-def _open(spec: SourceSpec) -> CameraCollection:
-    return CameraCollection.open(spec.path, spec.format)
+def _open(spec: SourceSpec, field: Field) -> CameraCollection:
+    return CameraCollection.open(spec.path, spec.format, field=field)
 
 
 def _pair(text: str) -> tuple[str, str]:

@@ -209,7 +209,7 @@ def _anchors(
         datasets.report_remarks(given.notices)
         found.add_annotated(pictures.frames, given, field)
     if cameras is not None:
-        with CameraCollection.open(cameras, camera_format) as collection:
+        with CameraCollection.open(cameras, camera_format, field=field) as collection:
             datasets.report_remarks(collection.notices)
             found.add_cameras(pictures.frames, collection, camera_size)
     datasets.report_remarks(found.remarks)

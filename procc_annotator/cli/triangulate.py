@@ -111,7 +111,7 @@ def triangulate(
         _refuse_classes_of_another_field(source, shown)
         groups = groups_asked_for(groups, source, views, pattern)
         report_strange_rows(groups, source, dataset)
-        given = cameras_asked_for(cameras, camera_format, camera_size)
+        given = cameras_asked_for(cameras, camera_format, camera_size, shown)
         search = Search(
             known, groups, given, moving=moving or (),
             model=model, click_px=click_px, size=options.shown_size(size),

@@ -136,11 +136,6 @@ def field_at(field: Field, instant: str | None) -> Field:
     return with_landmarks(field, field.landmarks, instant, field.instants)
 
 
-def field_of_frame(field: Field, frame: str) -> Field:
-    """The field with its landmarks where they are in a frame; itself where nothing moves."""
-    return field_at(field, field.instants.get(frame)) if field.instants else field
-
-
 def by_name(landmarks: Iterable[Landmark]) -> Mapping[str, list[Landmark]]:
     """The entries of each landmark, in their order; a moving object has one an instant."""
     found: dict[str, list[Landmark]] = {}

@@ -158,7 +158,8 @@ def _told_apart(field: Field, path: Path, dimensions: Mapping[str, float], relat
 def resized(field: Field, dimensions: Mapping[str, float], *, related: bool = True) -> Field:
     """The same field with other dimensions; those that are not named are nominal.
 
-    Landmarks stay where they are, lines in the middle of their paint or where they are measured.
+    Landmarks and stadiums stay as they are, lines in the middle of their paint or where they are
+    measured.
 
     Args:
         field: as it was loaded.
@@ -173,7 +174,7 @@ def resized(field: Field, dimensions: Mapping[str, float], *, related: bool = Tr
     if field.source is None:
         raise FieldError(field.name, "was not read from a file: its dimensions cannot be changed")
     sized = _loaded(field.source, dimensions, lines=field.lines, related=related)
-    return with_landmarks(sized, field.landmarks, field.instant, field.instants)
+    return _with_own(sized, field)
 
 
 def with_lines(field: Field, lines: str) -> Field:
@@ -196,7 +197,13 @@ def with_lines(field: Field, lines: str) -> Field:
         raise FieldError(field.name, "was not read from a file: its lines cannot be put back")
     own = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
     found = _loaded(field.source, own, lines=lines, related=False)
-    return with_landmarks(found, field.landmarks, field.instant, field.instants)
+    return _with_own(found, field)
+
+
+def _with_own(loaded: Field, of: Field) -> Field:
+    """A description's field with what a dataset gave to another one of it."""
+    found = with_landmarks(loaded, of.landmarks, of.instant, of.instants)
+    return found if of.stadiums is None else replace(found, stadiums=of.stadiums)
 
 
 def _read_text(path: Path) -> str:

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from procc_annotator.field.appearance import ANY_LINE, Appearance
 from procc_annotator.field.dimensions import Dimension, Relation
 from procc_annotator.field.geometry import Covariance, Geometry, Line, Spot, Vector, on_plane
+from procc_annotator.words import count_of
 
 # Where the elements of a field lie: where the rules measure them, or in the middle of their paint.
 MEASURED, MIDDLE = LINES = "measured", "middle"
@@ -150,6 +151,19 @@ class CameraPlaces:
 
 
 @dataclass(frozen=True)
+class Stadiums:
+    """The stadiums that frames of one set were taken in.
+
+    Attributes:
+        frames: frame -> its stadium.
+        dimensions: stadium -> metres by name; dimensions that it does not name are the field's.
+    """
+
+    frames: Mapping[str, str]
+    dimensions: Mapping[str, Mapping[str, float]]
+
+
+@dataclass(frozen=True)
 class Field:
     """A sports field: elements in a fixed order, its symmetries, and extra classes.
 
@@ -161,7 +175,8 @@ class Field:
     ``landmarks`` are all that the dataset knows; some of the elements and classes are theirs, as
     they are at ``instant``, and ``instants`` says when its frames were taken
     (`field.landmarks.with_landmarks`). ``lines`` is one of `LINES`,
-    ``usual_lines`` the one that its file says.
+    ``usual_lines`` the one that its file says. ``stadiums`` gives frames dimensions of their own
+    (`field.stadiums`).
     """
 
     name: str
@@ -180,6 +195,7 @@ class Field:
     instants: Mapping[str, str] = dataclass_field(default_factory=dict)
     lines: str = MEASURED
     usual_lines: str = dataclass_field(default=MEASURED, compare=False)
+    stadiums: Stadiums | None = None
 
     @property
     def is_nominal(self) -> bool:
@@ -201,8 +217,8 @@ class Field:
     @property
     def own_terms(self) -> str:
         """The dimensions that are not nominal, both sides if one of them is, and where its lines
-        are if that is not where the rules measure; empty for a field as official evaluations take
-        it."""
+        are if that is not where the rules measure, and whether stadiums have their own; empty for a
+        field as official evaluations take it."""
         own = {d.name: d for d in self.dimensions if d.value != d.nominal}
         sides = [d for d in self.dimensions if d.name in _SIDES]
         words = []
@@ -212,6 +228,8 @@ class Field:
         words += [f"{d.title.lower()} {d.value:.10g} m" for d in own.values()]
         if self.lines == MIDDLE:
             words.append("lines at their middle")
+        if self.stadiums is not None:
+            words.append(f"dimensions of {count_of(len(self.stadiums.dimensions), 'stadium')}")
         return ", ".join(words)
 
     def dimension(self, name: str) -> Dimension | None:
@@ -222,6 +240,11 @@ class Field:
     def index(self) -> dict[str, int]:
         """Element name -> its position in `elements`."""
         return {e.name: i for i, e in enumerate(self.elements)}
+
+    @cached_property
+    def of_stadiums(self) -> dict[str, Field]:
+        """What `field.stadiums` has made of it for each stadium so far."""
+        return {}
 
     @cached_property
     def on_ground(self) -> NDArray[np.bool_]:

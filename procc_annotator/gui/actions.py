@@ -274,6 +274,10 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "document.set_option",
           "The second click on a straight element finishes it", args=("two_clicks",),
           checkable=True, remembered=True),
+    _spec("Element", "draw_first", "Draw first, name after", "", "document.set_option",
+          "Without an element chosen, a click begins a line; once it is finished, the likeliest"
+          " elements are offered at the pen", args=("draw_first",), checkable=True, checked=True,
+          remembered=True),
     _spec("Element", "pinned", "Pin elements", "Ctrl+P", "document.set_option",
           "Only points can be dragged, no whole elements", args=("pinned",),
           checkable=True, remembered=True, checked=True),

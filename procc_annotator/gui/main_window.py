@@ -48,6 +48,7 @@ from procc_annotator.gui.strip.shot_strip import ShotStrip
 from procc_annotator.gui.tasks.elements.assistant import Assistant
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
 from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
+from procc_annotator.gui.tasks.elements.naming import Naming
 from procc_annotator.gui.tasks.field.field_choosing import FieldBar, FieldChoosing
 from procc_annotator.gui.tasks.field.field_dimensions import FieldDimensionsTask
 from procc_annotator.gui.tasks.field.view_grouping import ViewGrouping
@@ -141,6 +142,7 @@ class MainWindow(QMainWindow):
         """What the table of actions calls."""
         document = self.document
         self.element_edits = ElementEdits(document)
+        self.naming = Naming(document, self.canvas, self.element_edits)
         self.assistant = Assistant(document, self)
         self.ghost_tasks = GhostTasks(document, self.canvas, self.settings, self)
         self.tour = Tour(document)

@@ -30,6 +30,7 @@ class DrawTool:
 
     class_name: str | None = None
     points: list[Position] = field(default_factory=list)
+    unnamed: bool = False  # what is drawn is to be named after
     _snapped: set[Position] = field(default_factory=set)
     _spot_placed: bool = False  # by the click before, which a double click would repeat
     _first: Position | None = None  # where the first click was meant, if it may be snapped again
@@ -64,9 +65,10 @@ class DrawTool:
         is wanted."""
         self._spot_placed = False
         if not self.busy:
-            if context.selected_class is None:
+            begun = context.selected_class or context.unnamed
+            if begun is None:
                 return Reaction(message="choose an element first: field map, list, or its key")
-            self.class_name = context.selected_class
+            self.class_name, self.unnamed = begun, context.selected_class is None
             if self.class_name in context.spots:
                 return self._place(self.class_name, position, context)
         placed = self.landing(position, modifiers, context)
@@ -130,7 +132,17 @@ class DrawTool:
         verb = "continue" if context.polyline(name) is not None else "draw"
         edited = edits.append_points(edits.confirm(context.annotation, name), name, points)
         edit = Edit(f"{verb} {context.title(name)}", edited, snapped=frozenset(snapped))
+        if self.unnamed:
+            asked = name if finished else None
+            return Reaction(edit=edit, select=Selection(name), completed=name, to_name=asked)
         return Reaction(edit=edit, select=Selection(name), finished=finished, completed=name)
+
+    def call(self, name: str) -> bool:
+        """Give what is under way its name; False for what has one, or is named already."""
+        if not self.busy or not self.unnamed:
+            return False
+        self.class_name, self.unnamed = name, False
+        return True
 
     def _place(self, name: str, position: Position, context: Context) -> Reaction:
         """A single place: where it was clicked before it is no more."""
@@ -151,6 +163,7 @@ class DrawTool:
         name = self.class_name
         return (
             context.two_clicks_finish
+            and not self.unnamed  # it may be a curve
             and len(self.points) == 1
             and name not in context.curved
             and context.polyline(name) is None
@@ -160,6 +173,7 @@ class DrawTool:
         name = self.class_name
         return (
             name is not None
+            and not self.unnamed
             and name not in context.curved
             and len(self.points) == 2
             and context.polyline(name) is None
@@ -168,7 +182,7 @@ class DrawTool:
     def _snap_first_again(self, second: Position, context: Context) -> None:
         """Only now is a straight element's direction known, which finds its line more surely."""
         name = self.class_name
-        if self._first is None or name is None or name in context.curved:
+        if self._first is None or name is None or self.unnamed or name in context.curved:
             return
         if context.polyline(name) is not None:  # its earlier points told the direction
             return
@@ -183,7 +197,7 @@ class DrawTool:
 
     def _direction(self, name: str, position: Position, context: Context) -> Position | None:
         """Where a straight element runs, as far as its clicks tell."""
-        if name in context.curved:
+        if name in context.curved or self.unnamed:
             return None
         drawn = context.polyline(name)
         earlier = points_px(drawn, context.picture_size).tolist() if drawn is not None else []

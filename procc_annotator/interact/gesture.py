@@ -49,6 +49,7 @@ class Context:
         two_clicks_finish: a straight element is finished by its second click.
         title: what people call a class.
         spots: classes that are single places: one click annotates them, and no line is near.
+        unnamed: the class of a line that is named after it was drawn; None: classes come first.
     """
 
     annotation: FrameAnnotation
@@ -63,6 +64,7 @@ class Context:
     two_clicks_finish: bool = False
     title: Callable[[str], str] = str.strip
     spots: frozenset[str] = frozenset()
+    unnamed: str | None = None
 
     @property
     def chosen_points(self) -> frozenset[PointRef]:
@@ -136,6 +138,7 @@ class Reaction:
         explanation: why nothing happened; said where it cannot be missed the first time.
         finished: an element was finished by hand: the next one may be offered.
         completed: the element that was finished or confirmed by hand.
+        to_name: the class of a line that was finished and has no name yet.
         handled: the event meant something to the tool.
     """
 
@@ -147,6 +150,7 @@ class Reaction:
     explanation: str = ""
     finished: bool = False
     completed: str | None = None
+    to_name: str | None = None
     handled: bool = True
 
 

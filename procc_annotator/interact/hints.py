@@ -135,12 +135,20 @@ def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | 
         last = draw.next_click_finishes(context)
         then = f" and goes on to {_title(upcoming, field)}" if upcoming is not None else ""
         return [
-            f"DRAW {_title(draw.class_name, field)}, {_points(len(draw.points))}",
+            f"DRAW {_name(draw, field)}, {_points(len(draw.points))}",
             "click adds the second point and finishes" if last else "click adds a point",
-            f"Enter or double-click finishes{then}",
+            f"Enter or double-click finishes{' and asks its name' if draw.unnamed else then}",
             "Esc cancels",
-            *(["Shift+Enter finishes and stays"] if upcoming is not None else []),
+            *_stay_words(draw, upcoming),
             "Backspace takes back the last point",
+            *_snap_words(context),
+        ]
+    if context.selected_class is None and context.unnamed is not None:
+        return [
+            "DRAW",
+            "click begins a line that is named after",
+            "Enter and Esc do nothing yet",
+            "or choose its element first: field map, list, its key or /",
             *_snap_words(context),
         ]
     if context.selected_class is None:
@@ -168,6 +176,16 @@ def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | 
         *_point_words(context),
         *_snap_words(context),
     ]
+
+
+def _name(draw: DrawTool, field: Field) -> str:
+    return "a line" if draw.unnamed else _title(draw.class_name or "", field)
+
+
+def _stay_words(draw: DrawTool, upcoming: str | None) -> list[str]:
+    if draw.unnamed:
+        return ["an element's key names it"]
+    return ["Shift+Enter finishes and stays"] if upcoming is not None else []
 
 
 def _snap_words(context: Context) -> list[str]:

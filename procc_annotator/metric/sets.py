@@ -151,7 +151,7 @@ class SetAccumulator:
         Raises:
             UsageError: a threshold has no score, or the frame was measured differently.
         """
-        if measurement is not None and not _same_conditions(measurement.setup, self.setup):
+        if measurement is not None and not _same_conditions(self.setup, measurement.setup):
             raise UsageError(f"{name}: measured with {measurement.setup.describe()}")
         missing = [t for t in self.thresholds if t not in scores]
         if missing:
@@ -253,11 +253,13 @@ def _stand_in(element: Element) -> int:
 
 def _same_conditions(a: EvaluationSetup, b: EvaluationSetup) -> bool:
     def conditions(s: EvaluationSetup) -> tuple[object, ...]:
-        return (
-            s.protocol, s.size, s.allow_mirrored, s.off_plane, s.planar_only, s.field.described,
-        )  # fmt: skip
+        return s.protocol, s.size, s.allow_mirrored, s.off_plane, s.planar_only
 
-    return conditions(a) == conditions(b)
+    if conditions(a) != conditions(b):
+        return False
+    # A frame's field has the dimensions of its stadium.
+    fields = {a.field.described, *(own.described for own in a.field.of_stadiums.values())}
+    return b.field.described in fields
 
 
 def _mean(total: float, count: int) -> float | None:

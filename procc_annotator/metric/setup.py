@@ -12,10 +12,10 @@ from functools import cached_property
 import numpy as np
 
 from procc_annotator.errors import UsageError
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.load import default_field_name
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.metric.fine import ElementCurves
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
 from procc_annotator.words import count_of
@@ -76,9 +76,13 @@ class EvaluationSetup:
         return self if size == self.size else replace(self, size=size)
 
     def of_frame(self, name: str) -> EvaluationSetup:
-        """The same with the landmarks where they are in a frame; itself where nothing moves."""
+        """The same with the field as it is in a frame: the dimensions of its stadium, the landmarks
+        where they are then; itself where the frame has nothing of its own."""
         field = field_of_frame(self.field, name)
-        return self if field is self.field else replace(self, field=field)
+        if field is self.field:
+            return self
+        assert self._of_field is not None  # see above
+        return replace(self, field=field, _of_field=self._of_field.of(field))
 
     def describe(self, ground_only: bool = False, sizes: str = "") -> str:
         """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``.
@@ -132,6 +136,13 @@ class _OfField:
     """What is computed of a field once; it does not depend on the picture's size."""
 
     field: Field
+    _of_stadiums: dict[int, _OfField] = dataclass_field(default_factory=dict)
+
+    def of(self, field: Field) -> _OfField:
+        """The same of the field as it is in a frame; kept for each stadium."""
+        if not any(field is own for own in self.field.of_stadiums.values()):
+            return _OfField(field)
+        return self._of_stadiums.setdefault(id(field), _OfField(field))
 
     @cached_property
     def tables(self) -> FieldTables:

@@ -10,6 +10,7 @@ from typing import Any
 
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.fitted_on import marked
 from procc_annotator.io.frame_names import file_of_frame
@@ -157,8 +158,8 @@ def paint_frames(
                 pictures.get(frame.name),
                 compared.names,
                 cameras,
-                comparison.map_for_picture(cameras),
-                comparison.field,
+                comparison.map_for_picture(frame.name, cameras),
+                field_of_frame(comparison.field, frame.name),
             )
             data = paint(scene)
         except (ImageError, InputError) as error:

@@ -11,9 +11,11 @@ def field_terms(field: Field) -> dict[str, Any]:
     """``field`` in words for people; ``field_name``, ``field_dimensions`` (metres, by name) and
     ``field_lines`` (``measured`` or ``middle``) for programs, which need not take the words apart;
     ``field_file`` where a file of the user's own describes another field than the shipped one of
-    its name.
+    its name; ``field_stadiums`` (stadium -> its own dimensions) where frames have such.
     """
-    own = {"field_file": field.own_file} if field.own_file else {}
+    own: dict[str, Any] = {"field_file": field.own_file} if field.own_file else {}
+    if field.stadiums is not None:
+        own["field_stadiums"] = {s: dict(v) for s, v in field.stadiums.dimensions.items()}
     return {
         "field": field.described,
         "field_name": field.name,

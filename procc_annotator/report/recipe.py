@@ -59,8 +59,8 @@ class RecipeInput:
     """A folder, archive or file that was read.
 
     Attributes:
-        role: ``annotations``, ``cameras``, ``field``, ``tags``, ``labels`` (names of others) or
-            ``click noise`` (what `agree` measured).
+        role: ``annotations``, ``cameras``, ``field``, ``tags``, ``labels`` (names of others),
+            ``stadiums`` or ``click noise`` (what `agree` measured).
         path: relative to the folder of all inputs.
         files: what was read of a folder, by name; of an archive or file itself, called ``.``.
     """

@@ -138,7 +138,6 @@ def test_what_makes_no_sense_is_refused(cli, match, groups, tmp_path) -> None:
     for arguments, problem in (
         (["calibrate", match, out, "--groups", groups], "--groups is for --shared-position"),
         (["calibrate", match, out, "--shared-position", "-m", "H"], "choose P, R or R+, not H"),
-        (["field-size", match, "--groups", groups, "--save"], "choose one of them"),
         (["field-size", match, "--dimension", "goal_width"], "cannot be fitted"),
         (["field-size", match, "--field", "soccer:length=x"], "'length=x' is no dimension"),
         (["field-size", match, "--field", "soccer:length=30"], "outside the range of the rules"),

@@ -37,6 +37,7 @@ KEPT = {
     "pinned",
     "auto_advance",
     "two_clicks",
+    "draw_first",
     "loupe",
     "painted_width",
     "strip",

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from procc_annotator import extras
-from procc_annotator.errors import CameraError
-from procc_annotator.io.camera_files.array_files import array_content
+from procc_annotator.errors import ProccError
 from procc_annotator.report.sheet.as_parquet import parquet_libraries
+from procc_annotator.session.runs.execution.dask_executor import DaskCluster
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 
@@ -22,16 +22,16 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 def test_the_line_is_for_this_very_python(monkeypatch: pytest.MonkeyPatch, has_pip: bool) -> None:
     monkeypatch.setattr(sys, "executable", "/a b/python")
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: object() if has_pip else None)
-    said = extras.how_to_have("mat").partition(": ")[2]
+    said = extras.how_to_have("dask").partition(": ")[2]
     begin = ["/a b/python", "-m", "pip", "install"]
     if not has_pip:
         begin = ["uv", "pip", "install", "--python", "/a b/python"]
-    assert shlex.split(said) == [*begin, "procc-annotator[mat]"]
+    assert shlex.split(said) == [*begin, "procc-annotator[dask]"]
 
 
 def test_the_standalone_folder_says_that_it_cannot(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "frozen", True, raising=False)
-    assert "the standalone folder goes without MATLAB files" in extras.how_to_have("mat")
+    assert "the standalone folder goes without a Dask cluster" in extras.how_to_have("dask")
 
 
 def test_the_extras_are_those_of_the_project() -> None:
@@ -45,9 +45,12 @@ def test_the_extras_are_those_of_the_project() -> None:
 
 
 def test_messages_name_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in ("pyarrow", "scipy", "scipy.io", "scipy.io.matlab"):
-        monkeypatch.setitem(sys.modules, name, None)
-    with pytest.raises(Exception, match=r"procc-annotator\[parquet\]"):
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(ProccError, match=r"procc-annotator\[parquet\]"):
         parquet_libraries()
-    with pytest.raises(CameraError, match=r"procc-annotator\[mat\]"):
-        array_content(b"MATLAB 5.0 MAT-file" + bytes(200), "cameras.mat")
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with (
+        pytest.raises(ProccError, match=r"procc-annotator\[dask\]"),
+        DaskCluster("tcp://127.0.0.1:1"),
+    ):
+        pass

@@ -19,6 +19,7 @@ from procc_annotator.interact.gesture import (
 )
 from procc_annotator.interact.hints import GhostHint, counted, hint
 from procc_annotator.interact.hit import Hit
+from procc_annotator.interact.naming import unnamed_class
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
 from procc_annotator.session.strokes.copying import annotated_before
@@ -32,6 +33,7 @@ class Editor(QObject):
     """Gives events to the draw or edit tool and does what the tool answers."""
 
     changed = Signal()  # a draft or gesture changed, nothing in the document
+    lineFinished = Signal(str)  # one that has no name yet: its class meanwhile
     explained = Signal(str)  # why nothing happened, the first time
 
     def __init__(self, document: Document, parent: QObject | None = None) -> None:
@@ -109,7 +111,8 @@ class Editor(QObject):
     def follows_cursor(self) -> bool:
         """Whether something is painted at the cursor."""
         document = self._document
-        drawing = document.mode == "draw" and document.selected_class is not None
+        chosen = document.selected_class is not None
+        drawing = document.mode == "draw" and (chosen or self._draw.busy)
         return drawing or document.hovered_class is not None
 
     def draft(self, cursor: Position | None) -> Draft | None:
@@ -118,7 +121,7 @@ class Editor(QObject):
         if document.mode != "draw" or not document.editable:
             return None
         landing = None
-        if cursor is not None and document.selected_class is not None:
+        if cursor is not None and (self._draw.busy or document.selected_class is not None):
             landing = self._draw.landing(cursor, self._held, self._context())
         return self._draw.draft(document.selected_class, cursor, landing)
 
@@ -277,6 +280,7 @@ class Editor(QObject):
             document.state.options.two_clicks,
             document.field.title_of,
             self.spots,
+            unnamed_class(document.annotation) if document.state.options.draw_first else None,
         )
 
     def _begin_on(self, seen: Context) -> bool:
@@ -310,7 +314,12 @@ class Editor(QObject):
             self.seen_before = frozenset(found[1].annotated)
 
     def _finish_for_another_class(self) -> None:
-        if self._draw.busy and self._document.selected_class != self._draw.class_name:
+        chosen = self._document.selected_class
+        if not self._draw.busy or chosen == self._draw.class_name:
+            return
+        if self._draw.unnamed and (chosen is None or self._draw.call(chosen)):
+            self.changed.emit()
+        else:
             self._end_draft(keep_selection=True)
 
     def _end_draft(self, *, keep_selection: bool) -> None:
@@ -383,6 +392,8 @@ class Editor(QObject):
                 document.select_point(chosen.class_name, chosen.point, chosen.points)
         if reaction.finished and document.mode == "draw" and (name := self.upcoming) is not None:
             document.select_class(name)
+        if reaction.to_name is not None:
+            self.lineFinished.emit(reaction.to_name)
         if reaction.completed is not None:
             document.selecting.note_finished(reaction.completed)
         if reaction.preview is None:

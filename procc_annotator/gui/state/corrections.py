@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.proposals import Proposals
 from procc_annotator.gui.state.signals import Signals

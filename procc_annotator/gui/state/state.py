@@ -26,7 +26,7 @@ from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.blind_work import LockEvent
 
 Mode = Literal["draw", "edit"]
-Option = Literal["snapping", "pinned", "auto_advance", "two_clicks"]
+Option = Literal["snapping", "pinned", "auto_advance", "two_clicks", "draw_first"]
 
 MIN_TAU, MAX_TAU, DEFAULT_TAU = 0.5, 30.0, 5.0
 
@@ -58,6 +58,7 @@ class Options:
     pinned: bool = True
     auto_advance: bool = True
     two_clicks: bool = False
+    draw_first: bool = True
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject
 
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import with_stadiums
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.signals import Signals
@@ -108,4 +109,6 @@ class Terms(QObject):
 
     def _with_own_landmarks(self, field: Field) -> Field:
         own = self._store.state.field
+        if field.stadiums is None and field.name == own.name:  # its file was read again
+            field = with_stadiums(field, own.stadiums)
         return with_landmarks(field, own.landmarks, own.instant, own.instants)

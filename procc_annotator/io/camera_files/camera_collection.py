@@ -40,9 +40,11 @@ class CameraCollection:
         format: one of `CAMERA_FORMATS`, or of a plug-in.
         frames: frame name -> the file its camera is in.
         notices: remarks about the collection that a person should see.
+        field: what the pictures show, where that is known: a camera that would be taken for one of
+            another field cannot be read.
     """
 
-    def __init__(self, source: FileSource, fmt: str = "auto") -> None:
+    def __init__(self, source: FileSource, fmt: str = "auto", field: Field | None = None) -> None:
         """List the cameras of a source, which the collection closes when it is closed.
 
         Raises:
@@ -52,6 +54,7 @@ class CameraCollection:
         """
         self.path: Path = source.path
         self.format = fmt
+        self.field = field
         self._source = source
         self._fitted_on = FittedOn(source)
         self._held_out = HeldOutTables(self._fitted_on.beside)
@@ -66,21 +69,23 @@ class CameraCollection:
             self._take(pair[1], paired_records(source, *pair))
 
     @classmethod
-    def open(cls, path: Path, fmt: str = "auto", base: Path | None = None) -> CameraCollection:
+    def open(
+        cls, path: Path, fmt: str = "auto", base: Path | None = None, field: Field | None = None
+    ) -> CameraCollection:
         """As above, for what is at a path (see `open_source` for what it is relative to).
 
         Raises:
             UsageError: nothing at the path, or no such format.
             InputError: see above.
         """
-        return cls(open_source(path, base), fmt)
+        return cls(open_source(path, base), fmt, field)
 
     def read(self, frame: str, field: Field | None = None) -> LoadedCamera:
         """The camera of a frame of `frames`.
 
         Args:
             frame: its name.
-            field: what its pictures show, where that is known.
+            field: what its pictures show, where that is known; None: as of the collection.
 
         Raises:
             CameraError: the file is damaged or gone, or would be taken for one of another field.
@@ -104,6 +109,7 @@ class CameraCollection:
         return self._of_field(loaded, frame, field)
 
     def _of_field(self, loaded: LoadedCamera, frame: str, field: Field | None) -> LoadedCamera:
+        field = field or self.field
         if field is not None and (problem := of_another_field(loaded.assumed_field, field)):
             raise CameraError(self.display(frame), problem, advice=NAME_THE_FORMAT)
         return loaded
@@ -150,7 +156,9 @@ class CameraCollection:
             try:
                 records = self._many(file)
             except CameraError as error:
-                if isinstance(error, PointsError) and len(files) == 1:
+                # The file that was named may hold many frames, none of which is called like it.
+                named = self.path.is_file() and self.path.suffix.lower() != ".zip"
+                if len(files) == 1 and (isinstance(error, PointsError) or named):
                     raise
                 if not format_of(file, self.format).always_many:
                     continue  # told when its frame is read

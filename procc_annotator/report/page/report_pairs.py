@@ -8,6 +8,7 @@ from pathlib import Path
 
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.legacy import Average
 from procc_annotator.report.comparison import ComparisonScene
@@ -128,9 +129,14 @@ class Pairs:
     ) -> PairFigure | None:
         try:
             cameras = comparison.cameras(frame.name)
-            found = comparison.map_for_picture(cameras)
+            found = comparison.map_for_picture(frame.name, cameras)
             scene = ComparisonScene(
-                frame, pictures.get(frame.name), names, cameras, found, self._field
+                frame,
+                pictures.get(frame.name),
+                names,
+                cameras,
+                found,
+                field_of_frame(self._field, frame.name),
             )
             picture, kind = _encoded(scene, paint)
         except InputError:  # listed when the set was compared

@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import InputError
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.session.dataset.workspace import Workspace

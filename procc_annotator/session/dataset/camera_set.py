@@ -14,6 +14,7 @@ from typing import Protocol
 from procc_annotator.camera.model_name import model_name
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError
+from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.session.dataset.file_stamps import FileStamps, stamp_of
@@ -76,6 +77,7 @@ class CameraSet:
         self.camera_size = camera_size
         self.name = name
         self.format = cameras.format
+        self.field = cameras.field
         self.frames = cameras.frames  # frame name -> file
         self.notices = cameras.notices
         self._cameras = cameras
@@ -91,6 +93,7 @@ class CameraSet:
         fmt: str = "auto",
         name: str | None = None,
         camera_size: tuple[int, int] | None = None,
+        field: Field | None = None,
     ) -> CameraSet:
         """List the cameras of a folder, a zip archive or a single file.
 
@@ -98,6 +101,7 @@ class CameraSet:
             path: where they are.
             fmt: one of `CAMERA_FORMATS`.
             camera_size: (width, height) the cameras' pixels belong to; None goes by the files.
+            field: as of `CameraCollection`; None where it may change while the cameras are open.
             name: shown to the user; by default that of the folder, or of the file without suffix.
 
         Raises:
@@ -105,7 +109,9 @@ class CameraSet:
             InputError: two files for one frame, or an archive that cannot be opened.
         """
         stamp = stamp_of(path)  # before the look: what is written meanwhile is found by the next
-        found = cls(CameraCollection.open(path, fmt), name or _name_of(path), camera_size)
+        found = cls(
+            CameraCollection.open(path, fmt, field=field), name or _name_of(path), camera_size
+        )
         found._stamps.take("", stamp)
         if found._is_folder:
             for file in found._cameras.decoded:
@@ -154,7 +160,9 @@ class CameraSet:
 
     def opener(self) -> Callable[[], CameraSet]:
         """What opens the same set once more, as in another process."""
-        return partial(CameraSet.open, self.path, self.format, self.name, self.camera_size)
+        return partial(
+            CameraSet.open, self.path, self.format, self.name, self.camera_size, self.field
+        )
 
     def files(self) -> Iterable[str]:
         """Every file that is read, as shown to a person."""

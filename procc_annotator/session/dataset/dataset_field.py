@@ -17,6 +17,7 @@ from procc_annotator.field.load import is_shipped, load_field, resized, with_lin
 from procc_annotator.field.model import LINES, Field
 from procc_annotator.session.database.places import read_settings
 from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, folder_of_dataset
+from procc_annotator.session.dataset.stadiums_file import field_with_stadiums
 
 if TYPE_CHECKING:
     from procc_annotator.session.database.database import WorkspaceDatabase
@@ -191,7 +192,7 @@ def kept_source(folder: Path, settings: Mapping[str, str]) -> str | Path | None:
 
 
 def field_of_settings(folder: Path, settings: Mapping[str, str]) -> DatasetField:
-    """The field of a dataset, as its folder and its workspace say.
+    """The field of a dataset, as its folder and its workspace say, with its stadiums.
 
     Args:
         folder: of the dataset.
@@ -204,10 +205,15 @@ def field_of_settings(folder: Path, settings: Mapping[str, str]) -> DatasetField
     field = load_field(source)
     kept = kept_dimensions_of(settings, field)
     lines = kept_lines_of(settings, field)
-    chosen = source is not None or bool(kept.values) or bool(lines.lines)
-    notices = tuple(filter(None, (kept.problem, lines.problem)))
     field = resized(field, kept.values) if kept.values else field
-    return DatasetField(with_lines(field, lines.lines or field.lines), chosen, notices)
+    field = with_lines(field, lines.lines or field.lines)
+    problem = ""
+    try:
+        field = field_with_stadiums(field, folder)
+    except InputError as error:
+        problem = f"the stadiums' dimensions are not used: {error}"
+    chosen = source is not None or bool(kept.values or lines.lines or field.stadiums)
+    return DatasetField(field, chosen, tuple(filter(None, (kept.problem, lines.problem, problem))))
 
 
 def field_of_dataset(place: Path) -> DatasetField:

@@ -23,10 +23,11 @@ from procc_annotator.session.dataset.picture_tree import (
 FIELD_FILE = "field.toml"
 VIEWS_FILE = "views.csv"
 FRAMES_FILE = "frames.csv"
+STADIUMS_FILE = "stadiums.csv"
 
 _ARCHIVES = frozenset({".zip"})
 _ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
-_OWN_THINGS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE)
+_OWN_THINGS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE, STADIUMS_FILE)
 
 
 def like_cameras(pictures: Iterable[str]) -> str:

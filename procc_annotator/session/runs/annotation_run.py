@@ -9,8 +9,8 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import InputError
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.fit.predict.given_camera import given_camera
 from procc_annotator.image.decode import decode_bgra

@@ -11,7 +11,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import InputError
-from procc_annotator.field.landmarks import field_of_frame
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.result import FitResult, PoseDeviations

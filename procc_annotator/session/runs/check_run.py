@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, ProccError
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.labels.seen_paint import SeenPaint
 from procc_annotator.fit.which_side import frames_on_other_side
 from procc_annotator.io.source import FileSource

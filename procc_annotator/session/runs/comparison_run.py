@@ -11,6 +11,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import (
     Disagreement,
@@ -145,9 +146,10 @@ class ComparisonRun(SetRun[str, ComparedFrame, None]):
         """
         return _pair(self.a, self.b, name, self.size)
 
-    def map_for_picture(self, pair: CameraPair) -> Disagreement:
-        """A frame's disagreement, sampled finely enough to be drawn."""
-        return disagreement(pair.a, pair.b, self.field, self.size, step_px=_PICTURE_STEP_PX)
+    def map_for_picture(self, name: str, pair: CameraPair) -> Disagreement:
+        """The disagreement of a frame's cameras, sampled finely enough to be drawn."""
+        field = field_of_frame(self.field, name)
+        return disagreement(pair.a, pair.b, field, self.size, step_px=_PICTURE_STEP_PX)
 
     def summary(self) -> ComparisonSummary:
         """The figures of the frames compared so far."""
@@ -190,7 +192,9 @@ class CompareFrames:
 
     def __call__(self, names: Sequence[str]) -> tuple[list[ComparedFrame], None]:
         a, b = self.a.opened, self.b.opened
-        return [_compare(a, b, name, self.field, self.size) for name in names], None
+        return [
+            _compare(a, b, name, field_of_frame(self.field, name), self.size) for name in names
+        ], None
 
 
 def _compare(

@@ -34,7 +34,7 @@ def read_positions(path: Path, field: Field, fmt: str = "auto") -> tuple[KnownPo
     """
     if path.suffix.lower() == ".csv":
         return _from_table(path)
-    with CameraCollection.open(path, fmt) as collection:
+    with CameraCollection.open(path, fmt, field=field) as collection:
         found = []
         for frame in collection.frames:
             try:

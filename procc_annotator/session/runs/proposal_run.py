@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import Protocol
 
 from procc_annotator.errors import InputError
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.from_picture.agreed_positions import positions_of_fits
 from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Proposal
 from procc_annotator.image.decode import decode_bgra

@@ -17,7 +17,7 @@ from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.io.camera_files.held_out_table import HeldOut
 from procc_annotator.metric.clicked import Clicked, clicked
-from procc_annotator.metric.measure import Measurement, measure, measure_frames
+from procc_annotator.metric.measure import Measurement, measure_frames
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
@@ -196,25 +196,18 @@ def _evaluated(frames: Sequence[_Read], task: ScoreChunk[Any], tally: Tally) -> 
 
 
 def _measured(frames: Sequence[_Read], setup: EvaluationSetup) -> dict[str, Measurement]:
-    """The measurements of the frames that have a camera; of those where nothing moves, at once."""
-    measured: dict[str, Measurement] = {}
-    names: list[str] = []
-    annotations: list[FrameAnnotation] = []
-    cameras: list[CameraOrProjections] = []
+    """The measurements of the frames that have a camera; of those on the same field at once."""
+    alike: dict[int, tuple[EvaluationSetup, list[_Read]]] = {}
     for read in frames:
-        if read.annotation is None or read.camera is None:
-            continue
-        name = read.frame.name
-        own = setup.of_frame(name)
-        if own is not setup:
-            measured[name] = measure(read.annotation, read.camera, own)
-            continue
-        names.append(name)
-        annotations.append(read.annotation)
-        cameras.append(read.camera)
-    if names:
-        found = measure_frames(annotations, cameras, setup)
-        measured.update(zip(names, found, strict=True))
+        if read.annotation is not None and read.camera is not None:
+            own = setup.of_frame(read.frame.name)
+            alike.setdefault(id(own.field), (own, []))[1].append(read)
+    measured: dict[str, Measurement] = {}
+    for own, some in alike.values():
+        annotations = [read.annotation for read in some if read.annotation is not None]
+        cameras = [read.camera for read in some if read.camera is not None]
+        names = [read.frame.name for read in some]
+        measured.update(zip(names, measure_frames(annotations, cameras, own), strict=True))
     return measured
 
 

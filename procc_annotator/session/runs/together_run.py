@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.load import resized
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame, field_of_stadium, stadium_of
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.together.stadium import StadiumFit, fit_dimensions
@@ -123,11 +123,17 @@ class SetFits(SetRun[FrameFile, OwnFit, None]):
                 used.add(frame.size)
         return used
 
+    def _group(self, frame: str) -> str | None:
+        if self.groups is not None:
+            return self.groups.get(frame)
+        return stadium_of(self.task.field, frame) or ""
+
     def grouped(self, fitted: Sequence[OwnFit]) -> dict[str, list[OwnFit]]:
-        """Group -> its frames that can be read; frames without a group are in none."""
+        """Group -> its frames that can be read; frames without a group are in none. Where no groups
+        were given, each stadium that the field knows is one, and all other frames are another."""
         found: dict[str, list[OwnFit]] = {}
         for frame in fitted:
-            group = "" if self.groups is None else self.groups.get(frame.name)
+            group = self._group(frame.name)
             if group is not None and frame.error is None:
                 found.setdefault(group, []).append(frame)
         return found
@@ -298,7 +304,7 @@ def _field_size(
         return FieldSize(group, None, "no frame has a camera that dimensions could be told from")
     stadium = fit_dimensions(annotations, alone, setup.field, names=names, on_step=steps.step)
     there = {d.name: d.value for d in setup.field.dimensions} | stadium.values
-    sized = resized(setup.field, there, related=False)
+    sized = replace(resized(setup.field, there, related=False), stadiums=None)
     again = []
     for frame in members:
         steps.step()
@@ -338,6 +344,9 @@ def read_groups(path: Path, of_set: str) -> dict[str, str | None]:
 
 def _shared(members: Sequence[OwnFit], field: Field, steps: Steps) -> SharedPosition:
     annotations, alone = _own(members)
+    of_stadiums = {stadium_of(field, name) for name in annotations}
+    if len(of_stadiums) == 1:
+        field = field_of_stadium(field, of_stadiums.pop())
     return share_position(annotations, alone, field, on_step=steps.step)
 
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, InputError
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.image.decode import read_size
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE

@@ -8,6 +8,7 @@ from typing import Protocol
 
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_stadium, stadium_of
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.pixels import PixelArray
@@ -103,9 +104,8 @@ class FollowShots:
     def _follow(self, shot: ShotToFollow) -> FollowedShot:
         pictures = _pictures_of(shot)
         anchors = {n: camera for n, camera in shot.anchors.items() if n in shot.numbers}
-        found = self.follow(
-            pictures, shot.numbers, self.field, anchors=anchors, on_frame=self.on_frame
-        )
+        field = field_of_stadium(self.field, stadium_of(self.field, shot.frames[0].name))
+        found = self.follow(pictures, shot.numbers, field, anchors=anchors, on_frame=self.on_frame)
         tracked = tuple(
             unseen(one, pictures.damaged[one.number]) if one.number in pictures.damaged else one
             for one in found.frames

@@ -108,7 +108,7 @@ def _median_disagreement(
         first, second = a.camera(name, setup.size), b.camera(name, setup.size)
         if first is None or second is None:
             return None
-        found = disagreement(first.camera, second.camera, setup.field, setup.size)
+        found = disagreement(first.camera, second.camera, setup.of_frame(name).field, setup.size)
     except (CameraError, InputError, UsageError):  # told when somebody opens this frame
         return None
     return found.statistics.metres.median

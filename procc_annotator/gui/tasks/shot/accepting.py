@@ -11,8 +11,8 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.gui.state.document import Document

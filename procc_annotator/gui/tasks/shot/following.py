@@ -12,8 +12,8 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
-from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.through_shot.bounds import shot_around
 from procc_annotator.fit.through_shot.following_shot import track
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame

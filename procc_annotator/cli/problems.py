@@ -1,0 +1,49 @@
+"""Problems of many files in as few lines as say them all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+_TOLD_ONE_BY_ONE = 5
+_LONGEST_PLACE = 60  # characters of a place in a file
+
+# A problem -> where it is, and what many of them share.
+_Parted = Callable[[str], tuple[str, str]]
+
+
+def folded(problems: Iterable[str]) -> list[str]:
+    """The problems, those of more than a few files, or places of a file, that have the same words
+    in one line.
+
+    Args:
+        problems: each ``file: what is wrong`` or ``file: place: what is wrong``.
+    """
+    return _folded(_folded(dict.fromkeys(problems), _by_file), _by_place)
+
+
+def _folded(problems: Iterable[str], parted: _Parted) -> list[str]:
+    alike: dict[str, list[str]] = {}
+    for problem in problems:
+        alike.setdefault(parted(problem)[1], []).append(problem)
+    lines = []
+    for some in alike.values():
+        if len(some) <= _TOLD_ONE_BY_ONE:
+            lines += some
+            continue
+        first = parted(some[0])[0]
+        lines.append(f"{first} and {len(some) - 1} more{some[0][len(first) :]}")
+    return lines
+
+
+def _by_file(problem: str) -> tuple[str, str]:
+    file, colon, words = problem.partition(": ")
+    return (file, words) if colon else ("", problem)
+
+
+def _by_place(problem: str) -> tuple[str, str]:
+    """Only places of one file are shared."""
+    file, colon, rest = problem.partition(": ")
+    place, second, words = rest.partition(": ")
+    if not colon or not second or len(place) > _LONGEST_PLACE or " (" in place:
+        return "", problem
+    return f"{file}: {place}", f"{file}: {words}"

@@ -1,0 +1,100 @@
+"""A line that was drawn without a class gets its name: the likeliest elements, at the pen."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from PySide6.QtCore import QObject, QPoint, QTimer
+from PySide6.QtWidgets import QMenu
+
+from procc_annotator.annotation import points_px
+from procc_annotator.camera.base import FloatArray
+from procc_annotator.gui.panels.states import class_swatch
+from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
+from procc_annotator.interact.naming import likeliest
+from procc_annotator.interact.next_element import next_element
+from procc_annotator.session.strokes.copying import annotated_before
+
+_BESIDE = QPoint(18, 12)  # of the pen, so that its next move chooses nothing
+_FARTHEST = 0.1  # of the picture's width: ghosts beyond are another line
+
+
+class Naming(QObject):
+    """Shows a short menu after every line without a name. Esc leaves it without one."""
+
+    def __init__(self, document: Document, canvas: Canvas, edits: ElementEdits) -> None:
+        super().__init__(canvas)
+        self._document, self._canvas, self._edits = document, canvas, edits
+        self.menu: QMenu | None = None
+        canvas.editor.lineFinished.connect(self._ask_soon)
+
+    def _ask_soon(self, class_name: str) -> None:
+        document = self._document
+        polyline, size = document.annotation.get(class_name), document.picture_size
+        if polyline is None or size is None:
+            return
+        drawn = points_px(polyline, size)
+        likely = self._likely(drawn)  # by what was foreseen before this line
+        # Once the click that finished the line is through: a menu would take its release.
+        QTimer.singleShot(0, self, lambda: self._ask(class_name, drawn, likely))
+
+    def _ask(self, class_name: str, drawn: FloatArray, likely: tuple[str, ...]) -> None:
+        document = self._document
+        if document.selected_class != class_name or document.annotation.get(class_name) is None:
+            return  # the frame was left, or the line taken back
+        menu = self.menu = QMenu("Name of the line", self._canvas)
+        menu.setObjectName("namingMenu")
+        menu.setAccessibleName("What is this line?")
+        field = document.field
+        for number, name in enumerate(likely, start=1):
+            title = field.title_of(name).replace("&", "&&")
+            action = menu.addAction(class_swatch(field, name), f"&{number}  {title}")
+            action.setData(name)
+            action.setIconVisibleInMenu(True)
+            action.triggered.connect(partial(self._name, class_name, name))
+        menu.addSeparator()
+        menu.addAction("Leave it unnamed\tEsc")
+        menu.setActiveAction(menu.actions()[0])
+        menu.aboutToHide.connect(menu.deleteLater)
+        at = self._canvas.to_view(*drawn[-1]).toPoint() + _BESIDE
+        menu.popup(self._canvas.viewport().mapToGlobal(at))
+
+    def _name(self, class_name: str, name: str) -> None:
+        if self._document.selected_class == class_name:
+            self._edits.change_class(name)
+            self._document.select_class(None)  # the next line is drawn first, too
+
+    def _likely(self, drawn: FloatArray) -> tuple[str, ...]:
+        """By the camera that is known, else by what the frame before had; then by what usually
+        comes next."""
+        document = self._document
+        field, annotation = document.field, document.annotation
+        there = {p.class_name for p in annotation}
+        size = document.picture_size or (2, 2)
+        before, last = self._canvas.editor.seen_before, document.state.selection.last_finished
+        following = next_element(field, annotation, last, before)
+        usual = [following] if following is not None else []
+        usual += [e.name for e in field.elements if e.name not in there and not e.optional]
+        insight = document.foresight.insight
+        ghosts = insight.ghosts if insight is not None else document.ghosts.painted
+        if ghosts:
+            courses = {g.name: [piece.points_px for piece in g.pieces] for g in ghosts}
+            return likeliest(drawn, courses, usual, farthest=_FARTHEST * size[0])
+        return likeliest(drawn, self._before(size, there), usual)
+
+    def _before(self, size: tuple[int, int], there: set[str]) -> dict[str, list[FloatArray]]:
+        """What the frame before had and this one has not yet, px of this picture."""
+        document = self._document
+        if document.workspace is None:
+            return {}
+        found = annotated_before(document.workspace, document.frame_index)
+        if found is None:
+            return {}
+        return {
+            p.class_name: [np.asarray(points_px(p, size))]
+            for p in found[1]
+            if p.class_name not in there and document.field.element(p.class_name) is not None
+        }

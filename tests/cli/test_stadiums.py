@@ -1,0 +1,174 @@
+"""A set of several stadiums goes by the dimensions of each: `field-size --groups --save`."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.load import load_field
+from procc_annotator.metric.project import project_field
+from procc_annotator.metric.setup import EvaluationSetup
+from tests.cli.conftest import PANS, SIZE, camera_file
+
+SIZES = {"old": {"length": 100.0, "width": 64.0}, "new": {"length": 105.0, "width": 68.0}}
+QUIET = ("--draws", 200, "--seed", 1)
+
+
+def plain(text: str) -> str:
+    return " ".join(text.split())
+
+
+def write_annotation(path: Path, pan: float, dimensions: dict[str, float]) -> None:
+    """What a camera shows of a field of these dimensions, exactly."""
+    camera = PinholeCamera(
+        np.deg2rad(pan), np.deg2rad(78.0), 0.0, (0.0, 60.0, -14.0), (1400.0, 1400.0), (479.5, 269.5)
+    )
+    shown = project_field(camera, EvaluationSetup(load_field("soccer", **dimensions), SIZE))
+    content = {
+        name: [
+            {"x": float(x) / (SIZE[0] - 1), "y": float(y) / (SIZE[1] - 1)}
+            for x, y in pieces[0][[0, len(pieces[0]) // 2, -1]]
+        ]
+        for name, pieces in shown.pieces.items()
+    }
+    path.write_text(json.dumps(content))
+
+
+@pytest.fixture
+def two(tmp_path) -> Path:
+    """Frames of two stadiums, with the cameras that took them."""
+    root = tmp_path / "match"
+    (root / "annotations").mkdir(parents=True)
+    (root / "cameras").mkdir()
+    rows = ["frame,match"]
+    for stadium, dimensions in SIZES.items():
+        for pan_name, pan in PANS.items():
+            frame = f"{stadium}_{pan_name}"
+            write_annotation(root / "annotations" / f"{frame}.json", pan, dimensions)
+            (root / "cameras" / f"camera_{frame}.json").write_text(json.dumps(camera_file(pan)))
+            rows.append(f"{frame},{stadium}")
+    (tmp_path / "matches.csv").write_text("\n".join(rows))
+    return root
+
+
+@pytest.fixture
+def known(cli, two, tmp_path) -> Path:
+    done = cli("field-size", two, "--groups", tmp_path / "matches.csv", "--save")
+    assert done.exit_code == 0, done.output
+    assert "(2 stadiums, 10 frames)" in plain(done.stdout)
+    return two
+
+
+def jac(cli, root: Path, out: Path, *more: object) -> float:
+    done = cli("evaluate", root / "annotations", root / "cameras", "-t", 1, "-o", out, *more)
+    assert done.exit_code == 0, done.output
+    found: float = json.loads(out.read_text())["summary"]["1"]["mean_jac"]
+    return found
+
+
+def test_each_frame_is_judged_by_its_own_stadium(cli, known, tmp_path) -> None:
+    rows = list(csv.DictReader(io.StringIO((known / "stadiums.csv").read_text())))
+    assert len(rows) == 10
+    for row in rows:
+        assert row["frame"].startswith(row["stadium"])
+        for name, metres in SIZES[row["stadium"]].items():
+            assert float(row[name]) == pytest.approx(metres, abs=0.02)
+    out = tmp_path / "s.json"
+    assert jac(cli, known, out) > 0.99
+    assert json.loads(out.read_text())["field_stadiums"].keys() == SIZES.keys()
+    assert jac(cli, known, out, "--field", "soccer") < 0.9
+
+
+def test_every_command_goes_by_them(cli, known, tmp_path) -> None:
+    fits = tmp_path / "fits"
+    done = cli("calibrate", known, fits, "-t", 1)
+    assert "dimensions of 2 stadiums" in plain(done.stdout)
+    table = list(csv.DictReader(io.StringIO((fits / "calibration.csv").read_text())))
+    assert max(float(row["mean_error"]) for row in table) < 0.1  # half a metre is some 10 px
+    shared = cli("calibrate", known, tmp_path / "shared", "--shared-position", "-t", 1)
+    assert shared.exit_code == 0, shared.output
+    assert "old" in shared.stdout  # a place of its own for each stadium
+    out = tmp_path / "r.json"
+    report = cli("report", known, "--cameras", f"a={known / 'cameras'}", "-t", 1, "-o", out, *QUIET)
+    assert report.exit_code == 0, report.output
+    source = json.loads(out.read_text())["sources"][0]
+    assert source["summary"]["1"]["mean_jac"] > 0.99
+    compared = cli("compare", f"a={known / 'cameras'}", f"b={fits}", known)
+    assert "dimensions of 2 stadiums" in plain(compared.stdout)
+    checked = cli("check", known, "--output", tmp_path / "f.csv")
+    assert checked.exit_code == 0
+    rules = {row["rule"] for row in csv.DictReader(io.StringIO((tmp_path / "f.csv").read_text()))}
+    assert rules <= {"few points"}  # nothing is off its place
+
+
+def test_a_recipe_holds_them(cli, known, tmp_path) -> None:
+    recipe = tmp_path / "recipe.json"
+    jac(cli, known, tmp_path / "s.json", "--recipe", recipe)
+    assert "the same" in cli("repeat", recipe, "--data", known).stdout
+    elsewhere = tmp_path / "elsewhere"
+    shutil.copytree(known, elsewhere / "match")
+    assert "the same" in cli("repeat", recipe, "--data", elsewhere / "match").stdout
+    path = elsewhere / "match" / "stadiums.csv"
+    kept = [line for line in path.read_text().splitlines() if ",old," not in line]
+    path.write_text("\n".join(kept))
+    done = cli("repeat", recipe, "--data", elsewhere / "match")
+    assert done.exit_code == 1
+    assert "other content: stadiums.csv" in done.stdout
+    assert "other field" in done.stdout
+    assert "other figure" in done.stdout
+
+
+def test_what_was_kept_of_others_stays(cli, known, tmp_path) -> None:
+    before = (known / "stadiums.csv").read_text().splitlines()
+    (tmp_path / "one.csv").write_text(
+        "frame,match\n" + "\n".join(f"old_{name},old" for name in PANS)
+    )
+    groups = ("--groups", tmp_path / "one.csv")
+    done = cli("field-size", known, *groups, "--dimension", "width", "--save")
+    assert done.exit_code == 0, done.output
+    after = (known / "stadiums.csv").read_text().splitlines()
+    assert {line for line in before if ",new," in line} <= set(after)
+    assert len(after) == len(before)
+    assert all(line.split(",")[2] for line in after)  # the length found before
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("frame,", "picture,"), "line 1: has no column 'frame'"),
+        (("width", "widht"), "did you mean 'width'"),
+        (("old_1,old,", "old_1,old,wide"), "line 2: length is 'wide"),
+        (("old_2,old,", "old_2,old,9"), "line 3: the stadium 'old' has other dimensions"),
+        (("old_2,", "old_1,"), "line 3: frame 'old_1' again"),
+        (("old_2,old,", "old_2,old,1,"), "line 3: has 5 cells, expected 4"),
+        ((",old,1", ",old,91"), "outside the range of the rules"),
+    ],
+)
+def test_a_damaged_file_is_told_and_nothing_is_lost(cli, known, tmp_path, change, said) -> None:
+    path = known / "stadiums.csv"
+    text = path.read_text().replace(",old,99", ",old,100").replace(*change)
+    path.write_text(text)
+    done = cli("evaluate", known / "annotations", known / "cameras", "-o", tmp_path / "s.json")
+    assert done.exit_code == 0
+    assert "stadiums' dimensions are not used" in plain(done.stderr)
+    assert said in plain(done.stderr)
+    assert path.read_text() == text
+    kept = cli("field-size", known, "--groups", tmp_path / "matches.csv", "--save")
+    assert kept.exit_code == 2
+    assert said in plain(kept.stderr)
+    assert path.read_text() == text
+
+
+def test_a_stadium_of_one_frame_is_not_kept(cli, two, tmp_path) -> None:
+    (tmp_path / "one.csv").write_text("frame,match\nold_3,lonely\n")
+    done = cli("field-size", two, "--groups", tmp_path / "one.csv", "--save")
+    assert done.exit_code == 2
+    assert "nothing to save" in plain(done.stderr)
+    assert not (two / "stadiums.csv").exists()

@@ -1,0 +1,135 @@
+"""Lines are drawn first and named after; nothing of them is lost meanwhile."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMenu
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from tests.gui.conftest import Hand, ReadPoints
+
+# The offscreen platform has no window manager to pass these on to.
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+UNKNOWN = "Line unknown"
+
+
+def drawn(window: MainWindow, hand: Hand, qtbot: QtBot, *points: tuple[float, float]) -> QMenu:
+    """Draw a line with no class chosen; the menu that asks its name."""
+    window.document.select_class(None)
+    window.naming.menu = None
+    for point in points:
+        hand.click(*point)
+    hand.key(Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: window.naming.menu is not None and window.naming.menu.isVisible())
+    menu = window.naming.menu
+    assert menu is not None
+    return menu
+
+
+def offered(menu: QMenu) -> list[str]:
+    return [str(action.data()) for action in menu.actions() if action.data()]
+
+
+def middle_of(window: MainWindow, name: str) -> list[tuple[float, float]]:
+    """Two places on a ghost, some px beside it."""
+    ghost = next(g for g in window.document.ghosts.known if g.name == name)
+    px = ghost.pieces[0].points_px
+    chosen = px[[len(px) // 4, 3 * len(px) // 4]]
+    return [(float(x) + 2.0, float(y) + 2.0) for x, y in chosen]
+
+
+def test_a_line_without_a_class_is_kept_and_named(
+    window: MainWindow, hand: Hand, qtbot: QtBot, saved: ReadPoints
+) -> None:
+    menu = drawn(window, hand, qtbot, (100, 100), (300, 120), (500, 130))
+    assert len(saved(UNKNOWN)) == 3  # kept before anybody says what it is
+    name = offered(menu)[1]
+    QTest.keyClick(menu, Qt.Key.Key_2)
+    assert not menu.isVisible()
+    assert len(saved(name)) == 3
+    assert len(saved(UNKNOWN)) == 0
+    assert window.document.selected_class is None  # the next line is drawn first, too
+
+
+def test_enter_takes_the_first(
+    window: MainWindow, hand: Hand, qtbot: QtBot, saved: ReadPoints
+) -> None:
+    menu = drawn(window, hand, qtbot, (100, 100), (300, 120))
+    assert len(offered(menu)) == 3
+    name = offered(menu)[0]
+    QTest.keyClick(menu, Qt.Key.Key_Return)
+    assert len(saved(name)) == 2
+
+
+def test_escape_leaves_it_as_it_is(
+    window: MainWindow, hand: Hand, qtbot: QtBot, saved: ReadPoints
+) -> None:
+    QTest.keyClick(drawn(window, hand, qtbot, (100, 100), (300, 120)), Qt.Key.Key_Escape)
+    assert len(saved(UNKNOWN)) == 2
+    QTest.keyClick(drawn(window, hand, qtbot, (100, 200), (300, 220)), Qt.Key.Key_Escape)
+    assert len(saved(UNKNOWN)) == 2  # the second one is a line of its own
+    assert len(saved(f"{UNKNOWN} (2)")) == 2
+
+
+def test_an_elements_key_names_the_line_under_way(
+    window: MainWindow, hand: Hand, saved: ReadPoints
+) -> None:
+    window.document.select_class(None)
+    hand.click(100, 100)
+    hand.click(300, 120)
+    assert "an element's key names it" in window.canvas.hint
+    hand.key(Qt.Key.Key_9)
+    hand.click(500, 140)
+    hand.key(Qt.Key.Key_Return)
+    assert len(saved("Middle line")) == 3
+    assert len(saved(UNKNOWN)) == 0
+
+
+def test_a_frame_that_is_left_keeps_its_line(
+    window: MainWindow, hand: Hand, saved: ReadPoints
+) -> None:
+    window.document.select_class(None)
+    hand.click(100, 100)
+    hand.click(300, 120)
+    hand.key(Qt.Key.Key_D)
+    assert window.document.frame_index == 1
+    assert len(saved(UNKNOWN)) == 2
+
+
+def test_undo_takes_back_the_name_then_the_line(
+    window: MainWindow, hand: Hand, qtbot: QtBot, saved: ReadPoints
+) -> None:
+    menu = drawn(window, hand, qtbot, (100, 100), (300, 120))
+    name = offered(menu)[0]
+    QTest.keyClick(menu, Qt.Key.Key_Return)
+    hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert len(saved(UNKNOWN)) == 2
+    assert len(saved(name)) == 0
+    hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert len(saved(UNKNOWN)) == 0
+
+
+def test_where_a_camera_is_known_the_line_below_the_pen_comes_first(
+    begun: MainWindow, hand_on: type[Hand], qtbot: QtBot
+) -> None:
+    hand = hand_on(begun)
+    names = [ghost.name for ghost in begun.document.ghosts.known][:4]
+    assert len(names) == 4
+    for name in names:
+        menu = drawn(begun, hand, qtbot, *middle_of(begun, name))
+        assert offered(menu)[0] == name
+        QTest.keyClick(menu, Qt.Key.Key_Escape)
+        hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+        qtbot.waitUntil(lambda: len(begun.document.ghosts.known) >= 4)
+
+
+def test_it_can_be_switched_off(window: MainWindow, hand: Hand) -> None:
+    window.actions_["draw_first"].trigger()
+    window.document.select_class(None)
+    hand.click(100, 100)
+    assert not window.canvas.editor.drawing
+    assert "choose an element first" in window.document.state.told.text
