@@ -41,6 +41,7 @@ from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.report.sheet.as_latex import ARTICLE_PT
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
@@ -343,9 +344,8 @@ def annotation_place(
         typer.echo(f"note: {notice}", err=True)
     if workspace.frames:
         pictures = ByFrame((frame.name, frame.image_path) for frame in workspace.frames)
-        return workspace.frames[0].annotation_folder, pictures
-    folder = dataset / ANNOTATIONS_FOLDER
-    return annotations or (folder if folder.is_dir() else dataset), {}
+        return annotations or workspace.annotations, pictures
+    return annotations or annotations_of(dataset), {}
 
 
 def _open(spec: SourceSpec, field: Field) -> CameraCollection:

@@ -156,7 +156,9 @@ class CameraCollection:
             try:
                 records = self._many(file)
             except CameraError as error:
-                if isinstance(error, PointsError) and len(files) == 1:
+                # The file that was named may hold many frames, none of which is called like it.
+                named = self.path.is_file() and self.path.suffix.lower() != ".zip"
+                if len(files) == 1 and (isinstance(error, PointsError) or named):
                     raise
                 if not format_of(file, self.format).always_many:
                     continue  # told when its frame is read
