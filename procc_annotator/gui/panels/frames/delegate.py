@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter, QPalett
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.gui.panels.frames.folder_row import indent, paint_folder, paint_jac
 from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
@@ -29,8 +30,11 @@ class FrameDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         model = index.model()
-        info = model.info(index.row()) if isinstance(model, FramesModel) else None
-        if info is None:
+        if not isinstance(model, FramesModel):
+            return
+        folder = model.folder_info(index.row())
+        info = model.info(index.row()) if folder is None else None
+        if info is None and folder is None:
             return
         palette: QPalette = option.palette
         rect: QRect = option.rect
@@ -47,12 +51,26 @@ class FrameDelegate(QStyledItemDelegate):
         elif state & QStyle.StateFlag.State_MouseOver:
             base = blend(base, text, 0.07)
             painter.fillRect(rect, base)
+        quiet = blend(text, base, 0.3)
+        if folder is not None:
+            paint_folder(
+                painter,
+                rect.adjusted(_PAD, _PAD, -_PAD - 2, -_PAD),
+                folder,
+                option.font,
+                text,
+                quiet,
+            )
+            painter.restore()
+            return
+        assert info is not None  # see above
+        rect = rect.adjusted(indent(info.depth), 0, 0, 0)
         thumb = QRect(rect.left() + _PAD, 0, _THUMB.width(), _THUMB.height())
         thumb.moveTop(rect.center().y() - _THUMB.height() // 2)
         _paint_thumbnail(painter, thumb, info.thumbnail, blend(base, text, 0.12))
         words = rect.adjusted(_THUMB.width() + 2 * _PAD + 2, _PAD, -_PAD - 2, -_PAD)
         font: QFont = option.font
-        _paint_words(painter, words, info, font, text, blend(text, base, 0.3), palette, selected)
+        _paint_words(painter, words, info, font, text, quiet, palette, selected)
         painter.restore()
 
 
@@ -82,7 +100,7 @@ def _paint_words(
     palette: QPalette,
     selected: bool,
 ) -> None:
-    right = _paint_jac(painter, box, info.jac, font, text, quiet) if info.jac is not None else 0
+    right = paint_jac(painter, box, info.jac, font, text, quiet) if info.jac is not None else 0
     box = box.adjusted(0, 0, -right, 0)
     painter.setFont(font)
     metrics = painter.fontMetrics()
@@ -143,7 +161,8 @@ def row_words(info: RowInfo, short: bool) -> list[str]:
     status = info.status.value if info.status is not Status.UNTOUCHED and not short else ""
     count = _count_words(info.count or 0, short or bool(status) or info.comments > 0)
     if not info.comments:
-        return [" · ".join(filter(None, (status, count))), status or count]
+        least = [str(info.count or 0)] if info.depth else []
+        return [" · ".join(filter(None, (status, count))), status or count, *least]
     return [
         " · ".join(filter(None, (status, count, f"{info.comments} open"))),
         " · ".join(filter(None, (status, f"{info.comments} open"))),
@@ -157,22 +176,3 @@ def _count_words(count: int, short: bool) -> str:
     if not count:
         return "not annotated"
     return counted(count, "element")
-
-
-def _paint_jac(
-    painter: QPainter, box: QRect, jac: float, font: QFont, text: QColor, quiet: QColor
-) -> int:
-    """The figure with a bar of its length below; returns the room it takes."""
-    painter.setFont(font)
-    words = f"{jac:.2f}"
-    width = painter.fontMetrics().horizontalAdvance("0.00") + 4
-    upper = QRect(box.right() - width + 1, box.top(), width, box.height() // 2)
-    painter.setPen(text)
-    painter.drawText(upper, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, words)
-    bar = QRectF(upper.left() + 2, box.center().y() + box.height() / 4 - 1, width - 2, 4)
-    track = QColor(quiet)
-    track.setAlphaF(0.35)
-    painter.fillRect(bar, track)
-    bar.setWidth(bar.width() * jac)
-    painter.fillRect(bar, text)
-    return width + 6

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections import deque
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,10 +19,13 @@ from PySide6.QtGui import QImage
 
 from procc_annotator.errors import InputError
 from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.gui.panels.frames.folder_figures import FolderFigures
 from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
+from procc_annotator.interact.hints import counted
+from procc_annotator.session.dataset.frame_folders import Folder, folders_of, rows_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import Status
 from procc_annotator.session.facts.verdict import Fault
@@ -45,10 +49,25 @@ class RowInfo:
     verdict: Fault | None = None  # under the active source
     has_errors: bool = False  # the label check is sure that something is wrong
     camera_problem: str = ""  # why the active source's camera cannot be used
+    depth: int = 0  # how many folders it is shown in
+
+
+@dataclass(frozen=True, slots=True)
+class FolderInfo:
+    """What the row of a folder shows. ``shown`` of its ``frames`` are let through by the filter."""
+
+    label: str
+    depth: int
+    folded: bool
+    frames: int
+    shown: int
+    done: int
+    jac: float | None
 
 
 class FramesModel(QAbstractListModel):
-    """Rows of the frames that the filter lets through."""
+    """Rows of the frames that the filter lets through; in a tree also of their folders, which may
+    be folded: then the frames in them have no row."""
 
     def __init__(self, document: Document, cache: FrameCache) -> None:
         super().__init__()
@@ -57,6 +76,10 @@ class FramesModel(QAbstractListModel):
         self._count = 0
         self._row_of: dict[int, int] | None = None
         self._shown: list[int] | None = None
+        self.folders: tuple[Folder, ...] = ()
+        self._folded: set[str] = set()  # while all frames are shown
+        self._folded_found: set[str] = set()  # while a filter shows some
+        self.figures = FolderFigures(document, self)
         self._counts: dict[int, int | str] = {}
         self._wanted: deque[int] = deque(maxlen=_MAX_WAITING)
         self._unsaved: frozenset[int] = frozenset()
@@ -80,18 +103,29 @@ class FramesModel(QAbstractListModel):
         self._count = len(frames)
         self._shown = None
         self.scores = self._document.frame_scores
+        names = [frame.name for frame in frames]
+        self.folders = folders_of(names)
+        here = self._document.frame_index
+        self._folded = {folder.path for folder in self.folders if here not in folder}
+        self._folded_found.clear()
+        self.figures.reset(names if self.folders else [])
         self._find_rows()
 
     def show_only(self, shown: list[int] | None) -> None:
         """Show these frames only, or all of them (None)."""
         if shown != self._shown:
             self._shown = shown
+            if shown is None:
+                self._folded_found.clear()
             self._find_rows()
 
     def _find_rows(self) -> None:
         self.beginResetModel()
         self._row_of = None
-        self._rows = range(self._count) if self._shown is None else self._shown
+        if self.folders:
+            self._rows = rows_of(self.folders, self._now_folded, self._shown)
+        else:
+            self._rows = range(self._count) if self._shown is None else self._shown
         self.endResetModel()
 
     @property
@@ -99,9 +133,88 @@ class FramesModel(QAbstractListModel):
         """How many frames there are, shown or not."""
         return self._count
 
+    @property
+    def shown(self) -> int:
+        """How many frames the filter lets through, in folded folders, too."""
+        return self._count if self._shown is None else len(self._shown)
+
     def frame_index(self, row: int) -> int:
-        """The frame shown in a row."""
+        """The frame shown in a row; negative where that is a folder's."""
         return self._rows[row]
+
+    # --- folders -------------------------------------------------------------------------------
+
+    @property
+    def _now_folded(self) -> set[str]:
+        return self._folded if self._shown is None else self._folded_found
+
+    def folder_at(self, row: int) -> Folder | None:
+        """The folder shown in a row; None where that is a frame's."""
+        shown = self._rows[row]
+        return self.folders[-1 - shown] if shown < 0 else None
+
+    def folder_of(self, row: int) -> int:
+        """The row of the folder that a frame or a folder lies in, -1 without one."""
+        folder = self.folder_at(row)
+        depth = folder.depth if folder is not None else len(self.folders) + 1
+        for above in range(row - 1, -1, -1):
+            found = self.folder_at(above)
+            if found is not None and found.depth < depth:
+                return above
+        return -1
+
+    def is_folded(self, folder: Folder) -> bool:
+        """Whether a folder's frames are not shown."""
+        return folder.path in self._now_folded
+
+    def fold(self, folder: Folder, folded: bool) -> int:
+        """Fold or unfold a folder; its row."""
+        (self._now_folded.add if folded else self._now_folded.discard)(folder.path)
+        self._find_rows()
+        return self.row_of(-1 - self.folders.index(folder))
+
+    def fold_all(self, folded: bool) -> None:
+        """Fold or unfold all folders."""
+        self._now_folded.clear()
+        if folded:
+            self._now_folded.update(folder.path for folder in self.folders)
+        self._find_rows()
+
+    def reveal(self, frame_index: int) -> None:
+        """Unfold the folders that a frame lies in."""
+        closed = {f.path for f in self.folders if frame_index in f} & self._now_folded
+        if closed:
+            self._now_folded.difference_update(closed)
+            self._find_rows()
+
+    def row_showing(self, frame_index: int) -> int:
+        """The row of a frame, or of the folded folder around it; -1 if the filter hides it."""
+        if (row := self.row_of(frame_index)) >= 0 or not self.folders:
+            return row
+        if self._shown is not None and frame_index not in self._shown:
+            return -1
+        around = (k for k, folder in enumerate(self.folders) if frame_index in folder)
+        return max((self.row_of(-1 - k) for k in around), default=-1)
+
+    def folder_info(self, row: int) -> FolderInfo | None:
+        """What the row of a folder shows now; None where it is a frame's."""
+        folder = self.folder_at(row)
+        if folder is None:
+            return None
+        frames = shown = folder.past - folder.first
+        if self._shown is not None:
+            shown = bisect_left(self._shown, folder.past) - bisect_left(self._shown, folder.first)
+        return FolderInfo(
+            folder.label,
+            folder.depth,
+            self.is_folded(folder),
+            frames,
+            shown,
+            self.figures.done(folder),
+            self.figures.jac(folder),
+        )
+
+    # --- rows and their frames -----------------------------------------------------------------
 
     def row_of(self, frame_index: int) -> int:
         """The row of a frame, -1 if the filter hides it."""
@@ -122,6 +235,8 @@ class FramesModel(QAbstractListModel):
             Qt.ItemDataRole.AccessibleTextRole,
         ):
             return None
+        if (folder := self.folder_at(index.row())) is not None:
+            return self._folder_words(folder, role)
         frame = workspace.frames[self._rows[index.row()]]
         if role == Qt.ItemDataRole.ToolTipRole:
             count = self._counts.get(self._rows[index.row()])
@@ -131,6 +246,16 @@ class FramesModel(QAbstractListModel):
             return "\n".join(filter(None, (str(frame.image_path), *problems, *errors)))
         return frame.name
 
+    def _folder_words(self, folder: Folder, role: int) -> str:
+        if role == Qt.ItemDataRole.DisplayRole:
+            return folder.path
+        words = [folder.path, counted(folder.past - folder.first, "frame")]
+        words.append(f"{self.figures.done(folder)} done")
+        if (jac := self.figures.jac(folder)) is not None:
+            words.append(f"mean JaC {jac:.3f}")
+        words.append("folded" if self.is_folded(folder) else "unfolded")
+        return ", ".join(words)
+
     # --- details -------------------------------------------------------------------------------
 
     def info(self, row: int) -> RowInfo | None:
@@ -139,6 +264,8 @@ class FramesModel(QAbstractListModel):
         if workspace is None:
             return None
         index = self._rows[row]
+        if index < 0:
+            return None
         frame = workspace.frames[index]
         count = self._counts.get(index)
         if count is None:
@@ -153,7 +280,7 @@ class FramesModel(QAbstractListModel):
         if not unreadable and thumbnail is not None and thumbnail.isNull():
             unreadable = "the picture cannot be read"
         return RowInfo(
-            frame.name,
+            frame.name.rpartition("/")[2] if self.folders else frame.name,
             thumbnail,
             count if isinstance(count, int) else None,
             unreadable,
@@ -164,6 +291,18 @@ class FramesModel(QAbstractListModel):
             self._document.verdicts.shown_verdict(frame.name),
             self._document.label_check.worst(frame.name) is Severity.ERROR,
             self._camera_problem(frame.name),
+            self._depth(index),
+        )
+
+    def _depth(self, frame_index: int) -> int:
+        """How many folders a frame is shown in."""
+        if not self.folders:
+            return 0
+        place = bisect_right(self.folders, frame_index, key=lambda folder: folder.first) - 1
+        return next(
+            self.folders[k].depth + 1
+            for k in range(place, -1, -1)
+            if self.folders[k].first <= frame_index < self.folders[k].own_past
         )
 
     def _camera_problem(self, name: str) -> str:
@@ -190,6 +329,7 @@ class FramesModel(QAbstractListModel):
     def take_scores(self) -> None:
         """Look again at the per-frame scores."""
         self.scores = self._document.frame_scores
+        self.figures.look_again()
 
     def repaint(self, frame_index: int) -> None:
         """Have one row painted again: all of them would cost as much as the canvas."""

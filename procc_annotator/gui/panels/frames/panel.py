@@ -25,7 +25,11 @@ from procc_annotator.gui.panels.rows import list_rows
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.interact.hints import counted
+from procc_annotator.session.dataset.frame_folders import Folder
 from procc_annotator.session.filter.frame_query import QUERY_HELP
+
+_FOLD_KEYS = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right})
+_TURN_KEYS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space})
 
 
 class FramesPanel(QWidget):
@@ -51,6 +55,7 @@ class FramesPanel(QWidget):
         # After the canvas was painted: nobody looks at the list first.
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._follow_frames)
+        self._revealed = -1  # the frame whose folders were unfolded last
         self._due: set[int] = set()  # frames on screen since the list was brought up to date
         document.frameChanged.connect(self._follow_soon)
         document.annotationChanged.connect(self._follow_soon)
@@ -59,6 +64,7 @@ class FramesPanel(QWidget):
         document.frameScoresChanged.connect(self._take_scores)
         document.review.statusChanged.connect(self._take_status)
         document.label_check.framesChanged.connect(self._take_status)
+        self.model.figures.changed.connect(self.list.viewport().update)
         self._take_dataset()
 
     def sizeHint(self) -> QSize:
@@ -93,8 +99,9 @@ class FramesPanel(QWidget):
         rows.setDefaultSectionSize(delegate.row_height(self.fontMetrics()))
         self.list.setModel(self.model)
         self.list.selectionModel().currentChanged.connect(self._go)
-        self.list.clicked.connect(lambda _: self.left.emit())  # arrows walk on in the list
-        self.list.activated.connect(lambda _: self.left.emit())
+        self.list.clicked.connect(self._choose)  # arrows walk on in the list
+        self.list.activated.connect(self._activate)
+        self.list.installEventFilter(self)
         self.empty = empty_state("", "frames_empty")
         self._stack = QStackedLayout()
         self._stack.addWidget(self.list)
@@ -112,6 +119,7 @@ class FramesPanel(QWidget):
 
     def _take_dataset(self) -> None:
         self.model.reset()
+        self._revealed = self._document.frame_index
         self.filter.clear()
         self.frame_filter.search()
         self.model.take_save_state()
@@ -136,11 +144,12 @@ class FramesPanel(QWidget):
 
     def _take_status(self, name: str) -> None:
         """A frame's status or comments changed; what matches may have, too."""
+        self.model.figures.look_again()
         self._repaint(name)
         self._search_soon.start()
 
     def _show_which(self) -> None:
-        total, shown = self.model.total, self.model.rowCount()
+        total, shown = self.model.total, self.model.shown
         if not total:
             self.empty.setText(
                 "No frames.\nOpen a folder of pictures (jpg, png, bmp, webp), or drop one here."
@@ -149,6 +158,9 @@ class FramesPanel(QWidget):
         else:
             self.empty.setText(f"Nothing matches “{self.filter.text().strip()}”.")
             frames = counted(total, "frame")
+            if self.model.folders:
+                folders = sum(f.first < f.own_past for f in self.model.folders)
+                frames += f" in {counted(folders, 'folder')}"
             self.count.setText(frames if shown == total else f"{shown:,} of {frames}")
         self._stack.setCurrentWidget(self.list if shown else self.empty)
 
@@ -160,7 +172,59 @@ class FramesPanel(QWidget):
             if event.type() == QEvent.Type.KeyPress:
                 self._filter_key(Qt.Key(event.key()))
                 return True
+        if watched is self.list and isinstance(event, QKeyEvent) and self.model.folders:
+            taken = event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
+            if taken and (event.key() in _FOLD_KEYS or self._turns_folder(event)):
+                event.accept()
+                if event.type() == QEvent.Type.KeyPress:
+                    self._fold_key(event)
+                return True
         return super().eventFilter(watched, event)
+
+    def _turns_folder(self, event: QKeyEvent) -> bool:
+        row = self.list.currentIndex().row()
+        on_folder = row >= 0 and self.model.folder_at(row) is not None
+        return on_folder and event.key() in _TURN_KEYS
+
+    def _fold_key(self, event: QKeyEvent) -> None:
+        """Left folds a folder, or goes to the one around; right unfolds it, or goes into it; Enter
+        and Space do either. With Shift all folders are meant."""
+        folds = event.key() == Qt.Key.Key_Left
+        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self.model.fold_all(folds)
+            self._show_current()
+            return
+        row = self.list.currentIndex().row()
+        folder = self.model.folder_at(row) if row >= 0 else None
+        if event.key() in _TURN_KEYS:
+            if folder is not None:
+                self._set_folded(folder, not self.model.is_folded(folder))
+            return
+        if folder is not None and self.model.is_folded(folder) != folds:
+            self._set_folded(folder, folds)
+        elif folds and row >= 0 and (around := self.model.folder_of(row)) >= 0:
+            self.list.setCurrentIndex(self.model.index(around))
+        elif not folds and folder is not None:
+            self.list.setCurrentIndex(self.model.index(row + 1))
+
+    def _set_folded(self, folder: Folder, folded: bool) -> None:
+        scrolled = self.list.verticalScrollBar().value()
+        row = self.model.fold(folder, folded)
+        self.list.verticalScrollBar().setValue(scrolled)
+        self.list.setCurrentIndex(self.model.index(row))
+
+    def _choose(self, index: QModelIndex) -> None:
+        """A click: a frame is gone to, a folder folded or unfolded."""
+        folder = self.model.folder_at(index.row())
+        if folder is None:
+            self.left.emit()
+        else:
+            self._set_folded(folder, not self.model.is_folded(folder))
+
+    def _activate(self, index: QModelIndex) -> None:
+        """Enter, or a double click; of a folder each click and key counts by itself."""
+        if self.model.folder_at(index.row()) is None:
+            self.left.emit()
 
     def _filter_key(self, key: Qt.Key) -> None:
         """Esc shows all frames again; Enter and arrows go on to the list, to its first row."""
@@ -168,7 +232,9 @@ class FramesPanel(QWidget):
             self.filter.clear()
         elif self.model.rowCount():
             if not self.list.currentIndex().isValid():
-                self.list.setCurrentIndex(self.model.index(0))
+                rows = range(self.model.rowCount())
+                first = next((row for row in rows if self.model.frame_index(row) >= 0), 0)
+                self.list.setCurrentIndex(self.model.index(first))
         else:
             return
         self.list.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -180,7 +246,10 @@ class FramesPanel(QWidget):
         super().changeEvent(event)
 
     def _show_current(self) -> None:
-        row = self.model.row_of(self._document.frame_index)
+        if self._revealed != self._document.frame_index:
+            self._revealed = self._document.frame_index
+            self.model.reveal(self._revealed)
+        row = self.model.row_showing(self._document.frame_index)
         index = self.model.index(row) if row >= 0 else QModelIndex()
         if index != self.list.currentIndex():
             self.list.setCurrentIndex(index)
@@ -190,8 +259,8 @@ class FramesPanel(QWidget):
                 self.list.clearSelection()
 
     def _go(self, current: QModelIndex, previous: QModelIndex) -> None:
-        if current.isValid():
-            self._document.go_to(self.model.frame_index(current.row()))
+        if current.isValid() and (frame := self.model.frame_index(current.row())) >= 0:
+            self._document.go_to(frame)
 
     def _follow_soon(self) -> None:
         """Another frame is on screen, or what is annotated in it is another thing."""

@@ -1,0 +1,133 @@
+"""The list of frames of a dataset whose pictures lie in folders of folders."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.frames.folder_row import folder_words
+from procc_annotator.gui.panels.frames.model import FolderInfo
+from procc_annotator.session.facts.origins import Status
+from tests.gui.conftest import Hand, MakeWindow
+
+
+@pytest.fixture
+def tree(tmp_path: Path, striped: list[bytes]) -> Path:
+    root = tmp_path / "season"
+    for match in ("a/img1", "b/img1"):
+        (root / match).mkdir(parents=True)
+        for i, picture in enumerate(striped):
+            (root / match / f"{i}.png").write_bytes(picture)
+    return root
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, tree: Path) -> MainWindow:
+    return make_window(tree)
+
+
+def _rows(window: MainWindow) -> list[str]:
+    """What each row says: a folder by its label in brackets."""
+    model = window.frames.model
+    found = []
+    for row in range(model.rowCount()):
+        folder = model.folder_info(row)
+        info = model.info(row)
+        found.append(f"[{folder.label}]" if folder is not None else info.name if info else "")
+    return found
+
+
+def _current(window: MainWindow) -> int:
+    return window.frames.list.currentIndex().row()
+
+
+def test_frames_lie_in_folders_of_which_the_one_on_screen_is_open(window: MainWindow) -> None:
+    assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]"]
+    assert _current(window) == 1
+    assert window.frames.count.text() == "6 frames in 2 folders"
+    assert window.windowTitle().startswith("a/img1/0")
+
+
+def test_going_on_opens_the_next_folder(window: MainWindow) -> None:
+    window.document.go_to(3)
+    window.frames._follow_frames()
+    assert _rows(window)[4:] == ["[b/img1]", "0", "1", "2"]
+    assert _current(window) == 5
+
+
+def test_a_click_on_a_folder_folds_it_and_stays_on_the_frame(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    view = window.frames.list
+    place = view.visualRect(window.frames.model.index(0)).center()
+    qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert _rows(window) == ["[a/img1]", "[b/img1]"]
+    assert window.document.frame_index == 0
+    qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]"]
+
+
+def test_keys_fold_and_unfold(window: MainWindow, qtbot: QtBot) -> None:
+    view = window.frames.list
+    view.setFocus()
+    qtbot.keyClick(view, Qt.Key.Key_Left)  # from the frame to its folder
+    assert _current(window) == 0
+    qtbot.keyClick(view, Qt.Key.Key_Left)
+    assert _rows(window) == ["[a/img1]", "[b/img1]"]
+    qtbot.keyClick(view, Qt.Key.Key_Down)
+    assert window.document.frame_index == 0
+    qtbot.keyClick(view, Qt.Key.Key_Right)
+    assert _rows(window) == ["[a/img1]", "[b/img1]", "0", "1", "2"]
+    qtbot.keyClick(view, Qt.Key.Key_Right)
+    assert window.document.frame_index == 3
+    qtbot.keyClick(view, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    assert len(_rows(window)) == 8
+    qtbot.keyClick(view, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    assert _rows(window) == ["[a/img1]", "[b/img1]"]
+    assert _current(window) == 1  # the folder that holds the frame on screen
+    qtbot.keyClick(view, Qt.Key.Key_Return)
+    assert _rows(window)[1:] == ["[b/img1]", "0", "1", "2"]
+
+
+def test_a_filter_shows_what_matches_in_every_folder(window: MainWindow) -> None:
+    window.frames.filter.setText("img1/2")
+    assert _rows(window) == ["[a/img1]", "2", "[b/img1]", "2"]
+    info = window.frames.model.folder_info(0)
+    assert info is not None
+    assert folder_words(info)[0] == "1 of 3 frames"
+    assert window.frames.count.text() == "2 of 6 frames in 2 folders"
+    window.frames.filter.clear()
+    assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]"]
+
+
+def test_a_folder_tells_how_much_of_it_is_done(window: MainWindow, qtbot: QtBot) -> None:
+    window.document.review.set_status("b/img1/1", Status.DONE)
+
+    def done() -> list[int]:
+        infos = map(window.frames.model.folder_info, range(window.frames.model.rowCount()))
+        return [info.done for info in infos if info is not None]
+
+    qtbot.waitUntil(lambda: done() == [0, 1])
+    window.document.review.set_status("b/img1/1", Status.IN_PROGRESS)
+    qtbot.waitUntil(lambda: done() == [0, 0])
+
+
+def test_words_of_a_folder() -> None:
+    info = FolderInfo("a", 0, folded=True, frames=1200, shown=1200, done=30, jac=None)
+    assert folder_words(info) == ["1,200 frames · 30 done", "1,200 frames", "30/1200"]
+
+
+def test_an_edit_is_saved_beside_the_picture_of_its_match(
+    window: MainWindow, hand: Hand, tree: Path
+) -> None:
+    window.document.go_to(4)
+    hand.draw("Middle line", (100, 50), (120, 200))
+    assert [p.relative_to(tree).as_posix() for p in tree.rglob("*.json")] == ["b/img1/1.json"]
+    window.document.go_to(1)
+    hand.draw("Middle line", (100, 50), (120, 200))
+    names = {p.relative_to(tree).as_posix() for p in tree.rglob("*.json")}
+    assert names == {"a/img1/1.json", "b/img1/1.json"}
