@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
 from procc_annotator.field.model import Field
@@ -54,6 +54,10 @@ class ChanceTerms:
     def tag(self, of_set: str, name: str | None) -> Mapping[str, str | None]:
         """The values of a tag, by frame."""
         return self.tags.get(of_set, {}).get(name or "", {})
+
+    def with_noise(self, noise: ClickNoise | None) -> ChanceTerms:
+        """The same with points moved so."""
+        return replace(self, noise=noise)
 
     def certainty(self, of_set: str, sources: Sequence[SourceSums]) -> Certainty:
         """Of sources over the same set.
