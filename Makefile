@@ -6,13 +6,14 @@ UV_VERSION := 0.13.8
 STAMP := .venv/.ready
 BIN := .venv/bin
 
-.PHONY: help run test soak installed setup lint format check bench screenshots example docs sample clean
+.PHONY: help run test soak installed bundle setup lint format check bench screenshots example docs sample clean
 
 help:
 	@echo "make run          open the window on sample_data/"
 	@echo "make test         run all tests"
 	@echo "make soak         whole real sets, random use and damaged files, for ten minutes"
 	@echo "make installed    build, install in an empty environment elsewhere, and try it there"
+	@echo "make bundle       make dist/procc-annotator, which needs no Python, and try it"
 	@echo "make setup        create .venv from the lock, and nothing else"
 	@echo "make check        lint, format check, types and import contracts"
 	@echo "make format       format the code"
@@ -69,6 +70,10 @@ soak: setup
 # As a user has it: the wheel from the sdist, an environment with nothing else, no checkout in sight.
 installed: setup
 	$(BIN)/python .ci/try_installed.py
+
+# One folder with everything inside, by PyInstaller in an environment of its own.
+bundle: setup
+	$(BIN)/python packaging/build_bundle.py
 
 format: setup
 	$(BIN)/ruff check --fix .

@@ -38,6 +38,7 @@ from procc_annotator.report.comparison_chance import intervals_sheet, nearer_she
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.clusters import Clusters, clusters_of
@@ -315,8 +316,7 @@ def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
 
 
 def _annotation_folder(dataset: Path) -> Path:
-    folder = dataset / ANNOTATIONS_FOLDER
-    return folder if folder.is_dir() else dataset
+    return annotations_of(dataset) if dataset.is_dir() else dataset
 
 
 def _check_outputs(

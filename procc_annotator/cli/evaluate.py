@@ -20,6 +20,7 @@ from procc_annotator.cli.datasets import (
     report_unreadable,
 )
 from procc_annotator.cli.evaluations import Plan
+from procc_annotator.cli.recipe_further import Further
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, recipe_for
 from procc_annotator.cli.submissions import Submission, require_submitted_for, submitted_source
 from procc_annotator.errors import ProccError
@@ -200,7 +201,8 @@ def evaluate(
             read_tags, dict(plan.sets), cluster, parts, interval_method, draws, seed,
             shots=shots, power=power, click_noise=click_noise,
         )  # fmt: skip
-    beside = {"tags": tags, "click noise": chance_options.noise_file(click_noise)}
+    noise = chance_options.noise_file(click_noise)
+    beside = {"tags": tags, "click noise": noise, "shots": shots}
     for path in written_to:
         outputs.check_not_an_input(path, [file for file in beside.values() if file is not None])
     call = _Call(
@@ -250,7 +252,8 @@ def _score(
             found = [] if steady is None else steady.run(asked, call.thresholds[0], executor)
             scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
         if call.recipe is not None:
-            call.recipe.write(asked, [one.summaries for one in scored])
+            further = Further(call.chance, evaluations.told, call.over_time, found)
+            call.recipe.write(asked, [one.summaries for one in scored], further)
         return scored, evaluations.told, found
 
 

@@ -12,8 +12,12 @@ from typing import Annotated, Any
 import typer
 
 from procc_annotator.cli.field_option import chosen_field, named_field
+from procc_annotator.cli.recipe_further import Further
 from procc_annotator.errors import InputError
+from procc_annotator.field.fingerprint import field_fingerprint
+from procc_annotator.field.load import field_names, load_field, with_lines
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import with_stadiums
 from procc_annotator.io.annotation_files.label_map import LabelMap, read_label_map
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -24,20 +28,29 @@ from procc_annotator.report.recipe import (
     FORMAT,
     Recipe,
     RecipeEvaluation,
+    RecipeField,
     RecipeFile,
     RecipeInput,
     field_of_recipe,
     figures_of,
     hashed,
 )
+from procc_annotator.report.recipe_further import (
+    RecipeChance,
+    RecipeOverTime,
+    over_time_rows,
+    recipe_chance,
+)
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.session.dataset.annotation_source import ReadSource
+from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import STADIUMS_FILE, folder_of_dataset
 from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
     picture_folders,
     picture_tree,
 )
+from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 from procc_annotator.version import __version__
 
 LABELS_ROLE = LABELS_OPTION = "labels"
@@ -90,17 +103,20 @@ class RecipeFor:
         self,
         asked: Sequence[Asked],
         summaries: Sequence[Mapping[float, SetSummary]],
+        further: Further | None = None,
     ) -> None:
         """Write it.
 
         Args:
             asked: what was evaluated, still open.
             summaries: their figures, in the same order.
+            further: what was made besides.
 
         Raises:
             InputError: an input cannot be read any more.
             SaveError: it cannot be written.
         """
+        further = further or Further()
         own_file = self.field.file
         maps = {m.path for m in (map_of(one.annotations) for one in asked) if m is not None}
         stadiums = {p for one in asked if (p := stadiums_of(one)) is not None}
@@ -109,6 +125,7 @@ class RecipeFor:
             *self.beside,
             *((LABELS_ROLE, path) for path in sorted(maps)),
             *(("stadiums", path) for path in sorted(stadiums)),
+            *(("frames", path) for path in sorted(further.frame_tables(asked))),
         ]
         paths = [p for one in asked for p in (one.annotations.path, one.cameras.path)]
         root = common_folder([*paths, *(path for _, path in more)])
@@ -130,8 +147,27 @@ class RecipeFor:
                 evaluation_of(one, figures, self.field, root)
                 for one, figures in zip(asked, summaries, strict=True)
             ),
+            *self._further(further, asked, root),
         )
         write_atomic(self.path, recipe.encoded())
+
+    def _further(
+        self, made: Further, asked: Sequence[Asked], root: Path
+    ) -> tuple[RecipeChance | None, RecipeOverTime | None]:
+        """The figures besides those of each set."""
+        files = {role: relative(path, root) for role, path in self.beside}
+        tags, shots = files.get("tags"), files.get("shots")
+        chance = over_time = None
+        if made.chance is not None:
+            chance = recipe_chance(made.chance, made.told, tags, shots)
+        if made.over_time is not None:
+            pictures = made.over_time.pictures
+            over_time = RecipeOverTime(
+                made.steady[0].threshold, shots,
+                None if pictures is None else relative(pictures, root),
+                over_time_rows(made.steady),
+            )  # fmt: skip
+        return chance, over_time
 
 
 def recipe_for(
@@ -201,8 +237,11 @@ def map_again(known: Recipe, root: Path, field: Field) -> LabelMap | None:
     return read_label_map(root / paths[0], field) if paths else None
 
 
-def field_again(asked: FieldAsked, root: Path, dataset: Path) -> Any:
+def field_again(asked: RecipeField, root: Path, dataset: Path) -> Field:
     """The field of a recipe, elsewhere.
+
+    What a set's workspace kept of it need not be there: where the set says nothing here, it is the
+    field of the name, dimensions and lines that the recipe tells, if these make the same one.
 
     Raises:
         FieldError: it cannot be used.
@@ -212,7 +251,18 @@ def field_again(asked: FieldAsked, root: Path, dataset: Path) -> Any:
         name = named_field(given)[0]
         if (root / name).is_file():
             given = given.replace(name, str(root / name))
-    return chosen_field(given, dataset, lines=asked.lines)
+    shown = chosen_field(given, dataset, lines=asked.lines)
+    if given is not None or field_fingerprint(shown) == asked.sha256:
+        return shown
+    said = field_of_dataset(dataset)
+    silent = not said.chosen or with_stadiums(said.field, None) == load_field()
+    if not silent or asked.name not in field_names():
+        return shown
+    told = with_lines(load_field(asked.name, **asked.dimensions), asked.at or shown.lines)
+    if shown.name == asked.name:
+        told = with_stadiums(told, shown.stadiums)
+    told = field_of_dataset_with_landmarks(told, dataset)
+    return told if field_fingerprint(told) == asked.sha256 else shown
 
 
 def common_folder(paths: Iterable[Path]) -> Path:
@@ -238,6 +288,7 @@ def hashed_input(role: str, source: FileSource | CameraCollection, root: Path) -
         return RecipeInput(role, relative(path, root), (hashed(".", read_file(path)),))
     if isinstance(source, CameraCollection):
         names = sorted(os.path.relpath(file, path) for file in source.files())
+        names += source.beside()
     else:
         names = sorted(source.decoded or list_annotations(source).values())
     files = [_hashed_file(path, Path(name).as_posix()) for name in names]

@@ -93,8 +93,9 @@ def render(
     camera_set = datasets.open_cameras(
         cameras, camera_format, options.shown_size(camera_size), setup.field
     )
-    folder = workspace.frames[0].annotation_path.parent
-    outputs.check_folder_apart(out, [folder, *([camera_set] if camera_set is not None else [])])
+    outputs.check_folder_apart(
+        out, [workspace.annotations, *([camera_set] if camera_set is not None else [])]
+    )
     suffix = f".{picture_format.value}"
     names = (f"{frame.name}{suffix}" for frame in workspace.frames)
     outputs.check_replaces_nothing(out, names, overwrite=overwrite)

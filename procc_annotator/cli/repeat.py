@@ -11,7 +11,8 @@ import typer
 
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import with_progress
-from procc_annotator.cli.recipes import FieldAsked, field_again, hashed_input, map_again, moved
+from procc_annotator.cli.recipe_further import over_time_again, terms_again
+from procc_annotator.cli.recipes import field_again, hashed_input, map_again, moved
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -26,6 +27,7 @@ from procc_annotator.report.recipe import (
     read_recipe,
     setup_of,
 )
+from procc_annotator.report.recipe_further import differing_chance, differing_over_time
 from procc_annotator.report.scores.scoring import Asked, Evaluations, Outcome
 from procc_annotator.report.sheet.as_json import json_bytes
 from procc_annotator.session.dataset.annotation_source import open_annotations
@@ -77,9 +79,10 @@ def repeat(
     with ExitStack() as opened:
         asked, found = _open(known, root, opened)
         differences += found
-        again = _again(known, asked, workers, dask)
+        again, more = _again(known, root, asked, workers, dask)
     for was, now in zip(known.evaluations, again, strict=True):
         differences += differing_figures(was, now)
+    differences += more
     _tell(known, differences)
     if output is not None:
         write_atomic(output, json_bytes({"recipe": recipe.name, "differences": differences}))
@@ -133,7 +136,7 @@ def _open(known: Recipe, root: Path, opened: ExitStack) -> tuple[list[Asked], li
                 raise UsageError(f"{path}: leads out of the folder of the inputs")
         cameras = opened.enter_context(CameraCollection.open(root / one.cameras, one.format))
         place = root / one.annotations
-        shown = field_again(FieldAsked(one.field.given, one.field.lines), root, place)
+        shown = field_again(one.field, root, place)
         names = map_again(known, root, shown)
         annotations = opened.enter_context(open_annotations(place, shown, names))
         asked.append(
@@ -164,16 +167,40 @@ def _single(wanted: RecipeInput, root: Path) -> RecipeInput:
 
 
 def _again(
-    known: Recipe, asked: Sequence[Asked], workers: int | None, dask: str | None
-) -> list[RecipeEvaluation]:
-    """The evaluations as they are here."""
-    found = []
-    for was, one in zip(known.evaluations, asked, strict=True):
-        evaluations = Evaluations.prepare([one], was.thresholds, Outcome())
-        with make_executor(workers, dask, frames=evaluations.frames) as executor:
-            scored = evaluations.score(executor, progress=with_progress)
-        found.append(moved(was, scored[0].summaries, one))
-    return found
+    known: Recipe, root: Path, asked: Sequence[Asked], workers: int | None, dask: str | None
+) -> tuple[list[RecipeEvaluation], list[str]]:
+    """The evaluations as they are here, and what of the other figures differs."""
+    different: list[str] = []
+    terms = None if known.chance is None else terms_again(known.chance, known, root)
+    outcome = Outcome(named=len(asked) > 1, chance=terms)
+    evaluations = Evaluations.prepare(asked, _thresholds(known), outcome)
+    with make_executor(workers, dask, frames=evaluations.frames) as executor:
+        scored = evaluations.score(executor, progress=with_progress)
+        if known.over_time is not None:
+            found = over_time_again(known.over_time, root, asked, executor)
+            if isinstance(found, str):
+                different.append(found)
+            else:
+                different += differing_over_time(known.over_time, found)
+    if known.chance is not None:
+        different += differing_chance(known.chance, evaluations.told)
+    again = [
+        moved(was, own.summaries, one)
+        for was, own, one in zip(known.evaluations, scored, asked, strict=True)
+    ]
+    return again, different
+
+
+def _thresholds(known: Recipe) -> tuple[float, ...]:
+    """Of all evaluations: those of a command have the same.
+
+    Raises:
+        UsageError: they have not.
+    """
+    found = {one.thresholds for one in known.evaluations}
+    if len(found) > 1:
+        raise UsageError("the recipe's evaluations have different thresholds: no command does that")
+    return found.pop()
 
 
 def _tell(known: Recipe, differences: Sequence[str]) -> None:
@@ -183,6 +210,11 @@ def _tell(known: Recipe, differences: Sequence[str]) -> None:
         typer.echo(f"... and {count_of(more, 'more difference')}")
     files = sum(len(one.files) for one in known.inputs)
     figures = sum(len(f) for one in known.evaluations for f in one.figures.values())
+    if known.chance is not None:
+        sheets = [rows for one in known.chance.told for rows in one.values()]
+        figures += sum(len(row) for rows in sheets for row in rows)
+    if known.over_time is not None:
+        figures += sum(len(row) for row in known.over_time.rows)
     if not differences:
         typer.echo(
             f"the same: {count_of(files, 'file')} and {count_of(figures, 'figure')} of"

@@ -14,6 +14,7 @@ import typer
 from procc_annotator.cli import chance_options, datasets, options, outputs, over_time
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.painters import overlay_painter, pair_painter
+from procc_annotator.cli.recipe_further import Further
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, recipe_for
 from procc_annotator.cli.sources import SourceSpec, parse_sources
 from procc_annotator.errors import UsageError
@@ -41,6 +42,7 @@ from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.report.sheet.as_latex import ARTICLE_PT
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
@@ -210,7 +212,8 @@ def report(
     )  # fmt: skip
     if recipe is not None:
         outputs.check_output_folder(recipe)
-    beside = {"tags": tags, "click noise": chance_options.noise_file(click_noise)}
+    noise = chance_options.noise_file(click_noise)
+    beside = {"tags": tags, "click noise": noise, "shots": shots}
     asked = recipe_for(recipe, context, FieldAsked(field, lines), beside)
     call = _Call(
         name, specs, setup, thresholds, request, written, picture_width, chance,
@@ -283,13 +286,14 @@ def _make(
             Asked(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
             for spec, cameras in named
         ]
-        if call.recipe is not None:
-            figures = [one.summaries for one in gathered.sources]
-            used = [(one, found) for one, found in zip(asked, figures, strict=True) if found]
-            call.recipe.write([one for one, _ in used], [found for _, found in used])
         sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
         steady = call.over_time
         found = () if steady is None else steady.run(asked, call.thresholds[0], executor)
+        if call.recipe is not None:
+            figures = [one.summaries for one in gathered.sources]
+            used = [(one, own) for one, own in zip(asked, figures, strict=True) if own]
+            further = Further(call.chance, [gathered.told], steady, found)
+            call.recipe.write([one for one, _ in used], [own for _, own in used], further)
         material = Material(source, sets, pictures, tuple(found))
         drawing = _drawing(call)
         return gathered, write_report(gathered, material, call.request, drawing, call.written, work)
@@ -343,9 +347,8 @@ def annotation_place(
         typer.echo(f"note: {notice}", err=True)
     if workspace.frames:
         pictures = ByFrame((frame.name, frame.image_path) for frame in workspace.frames)
-        return workspace.frames[0].annotation_folder, pictures
-    folder = dataset / ANNOTATIONS_FOLDER
-    return annotations or (folder if folder.is_dir() else dataset), {}
+        return annotations or workspace.annotations, pictures
+    return annotations or annotations_of(dataset), {}
 
 
 def _open(spec: SourceSpec, field: Field) -> CameraCollection:

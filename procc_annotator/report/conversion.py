@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -82,7 +82,9 @@ def convert_annotations(
             replace(f, size=f.size or sizes.size(f.name), picture=f.picture or sizes.name(f.name))
             for f in reader.frames(progress)
         )
-        inputs = _input_files(source) | {os.path.realpath(path) for path in sizes.files()}
+        inputs = _input_files(source, reader.files) | {
+            os.path.realpath(path) for path in sizes.files()
+        }
         if wanted.into is not None:
             inputs.add(os.path.realpath(wanted.into))
         done = write_converted(
@@ -211,6 +213,6 @@ def _annotation_folder(path: Path) -> Path:
     return annotations_of(path) if path.is_dir() else path
 
 
-def _input_files(source: FileSource) -> set[str]:
-    files = {os.path.realpath(source.display(name)) for name in source.files()}
+def _input_files(source: FileSource, read: Sequence[str]) -> set[str]:
+    files = {os.path.realpath(source.display(name)) for name in (*source.files(), *read)}
     return files | {os.path.realpath(source.path)}

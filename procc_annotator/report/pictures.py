@@ -55,7 +55,7 @@ def render_pictures(
         SaveError: a picture cannot be written.
         UsageError: the pictures would replace those of the dataset.
     """
-    if any(frame.image_path.parent.resolve() == out.resolve() for frame in workspace.frames[:1]):
+    if any(folder.resolve() == out.resolve() for folder in workspace.own_folders):
         raise UsageError(f"{out}: this is the dataset itself, choose another folder")
     make_folder(out)
     rendered = Rendered(out)

@@ -20,13 +20,13 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.source import read_file
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.recipe_further import RecipeChance, RecipeOverTime, same_value
 from procc_annotator.report.sheet.as_json import figure_entry, json_bytes
 from procc_annotator.report.sheet.figure import shortest
 from procc_annotator.report.sheet.figures import OF_SET
 from procc_annotator.version import __version__
 
 FORMAT = "procc-annotator recipe 1"
-_SAME = 1e-12  # of a figure: the last digit that is written
 _COUNTS = ("images", "evaluated")
 
 CITATION = {
@@ -79,12 +79,17 @@ class RecipeField:
         lines: where lines lie, if that was asked for.
         described: name and dimensions, for people.
         sha256: see `field.fingerprint`.
+        name, dimensions, at: of a set's own field its name, its metres by name, and where its lines
+            lie: what a workspace keeps stays behind where a folder is handed on.
     """
 
     given: str | None
     lines: str | None
     described: str
     sha256: str
+    name: str = ""
+    dimensions: dict[str, float] = field(default_factory=dict)
+    at: str = ""
 
 
 @dataclass(frozen=True)
@@ -124,6 +129,7 @@ class Recipe:
 
     Attributes:
         options: what was typed, without paths of the machine: seeds, tags, choices of pictures.
+        chance, over_time: figures besides those of each set, where they were asked for.
         citation: BibTeX of the protocol's paper and of the program.
     """
 
@@ -133,6 +139,8 @@ class Recipe:
     options: dict[str, Any]
     inputs: tuple[RecipeInput, ...]
     evaluations: tuple[RecipeEvaluation, ...]
+    chance: RecipeChance | None = None
+    over_time: RecipeOverTime | None = None
     citation: dict[str, str] = field(default_factory=lambda: dict(CITATION))
 
     def encoded(self) -> bytes:
@@ -171,7 +179,9 @@ def figures_of(
 
 def field_of_recipe(shown: Field, given: str | None, lines: str | None) -> RecipeField:
     """What identifies a field: names and places of all that is evaluated."""
-    return RecipeField(given, lines, shown.described, field_fingerprint(shown))
+    own = {d.name: d.value for d in shown.dimensions if d.value != d.nominal}
+    sha256 = field_fingerprint(shown)
+    return RecipeField(given, lines, shown.described, sha256, shown.name, own, shown.lines)
 
 
 def setup_of(evaluation: RecipeEvaluation, shown: Field) -> EvaluationSetup:
@@ -213,15 +223,9 @@ def differing_figures(was: RecipeEvaluation, now: RecipeEvaluation) -> Iterator[
     for tau, figures in was.figures.items():
         for key, before in figures.items():
             after = now.figures.get(tau, {}).get(key)
-            if not _same(before, after):
+            if not same_value(before, after):
                 of = f"{was.named}: {key}@{tau}"
                 yield f"other figure: {of}: {_shown(after)}, was {_shown(before)}"
-
-
-def _same(before: float | None, after: float | None) -> bool:
-    if before is None or after is None:
-        return before is after
-    return abs(before - after) <= _SAME * max(1.0, abs(before))
 
 
 def _shown(value: float | None) -> str:

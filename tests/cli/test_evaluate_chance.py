@@ -88,12 +88,38 @@ def test_what_the_clicks_leave_open_and_strata_of_the_cameras(cli, methods) -> N
     )  # fmt: skip
     assert done.exit_code == 0, done.output
     found = chance(methods / "out.json")
-    rest = ["power", "clicks", "clicked_differences", "by_zoom", "by_elements", "by_side"]
-    rest.append("difference_curves")
+    parts = ("by_zoom", "by_elements", "by_side")
+    rest = ["power", "clicks", "clicked_differences"]
+    rest += [name for part in parts for name in (part, f"{part}_figures")]
+    rest += [*(f"{part}_differences" for part in parts), "difference_curves"]
     assert list(found)[2:] == [*SHEETS, *rest]
     jac = found["clicks"]["rows"][0]
     assert jac["moved_jac"] < jac["mean_jac"] == 1.0
     assert sum(row["frames"] for row in found["by_side"]["rows"]) == 5
+
+
+def test_parts_of_a_set_have_every_figure_at_every_threshold(cli, methods) -> None:
+    """The dataset's table says which frames are of one shot: names do not."""
+    (methods / "frames.csv").write_text("frame,shot\n1,a\n2,a\n3,b\n10,b\n11,b\n")
+    alone = ("--by", "shot", "--cluster", "none")
+    done = cli("evaluate", *BOTH, "-t", "5", "-t", "2", *alone, "-o", "out.json")
+    assert done.exit_code == 0, done.output
+    assert "By shot, every figure" in done.stdout
+    found = chance(methods / "out.json")
+    rows = {(r["value"], r["source"], r["threshold"]): r for r in found["by_shot_figures"]["rows"]}
+    assert set(rows) == {(shot, who, tau) for shot in "ab" for who in "AB" for tau in (5.0, 2.0)}
+    poor = rows["b", "B", 2.0]
+    assert (poor["frames"], poor["completeness"], poor["mean_jac"]) == (3, 2 / 3, 1.0)
+    assert poor["final_score"] == pytest.approx(2 / 3)
+    assert poor["completeness_low"] <= 2 / 3 <= poor["completeness_high"]
+    differences = found["by_shot_differences"]["rows"]
+    assert [(r["value"], r["threshold"]) for r in differences] == [
+        ("a", 5.0), ("a", 2.0), ("b", 5.0), ("b", 2.0),
+    ]  # fmt: skip
+    last = differences[-1]
+    assert last["final_score_difference"] == pytest.approx(1 / 3)
+    assert last["final_score_p_holm"] >= last["final_score_p"]
+    assert (last["mean_jac_frames"], last["final_score_frames"]) == (2, 3)
 
 
 def test_several_sets_are_told_apart(cli, methods) -> None:

@@ -101,3 +101,17 @@ def test_frames_that_do_not_follow_each_other_are_refused(cli, shared_data: Path
     done = cli("evaluate", wc14 / "annotations", wc14 / "cameras_pnlcalib", "--over-time")
     assert done.exit_code == 2
     assert "do not follow each other" in done.output
+
+
+def test_a_recipe_repeats_them(cli, shot: Path) -> None:
+    recipe = shot / "recipe.json"
+    assert cli(*arguments(shot), "--recipe", recipe).exit_code == 0
+    done = cli("repeat", recipe)
+    assert (done.exit_code, "the same" in done.stdout) == (0, True), done.output
+    camera = shot / "true" / "camera_a_012.json"  # of a frame that is not annotated
+    camera.write_text(json.dumps(camera_file(-9.0)))
+    done = cli("repeat", recipe)
+    assert done.exit_code == 1
+    assert "other figure: over time" in done.stdout
+    assert "true a: jitter_px" in done.stdout
+    assert "mean_jac@" not in done.stdout

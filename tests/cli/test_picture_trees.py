@@ -10,9 +10,14 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
+import cv2
+import numpy as np
 import pytest
 
+from procc_annotator import load_dataset
 from procc_annotator.field.load import load_field
+from procc_annotator.report.conversion import read_annotations
+from procc_annotator.session.dataset.frame_sequence import FEWEST, sequence_of
 from procc_annotator.session.dataset.frames import list_frames
 from procc_annotator.session.dataset.workspace import Workspace
 
@@ -139,6 +144,10 @@ def test_game_state_folders_go_by_their_pictures(cli, tree: Tree, tmp_path: Path
     assert all(name in (tmp_path / "s.csv").read_text() for name in NAMES)
     done = cli("propose", tree.root, tmp_path / "p")
     assert "all frames are annotated" in done.stderr
+    read = load_dataset(tree.root)
+    assert list(read.annotations) == list(read.pictures) == NAMES
+    imported = read_annotations(tree.root, Workspace.open(tree.root, load_field()))
+    assert list(imported.frames) == NAMES
 
 
 def test_pictures_of_one_folder_keep_plain_names(sample_data: Path, tmp_path: Path) -> None:
@@ -190,3 +199,45 @@ def test_what_is_annotated_in_a_tree_is_saved_beside_its_picture(tree: Tree) -> 
     texts = [(tree.root / m / "00002.json").read_bytes() for m in MATCHES]
     assert texts[0] == texts[1]
     assert {p.name for p in tree.root.rglob("*.json")} == {f"{frame}.json" for frame in FRAMES}
+
+
+def test_nothing_is_written_over_a_tree_that_is_read(cli, tree: Tree) -> None:
+    before = {p: p.read_bytes() for p in tree.root.rglob("*.*") if p.is_file()}
+    for command in (
+        ("export", tree.root, tree.root, "--overwrite"),
+        ("render", tree.root, tree.root, "--overwrite"),
+        ("propose", tree.root, tree.root, "--all", "--overwrite"),
+        ("convert", tree.root, tree.root / "new", "--to", "labelme"),
+    ):
+        assert cli(*command).exit_code == 2, command
+    for path, data in before.items():
+        assert path.read_bytes() == data
+    assert {p for p in tree.root.rglob("*.*") if p.is_file()} == set(before)
+
+
+def test_a_report_and_a_comparison_of_a_tree(cli, tree: Tree, tmp_path: Path) -> None:
+    page = tmp_path / "report.html"
+    done = cli("report", tree.root, "--cameras", f"ours={tree.cameras}", "--output", page)
+    assert done.exit_code == 0, done.stderr
+    text = page.read_text(encoding="utf-8")
+    assert all(name in text for name in NAMES)
+    done = cli("compare", f"a={tree.cameras}", f"b={tree.cameras}", tree.root)
+    assert done.exit_code == 0, done.stderr
+    assert "4 frames" in done.stdout + done.stderr
+
+
+def test_a_tree_of_shots_has_a_strip_that_breaks_between_folders(tmp_path: Path) -> None:
+    picture = np.random.default_rng(5).integers(0, 255, (36, 64, 3), dtype=np.uint8)
+    picture = cv2.resize(picture, (640, 360), interpolation=cv2.INTER_CUBIC)
+    for shot in ("a/img1", "b/img1"):
+        (tmp_path / shot).mkdir(parents=True)
+        for number in range(1, FEWEST + 1):
+            cv2.imwrite(str(tmp_path / shot / f"{number:06d}.jpg"), picture)
+    _, frames, _ = list_frames(tmp_path)
+    sequence = sequence_of(frames)
+    assert sequence is not None
+    assert len(sequence.numbers) == 2 * FEWEST
+    first, second = (int(sequence.numbers[at]) for at in (0, FEWEST))
+    assert list(sequence.unbroken(first)) == list(range(first, first + FEWEST))
+    assert list(sequence.unbroken(second)) == list(range(second, second + FEWEST))
+    assert sequence.paths[second] == tmp_path / "b/img1/000001.jpg"

@@ -49,3 +49,15 @@ def test_a_bare_homography_is_not_taken_for_one_of_another_sport(
     assert "nothing says which ground it is of" in done.stderr
     assert "this is Futsal" in done.stderr
     assert "choose its camera format" in done.stderr
+
+
+def test_a_damaged_file_of_many_cameras_is_told_by_itself(cli, dataset, tmp_path: Path) -> None:
+    for name, content in (
+        ("cut.mat", b"MATLAB 5.0 MAT-file" + bytes(99)),
+        ("cut.json", b'{"1": {'),
+    ):
+        (tmp_path / name).write_bytes(content)
+        done = cli("evaluate", dataset.annotations, tmp_path / name)
+        assert done.exit_code == 2
+        assert done.stderr.startswith(f"procc-annotator: {tmp_path / name}: ")
+        assert len(done.stderr.splitlines()) == 1

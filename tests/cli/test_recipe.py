@@ -141,3 +141,64 @@ def test_a_recipe_cannot_lead_out_of_its_folder(cli, recipe: Path, data: Path) -
 def test_inputs_that_are_not_there(cli, recipe: Path, tmp_path: Path) -> None:
     done = cli("repeat", recipe, "--data", tmp_path / "nowhere")
     assert done.exit_code == 2
+
+
+def test_intervals_are_made_again_and_compared(cli, data: Path, tmp_path: Path) -> None:
+    tags = data / "tags.csv"
+    frames = sorted(path.stem for path in data.glob("*.json"))
+    tags.write_text("frame,half\n" + "\n".join(f"{f},{n % 2}" for n, f in enumerate(frames)))
+    recipe = tmp_path / "recipe.json"
+    sources = [f"--cameras={name}={data / 'cameras' / name}" for name in ("true", "bad")]
+    asked = ("--tags", tags, "--by", "zoom", "--power", "--click-noise", 1, "--draws", 200)
+    done = cli("report", data, *sources, *asked, "--recipe", recipe, "-o", tmp_path / "r.json")
+    assert done.exit_code == 0, done.output
+    found = json.loads(recipe.read_text())["chance"]
+    assert {"intervals", "by_zoom"} < found["told"][0].keys()
+    assert all(rows for rows in found["told"][0].values())
+    assert found["draws"]["count"] == 200
+    done = cli("repeat", recipe, "--data", data)
+    assert (done.exit_code, "the same" in done.stdout) == (0, True), done.output
+    found["told"][0]["intervals"][0]["mean_jac_low"] += 1e-6
+    content = json.loads(recipe.read_text())
+    recipe.write_text(json.dumps(content | {"chance": found}))
+    done = cli("repeat", recipe, "--data", data)
+    assert done.exit_code == 1
+    assert "other figure: intervals, true@5: mean_jac_low" in done.stdout
+
+
+def test_other_clusters_are_other_intervals(cli, data: Path, tmp_path: Path) -> None:
+    tags, recipe = data / "tags.csv", tmp_path / "recipe.json"
+    frames = sorted(path.stem for path in data.glob("*.json"))
+    tags.write_text("frame,half\n" + "\n".join(f"{f},{n % 3}" for n, f in enumerate(frames)))
+    given = (data, data / "cameras" / "bad", "--tags", tags, "--cluster", "half")
+    assert cli("evaluate", *given, "--draws", 200, "--recipe", recipe).exit_code == 0
+    tags.write_text("frame,half\n" + "\n".join(f"{f},{n % 2}" for n, f in enumerate(frames)))
+    done = cli("repeat", recipe, "--data", data)
+    assert done.exit_code == 1
+    assert "other content: tags.csv" in done.stdout
+    assert "other figure: intervals" in done.stdout
+    assert "mean_jac@" not in done.stdout  # the figures themselves are the same
+
+
+def test_what_tells_fits_is_hashed_beside_them(cli, data: Path, tmp_path: Path) -> None:
+    fits, recipe = data / "fits", tmp_path / "recipe.json"
+    assert cli("calibrate", data, fits, "--model", "H").exit_code == 0
+    assert cli("evaluate", data, fits, "--recipe", recipe).exit_code == 0
+    inputs = {one["role"]: one["files"] for one in json.loads(recipe.read_text())["inputs"]}
+    assert "calibration.csv" in {file["name"] for file in inputs["cameras"]}
+    assert cli("repeat", recipe, "--data", data).exit_code == 0
+    (fits / "calibration.csv").unlink()
+    done = cli("repeat", recipe, "--data", data)
+    assert "missing: fits/calibration.csv" in done.stdout
+
+
+def test_dimensions_of_a_workspace_go_along(cli, data: Path, tmp_path: Path) -> None:
+    recipe = tmp_path / "recipe.json"
+    done = cli("field-size", data, "--save")
+    assert done.exit_code == 0, done.output
+    cameras = data / "cameras" / "true"
+    assert cli("evaluate", data, cameras, "--recipe", recipe).exit_code == 0
+    elsewhere = tmp_path / "elsewhere"
+    shutil.copytree(data, elsewhere, ignore=shutil.ignore_patterns(".procc"))
+    done = cli("repeat", recipe, "--data", elsewhere)
+    assert (done.exit_code, "the same" in done.stdout) == (0, True), done.output

@@ -43,7 +43,8 @@ def test_bold_is_only_what_is_best_beyond_chance(written) -> None:
 
 def test_files_hold_intervals_differences_ranks_and_the_curve(written) -> None:
     (found,) = json.loads((written / "r.json").read_text())["chance"]
-    sheets = ["intervals", "differences", "ranks", "power", "by_elements", "difference_curves"]
+    sheets = ["intervals", "differences", "ranks", "power", "by_elements", "by_elements_figures"]
+    sheets += ["by_elements_differences", "difference_curves"]
     assert list(found)[2:] == sheets
     verdicts = {
         (row["threshold"], row["a"], row["b"]): row["verdict"]

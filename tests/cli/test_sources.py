@@ -96,3 +96,12 @@ def test_a_cut_record_of_many_cameras_is_named_by_every_command(cli, dataset, tm
         assert done.exit_code == 0, (command, done.output)
         assert "passed over: " in done.stderr, command
         assert f"line {len(records)}" in done.stderr, command
+
+
+def test_one_file_of_cameras_that_cannot_be_read_says_why(cli, dataset, tmp_path) -> None:
+    cameras = tmp_path / "cameras.mat"
+    cameras.write_bytes(b"MATLAB 5.0 MAT-file" + bytes(200))
+    done = cli("evaluate", dataset.annotations, cameras)
+    assert done.exit_code == 2
+    assert "cameras.mat: " in done.stderr
+    assert "has the name of an annotation" not in done.stderr

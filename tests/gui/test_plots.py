@@ -72,6 +72,10 @@ def show(window: MainWindow, qtbot: QtBot, page: type, scope: str = "set") -> No
     assert isinstance(panel.page, page)
 
 
+def said(window: MainWindow) -> str:
+    return f"{window.plots.notes.text()} {window.plots.notes.toolTip()}"
+
+
 def settle(window: MainWindow, qtbot: QtBot) -> None:
     """Everything asked for is computed and drawn."""
     all_done(qtbot)
@@ -216,6 +220,35 @@ class TestTau:
         assert float(at_5["low bad"]) < mean < float(at_5["high bad"])
         assert "95 % bands" in plotted.plots.notes.text() + plotted.plots.notes.toolTip()
         assert f"bad ({len(audits)} of 14)" in plotted.plots.legend.text
+
+    def test_bands_rest_on_the_datasets_table_of_frames(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        """Names 00001 to 00014 are one shot; the table says that they are of three."""
+        show(plotted, qtbot, TauPage, "set")
+        assert "not clustered" in said(plotted)
+        alone = numbers(plotted, qtbot, tmp_path / "alone.csv")
+        names = [frame.name for frame in plotted.document.workspace.frames]
+        table = plotted.document.workspace.folder / "frames.csv"
+        rows = [f"{name},{'abc'[place // 5]},{place}" for place, name in enumerate(names)]
+        table.write_text("frame,shot,number\n" + "\n".join(rows) + "\n")
+        show(plotted, qtbot, DifferencePage, "set")
+        assert "3 clusters shots by frames.csv" in said(plotted)
+        show(plotted, qtbot, TauPage, "set")
+        assert "3 clusters shots by frames.csv" in said(plotted)
+        clustered = numbers(plotted, qtbot, tmp_path / "clustered.csv")
+        at = next(n for n, row in enumerate(alone) if row["tau_px"] == "5.0")
+        assert alone[at]["jac bad"] == clustered[at]["jac bad"]
+        assert alone[at]["low bad"] != clustered[at]["low bad"]
+
+    def test_a_table_of_frames_that_is_damaged_is_said_and_names_tell(
+        self, plotted: MainWindow, qtbot: QtBot
+    ) -> None:
+        (plotted.document.workspace.folder / "frames.csv").write_text("frame,shot\n1,a\n1,a\n")
+        show(plotted, qtbot, DifferencePage, "set")
+        assert "not clustered" in said(plotted)
+        assert "Shots are told by names, since" in said(plotted)
+        assert "line 3: frame '1' again" in said(plotted)
 
     def test_an_edit_is_seen_at_once(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, TauPage, "frame")

@@ -26,6 +26,7 @@ class JacCurves:
     curves: tuple[FloatArray, ...]
     frames: tuple[int, ...]
     bands: tuple[AuditBand, ...] = ()
+    problem: str = ""  # with the table of frames
 
 
 class TauPage(PlotPage[JacCurves]):
@@ -50,9 +51,12 @@ class TauPage(PlotPage[JacCurves]):
     def compute(request: PlotRequest) -> JacCurves:
         chosen = [request.audits(source) for source in request.sources]
         bands: tuple[AuditBand, ...] = ()
+        problem = ""
         if request.scope == "set":
-            bands = tuple(mean_band(source.audits, request.frames) for source in request.sources)
-        return JacCurves(tuple(mean_curve(some) for some in chosen), tuple(map(len, chosen)), bands)
+            order, problem = request.order()
+            bands = tuple(mean_band(s.audits, request.frames, order) for s in request.sources)
+        curves = tuple(mean_curve(some) for some in chosen)
+        return JacCurves(curves, tuple(map(len, chosen)), bands, problem)
 
     def draw(self, data: JacCurves, request: PlotRequest) -> str:
         self._shown = data, request
@@ -72,6 +76,7 @@ class TauPage(PlotPage[JacCurves]):
             said.append("Each curve is the mean of the frames that source has a camera for.")
         if any(np.isfinite(own.band.low).any() for own in data.bands):
             said.append(f"Shaded: 95 % bands, {data.bands[0].clustered}.")
+            said += [data.problem] if data.problem else []
         return " ".join(said)
 
     def mark(self, request: PlotRequest) -> None:
@@ -119,11 +124,13 @@ class Differences:
     Attributes:
         first: the source that the others are taken from.
         others, bands: one each.
+        problem: with the table of frames.
     """
 
     first: PlottedSource | None
     others: tuple[PlottedSource, ...]
     bands: tuple[AuditBand, ...]
+    problem: str = ""
 
 
 class DifferencePage(PlotPage[Differences]):
@@ -146,8 +153,11 @@ class DifferencePage(PlotPage[Differences]):
         others = tuple(s for s in request.sources if s is not first)
         if first is None:
             return Differences(None, (), ())
-        found = tuple(difference_band(first.audits, s.audits, request.frames) for s in others)
-        return Differences(first, others, found)
+        order, problem = request.order()
+        found = tuple(
+            difference_band(first.audits, s.audits, request.frames, order) for s in others
+        )
+        return Differences(first, others, found, problem)
 
     def draw(self, data: Differences, request: PlotRequest) -> str:
         items = self.items[0]
@@ -165,8 +175,8 @@ class DifferencePage(PlotPage[Differences]):
             return ""
         return (
             f"{data.first.name} less each other source, on the frames both have. Beyond chance"
-            f" where the 95 % band lies beside 0; {shown[0].clustered}."
-        )
+            f" where the 95 % band lies beside 0; {shown[0].clustered}. {data.problem}"
+        ).rstrip()
 
     def restyle(self) -> None:
         self.zero.setPen(self.pg.mkPen(self.palette().color(QPalette.ColorRole.Text), width=1))

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Literal
 
+from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.runs.audit import FrameAudit
+from procc_annotator.session.runs.frame_order import FrameOrder
 
 Scope = Literal["frame", "set"]
 
@@ -51,6 +54,7 @@ class PlotRequest:
         blind: whether blind mode hides frames of the scope.
         field: the elements, metres.
         hidden: frames of which blind mode lets nothing be told.
+        order_file: the dataset's table of frames, if it has one.
     """
 
     sources: tuple[PlottedSource, ...]
@@ -64,6 +68,17 @@ class PlotRequest:
     blind: bool = False
     field: Field | None = None
     hidden: frozenset[str] = frozenset()
+    order_file: Path | None = None
+
+    def order(self) -> tuple[FrameOrder | None, str]:
+        """The dataset's table of frames, read anew (not on the interface's thread), and what is
+        wrong with it, if it cannot be used."""
+        if self.order_file is None or not self.order_file.is_file():
+            return None, ""
+        try:
+            return FrameOrder.read(self.order_file), ""
+        except InputError as error:
+            return None, f"Shots are told by names, since {error}."
 
     def why_nothing(self, otherwise: str) -> str:
         """Why there is nothing to plot: blind mode, or what else a page says."""

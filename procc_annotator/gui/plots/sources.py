@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.gui.panels.refresher import judged
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
+from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE
 from procc_annotator.session.runs.audit import FrameAudit, audit_frame
 
 Restrict = Callable[[PlotRequest], PlotRequest]
@@ -25,6 +27,7 @@ class PlotSources:
     def __init__(self, document: Document) -> None:
         self._document = document
         self._names: tuple[str, ...] = ()
+        self._order_file: Path | None = None
         self.set_version = self.frame_version = 0
         store = document.store
         store.watch(lambda s: s.workspace, self._take_dataset)
@@ -70,6 +73,7 @@ class PlotSources:
             tuple(titles_of_all_frames(document.field).values()),
             document.blind if scope == "set" else not document.projection_visible,
             document.field,
+            order_file=self._order_file,
         )
         return request, self._restriction(scope)
 
@@ -109,6 +113,7 @@ class PlotSources:
     def _take_dataset(self, *_: object) -> None:
         workspace = self._document.workspace
         self._names = () if workspace is None else tuple(f.name for f in workspace.frames)
+        self._order_file = None if workspace is None else workspace.folder / FRAMES_FILE
 
     def _change_set(self, *_: object) -> None:
         self.set_version += 1

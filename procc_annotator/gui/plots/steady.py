@@ -30,12 +30,13 @@ class SteadyPage(TimelinePage):
         field = request.field
         if field is None:
             return Timelines(tuple(np.full(len(request.frames), np.nan) for _ in request.sources))
+        order, _ = request.order()
         return Timelines(
             tuple(
                 np.full(len(request.frames), np.nan)
                 if source.cameras is None
                 else frame_jitter(
-                    source.cameras, request.frames, field, request.size, request.hidden
+                    source.cameras, request.frames, field, request.size, request.hidden, order
                 ).px
                 for source in request.sources
             )

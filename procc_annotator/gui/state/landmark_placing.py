@@ -98,7 +98,7 @@ class LandmarkPlacing(QObject):
         cameras = None if source is None else source.files
         place = PlaceOfFiles(
             workspace.folder,
-            workspace.frames[0].annotation_folder,
+            workspace.annotations,
             tuple(workspace.index),
         )
         field = state.field

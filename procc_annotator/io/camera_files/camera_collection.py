@@ -14,8 +14,8 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.cameras import read_camera_file
-from procc_annotator.io.camera_files.fitted_on import FittedOn
-from procc_annotator.io.camera_files.held_out_table import HeldOutTables
+from procc_annotator.io.camera_files.fitted_on import BESIDE, TABLE_FILE, FittedOn
+from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE, HeldOutTables
 from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.paired_files import paired_format, paired_records
@@ -136,6 +136,15 @@ class CameraCollection:
         """Every file that is read, as shown to a person."""
         return (self._source.display(name) for name in dict.fromkeys(self.frames.values()))
 
+    def beside(self) -> list[str]:
+        """Files beside the cameras that tell what they were fitted to, as names in the source."""
+        folders = {PurePosixPath(file).parent for file in self.frames.values()}
+        names = {str(folder / name) for folder in folders for name in (TABLE_FILE, HELD_OUT_FILE)}
+        for frame, file in self.frames.items():
+            own = self.frames.name_there(frame) or frame
+            names.add(str(PurePosixPath(file).parent / f"{own}{BESIDE}"))
+        return sorted(names.intersection(self._source.files()))
+
     def __enter__(self) -> Self:
         return self
 
@@ -156,7 +165,9 @@ class CameraCollection:
             try:
                 records = self._many(file)
             except CameraError as error:
-                if isinstance(error, PointsError) and len(files) == 1:
+                # The file that was named may hold many frames, none of which is called like it.
+                named = self.path.is_file() and self.path.suffix.lower() != ".zip"
+                if len(files) == 1 and (isinstance(error, PointsError) or named):
                     raise
                 if not format_of(file, self.format).always_many:
                     continue  # told when its frame is read

@@ -163,10 +163,11 @@ def counts_drawn(clusters: int, draws: Draws) -> Iterator[FloatArray]:
     """How often each cluster is in each set drawn, (b, G), until all sets are drawn."""
 
     def drawn(rng: np.random.Generator, rows: int) -> FloatArray:
-        chosen = rng.integers(0, clusters, (rows, clusters), dtype=np.uint32).astype(np.intp)
-        chosen += np.arange(rows, dtype=np.intp)[:, None] * clusters
-        counts = np.bincount(chosen.ravel(), minlength=rows * clusters)
-        return counts.reshape(rows, clusters).astype(np.float64)
+        chosen = rng.integers(0, clusters, (rows, clusters), dtype=np.uint32)
+        counts = np.empty((rows, clusters))
+        for row, own in zip(counts, chosen, strict=True):  # faster than all rows at once
+            row[:] = np.bincount(own, minlength=clusters)
+        return counts
 
     return in_parts(clusters, draws, drawn)
 

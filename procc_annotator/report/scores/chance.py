@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
 from procc_annotator.field.model import Field
@@ -13,7 +13,11 @@ from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.chance_sheets import chance_sheets, curves_sheet
 from procc_annotator.report.scores.click_sheets import clicks_sheets
-from procc_annotator.report.scores.strata_sheet import strata_sheet
+from procc_annotator.report.scores.strata_sheet import (
+    differences_sheet,
+    figures_sheet,
+    strata_sheet,
+)
 from procc_annotator.report.sheet.as_json import sheet_entry
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.runs.certainty import Certainty, same_frames
@@ -51,6 +55,10 @@ class ChanceTerms:
         """The values of a tag, by frame."""
         return self.tags.get(of_set, {}).get(name or "", {})
 
+    def with_noise(self, noise: ClickNoise | None) -> ChanceTerms:
+        """The same with points moved so."""
+        return replace(self, noise=noise)
+
     def certainty(self, of_set: str, sources: Sequence[SourceSums]) -> Certainty:
         """Of sources over the same set.
 
@@ -81,7 +89,8 @@ class Judged(Protocol):
 
 @dataclass(frozen=True)
 class ToldOfSet:
-    """What chance leaves of the sources of one set at one size; curves are for files alone."""
+    """What chance leaves of the sources of one set at one size; curves, and differences in parts of
+    it, are for files alone."""
 
     set_name: str
     described: str
@@ -125,10 +134,16 @@ def told_of_set(
     if terms.noise is not None:
         sheets += clicks_sheets(certainty, terms.noise, described)
     tau = certainty.thresholds[0]
+    more: list[Sheet] = []
     for by in terms.by:
-        values = values_of(by, certainty.sources, of_set[1], terms.tag(of_set[0], by))
-        sheets.append(strata_sheet(strata(certainty, by, values, tau), certainty, tau, described))
-    curves = (curves_sheet(certainty, described),) if certainty.pairs else ()
+        known = terms.tag(of_set[0], by), terms.orders.get(of_set[0])
+        values = values_of(by, certainty.sources, of_set[1], *known)
+        parts = strata(certainty, by, values)
+        sheets.append(strata_sheet(parts, certainty, tau, described))
+        sheets.append(figures_sheet(parts, certainty, described))
+        if certainty.pairs:
+            more.append(differences_sheet(parts, certainty, described))
+    curves = (*more, curves_sheet(certainty, described)) if certainty.pairs else ()
     return ToldOfSet(of_set[0], described, tuple(sheets), curves)
 
 

@@ -30,7 +30,7 @@ from procc_annotator.session.runs.audit import TAU_GRID
 from procc_annotator.session.runs.certainty import Certainty
 
 WITH_INTERVAL = (MEAN_JAC, COMPLETENESS, FINAL_SCORE, MEAN_ERROR)
-_DIFFERENCES = (
+DIFFERENCES = (
     (JAC_DIFFERENCE, "mean_jac"),
     (SCORE_DIFFERENCE, "final_score"),
     (ERROR_DIFFERENCE, "mean_error"),
@@ -93,7 +93,7 @@ def interval_columns(figure: Figure) -> tuple[Column, Column]:
 def differences_sheet(certainty: Certainty, described: str) -> Sheet:
     """Every two sources on the frames both have, at every threshold."""
     columns = [TAU, Column("a", "A"), Column("b", "B"), *map(counted, (SHARED, ONLY_A, ONLY_B))]
-    for figure, _ in _DIFFERENCES:
+    for figure, _ in DIFFERENCES:
         points = figure.unit.replace("%", "points")
         heading = f"{figure.title}, {points}"
         columns += [of(figure, heading=heading), *interval_columns(figure)]
@@ -106,7 +106,7 @@ def differences_sheet(certainty: Certainty, described: str) -> Sheet:
                 tau, certainty.sources[pair.a].marked_name, certainty.sources[pair.b].marked_name,
                 pair.shared, len(pair.only_a), len(pair.only_b),
             ]  # fmt: skip
-            for _, key in _DIFFERENCES:
+            for _, key in DIFFERENCES:
                 found = pair.differences[key, tau]
                 if found.beyond_chance and certainty.may_be_bold(pair.a, pair.b, key):
                     bold.add((len(rows), len(row)))

@@ -4,12 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import product
 
-from procc_annotator.report.scores.chance_sheets import ends_of, interval_columns
+from procc_annotator.report.scores.chance_sheets import (
+    DIFFERENCES,
+    WITH_INTERVAL,
+    ends_of,
+    interval_columns,
+)
 from procc_annotator.report.sheet.counts import FRAMES
 from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.figures import JAC_DIFFERENCE, MEAN_JAC, P_CORRECTED
-from procc_annotator.report.sheet.sheet import Column, Sheet, Value, counted, of
+from procc_annotator.report.sheet.figures import JAC_DIFFERENCE, MEAN_JAC, P_CORRECTED, P_VALUE
+from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, counted, of
 from procc_annotator.session.runs.certainty import Certainty
 from procc_annotator.session.runs.strata import Stratum
 
@@ -22,7 +28,7 @@ def strata_sheet(
     Args:
         parts: at least one. certainty: of the whole set. tau: px, one of its thresholds.
     """
-    by, ordered = parts[0].by, _most_different_first(parts)
+    by, ordered = parts[0].by, _most_different_first(parts, tau)
     rows: list[tuple[Value, ...]] = []
     bold: set[tuple[int, int]] = set()
     for part in ordered:
@@ -33,7 +39,7 @@ def strata_sheet(
             count = float(own.wholes[:, at].sum())
             row += [float(own.parts[:, at].sum()) / count if count else None]
             row += ends_of(ends["mean_jac", tau])
-        for (a, b), found in part.differences.items():
+        for (a, b), found in part.differences.get(("mean_jac", tau), {}).items():
             if found.beyond_chance and certainty.may_be_bold(a, b, "mean_jac"):
                 bold.add((len(rows), len(row)))
             row += [found.value, *ends_of(found.interval), found.corrected]
@@ -45,6 +51,60 @@ def strata_sheet(
     return Sheet(
         f"by_{by}", f"By {by}", _columns(certainty, by, tau), tuple(rows), described, notes,
         frozenset(bold),
+    )  # fmt: skip
+
+
+def figures_sheet(parts: Sequence[Stratum], certainty: Certainty, described: str) -> Sheet:
+    """Every figure of every source in each part at every threshold, with intervals."""
+    by = parts[0].by
+    columns = [Column("value", by), Column("source", "source"), TAU, counted(FRAMES)]
+    for figure in WITH_INTERVAL:
+        columns += [of(figure), *interval_columns(figure)]
+    rows: list[tuple[Value, ...]] = []
+    begins = []
+    for part in parts:
+        begins.append(len(rows))
+        frames = len(part.certainty.sources[0].frames)
+        for source, ends in zip(part.certainty.sources, part.certainty.intervals, strict=True):
+            sums = {figure.key: source.ratios(figure.key) for figure in WITH_INTERVAL}
+            for at, tau in enumerate(certainty.thresholds):
+                row: list[Value] = [part.value or "(none)", source.marked_name, tau, frames]
+                for key, ratios in sums.items():
+                    whole = float(ratios.wholes[:, at].sum())
+                    row.append(float(ratios.parts[:, at].sum()) / whole if whole else None)
+                    row += ends_of(ends[key, tau])
+                rows.append(tuple(row))
+    notes = (f"In brackets {certainty.described}.",)
+    return Sheet(
+        f"by_{by}_figures", f"By {by}, every figure", tuple(columns), tuple(rows), described, notes,
+        parts=tuple(begins[1:]),
+    )  # fmt: skip
+
+
+def differences_sheet(parts: Sequence[Stratum], certainty: Certainty, described: str) -> Sheet:
+    """The differences of every two sources in each part, figure by figure; for files."""
+    by = parts[0].by
+    names = [source.marked_name for source in certainty.sources]
+    columns = [Column("value", by), TAU, Column("a", "A"), Column("b", "B")]
+    for figure, key in DIFFERENCES:
+        columns += [of(figure), *interval_columns(figure), counted(FRAMES, key=f"{key}_frames")]
+        columns += [of(f, key=f"{key}_{f.key}", group=figure.title) for f in (P_VALUE, P_CORRECTED)]
+    rows: list[tuple[Value, ...]] = []
+    for part, tau in product(parts, certainty.thresholds):
+        for pair in part.differences["mean_jac", tau]:
+            row: list[Value] = [part.value or "(none)", tau, names[pair[0]], names[pair[1]]]
+            for _, key in DIFFERENCES:
+                found = part.differences[key, tau][pair]
+                row += [found.value, *ends_of(found.interval), found.frames]
+                row += [found.p, found.corrected]
+            rows.append(tuple(row))
+    note = (
+        "p is corrected for all parts and pairs, of each figure at each tau;"
+        f" {certainty.described}."
+    )
+    return Sheet(
+        f"by_{by}_differences", f"By {by}, differences", tuple(columns), tuple(rows), described,
+        (note,),
     )  # fmt: skip
 
 
@@ -66,8 +126,9 @@ def _with_interval(figure: Figure, heading: str, group: str) -> list[Column]:
     return [first, *ends]
 
 
-def _most_different_first(parts: Sequence[Stratum]) -> list[Stratum]:
+def _most_different_first(parts: Sequence[Stratum], tau: float) -> list[Stratum]:
     def most(part: Stratum) -> float:
-        return max((abs(d.value or 0.0) for d in part.differences.values()), default=0.0)
+        own = part.differences.get(("mean_jac", tau), {})
+        return max((abs(d.value or 0.0) for d in own.values()), default=0.0)
 
     return sorted(parts, key=lambda part: -most(part))

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from procc_annotator.errors import ProccError
+from procc_annotator.extras import how_to_have
 from procc_annotator.report.sheet.sheet import Column, Row
 
 
@@ -56,5 +57,5 @@ def parquet_libraries() -> tuple[Any, Any]:
     except ModuleNotFoundError as error:
         raise ProccError(
             "a Parquet table needs the library pyarrow, which is not installed"
-            " (install it with: pip install 'procc-annotator[parquet]'; or write a .csv table)"
+            f" ({how_to_have('parquet')}; or write a .csv table)"
         ) from error

@@ -9,7 +9,7 @@ from typing import Protocol
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
-from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
+from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.workspace import Workspace
 
@@ -50,11 +50,7 @@ class DatasetFrames:
 
     @property
     def folders(self) -> tuple[Path, ...]:
-        for frame in self._workspace.frames[:1]:
-            pictures = frame.image_path.parent
-            # The folder that annotations would be looked for first is the dataset too.
-            return pictures, frame.annotation_path.parent, pictures / ANNOTATIONS_FOLDER
-        return ()
+        return self._workspace.own_folders
 
     def read(self, index: int) -> FrameAnnotation | None:
         annotation = self._workspace.read(index)

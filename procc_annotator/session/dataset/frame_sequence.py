@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import groupby
 from pathlib import Path
 
 import numpy as np
@@ -112,19 +113,22 @@ def sequence_of(
 ) -> FrameSequence | None:
     """What the frames of a dataset follow one another in; None for unrelated pictures.
 
-    Those of one video do. Those of a folder do if their names end with numbers that count on, by
-    one or by some frames of a video at a time, and if most of some neighbours show the same scene:
-    sets of unrelated pictures are numbered, too.
+    Those of one video do. Those of a folder, and of each folder of a tree, do if their names end
+    with numbers that count on, by one or by some frames of a video at a time, and if most of some
+    neighbours show the same scene: sets of unrelated pictures are numbered, too.
     Reads and decodes; for any thread but the interface's.
     """
-    if not frames or frames[0].image_folder != frames[-1].image_folder:
+    if not frames:
         return None
-    try:
-        if frame_of(frames[0].image_path) is not None:
-            return _of_video(frames)
-    except ImageError:
-        return None
-    counted = _counted([frame.name for frame in frames])
+    if frames[0].image_folder == frames[-1].image_folder:
+        try:
+            if frame_of(frames[0].image_path) is not None:
+                return _of_video(frames)
+        except ImageError:
+            return None
+        counted = _counted([frame.name for frame in frames])
+    else:
+        counted = _counted_in_folders(frames)
     if counted is None:
         return None
     numbers, step = counted
@@ -158,6 +162,21 @@ def _counted(names: Sequence[str]) -> tuple[NDArray[np.int64], int] | None:
     if not 0 < step <= _MOST_STEP or (steps % step).any() or (steps > step).mean() > _MOST_GAPS:
         return None
     return numbers // step, step
+
+
+def _counted_in_folders(frames: Sequence[Frame]) -> tuple[NDArray[np.int64], int] | None:
+    """The same of a tree: folders come one after the other, as if a picture were missing between
+    them, so that nothing is followed from one to the next. One that does not count is taken for
+    pictures without a neighbour."""
+    found, steps, begin = [], [], 0
+    for _, group in groupby(frames, key=lambda frame: frame.image_folder):
+        names = [frame.name for frame in group]
+        counted = _counted(names)
+        numbers = 2 * np.arange(len(names), dtype=np.int64) if counted is None else counted[0]
+        steps += [] if counted is None else [counted[1]]
+        found.append(numbers - numbers[0] + begin)
+        begin = int(found[-1][-1]) + 2
+    return (np.concatenate(found), min(steps)) if steps else None
 
 
 def _show_the_same(

@@ -15,6 +15,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import (
     read_annotation,
     write_annotation,
 )
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp_of
@@ -88,6 +89,22 @@ class Workspace:
         """
         root, frames, notices = list_frames(path, annotations)
         return cls(path, frames, field, notices, root)
+
+    @property
+    def annotations(self) -> Path:
+        """The folder that all annotation files lie in or below, under the names of their frames."""
+        first = self.frames[0]
+        beside = "/" in first.name and "/" not in (first.annotation_stem or first.name)
+        return self.folder if beside else first.annotation_folder
+
+    @property
+    def own_folders(self) -> tuple[Path, ...]:
+        """Where nothing but annotations may be written: of pictures, of annotations, and those that
+        annotations are looked for in."""
+        if not self.frames:
+            return ()
+        pictures = dict.fromkeys((self.folder, self.frames[0].image_folder))
+        return (*pictures, self.annotations, *(folder / ANNOTATIONS_FOLDER for folder in pictures))
 
     def state(self, index: int) -> FrameState:
         """A frame's state, read from disk the first time. An unreadable file is its ``error``."""

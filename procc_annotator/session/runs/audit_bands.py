@@ -12,6 +12,7 @@ from procc_annotator.metric.chance.sampling import Draws, Ratios, sample
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit
 from procc_annotator.session.runs.clusters import clusters_of
+from procc_annotator.session.runs.frame_order import FrameOrder
 
 # Bands are smooth: every 0.5 px is enough, and a few hundredths of a second for a thousand frames.
 _EVERY = 5
@@ -33,27 +34,38 @@ class AuditBand:
     clustered: str
 
 
-def mean_band(audits: Mapping[str, FrameAudit], frames: Sequence[str]) -> AuditBand:
+def mean_band(
+    audits: Mapping[str, FrameAudit], frames: Sequence[str], order: FrameOrder | None = None
+) -> AuditBand:
     """The mean JaC of a source over the frames that it has.
 
     Args:
         audits: by frame. frames: all names, in their order.
+        order: the dataset's table of frames; without it names tell which ones are of one shot.
     """
     names = [name for name in frames if name in audits]
-    return _band([audits[name].jac.astype(np.float64) for name in names], names, 0.0)
+    return _band([audits[name].jac.astype(np.float64) for name in names], names, 0.0, order)
 
 
 def difference_band(
-    a: Mapping[str, FrameAudit], b: Mapping[str, FrameAudit], frames: Sequence[str]
+    a: Mapping[str, FrameAudit],
+    b: Mapping[str, FrameAudit],
+    frames: Sequence[str],
+    order: FrameOrder | None = None,
 ) -> AuditBand:
-    """What the mean JaC of one source has more than that of another, over the frames of both."""
+    """What the mean JaC of one source has more than that of another, over the frames of both.
+
+    Args: as of `mean_band`.
+    """
     names = [name for name in frames if name in a and name in b]
     off = [a[name].jac.astype(np.float64) - b[name].jac for name in names]
-    return _band(off, names, -1.0)
+    return _band(off, names, -1.0, order)
 
 
-def _band(curves: Sequence[FloatArray], names: Sequence[str], least: float) -> AuditBand:
-    clusters = clusters_of(names, None, {})
+def _band(
+    curves: Sequence[FloatArray], names: Sequence[str], least: float, order: FrameOrder | None
+) -> AuditBand:
+    clusters = clusters_of(names, None, {}, order)
     count = len(TAU_GRID)
     if not curves:
         nothing = np.full(count, np.nan)

@@ -9,7 +9,7 @@ import numpy as np
 
 from procc_annotator.errors import UsageError
 from procc_annotator.metric.polylines import IntArray
-from procc_annotator.session.runs.frame_order import FrameOrder, shots_by_name
+from procc_annotator.session.runs.frame_order import FrameOrder, shots_in
 from procc_annotator.words import count_of
 
 SHOT = "shot"  # by the names of the frames, or the dataset's frames.csv
@@ -59,7 +59,7 @@ def clusters_of(
         if not any(values.get(frame) for frame in frames):
             raise UsageError(f"no frame has a value of {by!r} to cluster by")
         return _by_value(frames, [values.get(frame) for frame in frames], f"by {by}", by or "")
-    found = order.shots_of(frames) if order is not None else shots_by_name(frames)
+    found = shots_in(frames, order)
     shot_of = {frame: str(n) for n, shot in enumerate(found) for frame in shot.frames}
     if len(found) > 1 and any(len(shot.frames) > 1 for shot in found):
         told_by = "by names" if order is None else f"by {order.told_by}"

@@ -128,6 +128,8 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
             )
         if not self.matched:
             first = next(iter(cameras.frames))
+            if cameras.path.is_file() and len(cameras.frames) == 1:
+                cameras.read(first)  # of a file of many that cannot be read only this is known
             raise UsageError(
                 "nothing to do: no camera has the name of an annotation (annotations are named"
                 f" like {self.frames[0].name!r}, cameras like {first!r})"

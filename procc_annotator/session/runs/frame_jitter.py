@@ -14,7 +14,7 @@ from procc_annotator.metric.over_time.positions import only_cameras
 from procc_annotator.metric.over_time.steadiness import ground_points, steadiness
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.session.dataset.camera_set import FrameCameras
-from procc_annotator.session.runs.frame_order import shots_by_name
+from procc_annotator.session.runs.frame_order import FrameOrder, shots_in
 
 TOO_FAR = 0.25  # of the picture's width: a step by which nothing follows
 _FEWEST_STEPS = 5
@@ -40,19 +40,21 @@ def frame_jitter(
     field: Field,
     size: tuple[int, int],
     hidden: Container[str] = (),
+    order: FrameOrder | None = None,
 ) -> FrameJitter:
-    """How far every frame is from steady motion between its neighbours, by their names.
+    """How far every frame is from steady motion between its neighbours in its shot.
 
     Args:
         cameras: of one source; a damaged one counts as none.
         frames: names of all frames.
         size: (width, height) px of the figures.
         hidden: frames of which nothing may be told.
+        order: the dataset's table of frames; without it names tell the shots.
     """
     found = np.full(len(frames), np.nan)
     at = {name: place for place, name in enumerate(frames)}
     points, steps = ground_points(field), []
-    for shot in shots_by_name(name for name in frames if name in cameras.frames):
+    for shot in shots_in([name for name in frames if name in cameras.frames], order):
         given = [_camera(cameras, name, size) for name in shot.frames]
         steady = steadiness(given, shot.numbers, points, size)
         steps.append(steady.step_px)

@@ -99,6 +99,11 @@ class FrameOrder:
         ]
 
 
+def shots_in(frames: Iterable[str], order: FrameOrder | None) -> list[ShotFrames]:
+    """The shots of frames: as the dataset's table has them, or without one by their names."""
+    return shots_by_name(frames) if order is None else order.shots_of(frames)
+
+
 def shots_by_name(frames: Iterable[str]) -> list[ShotFrames]:
     """Shots by the names of frames: what comes before a number names the shot.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import product
 from statistics import median
 
 import numpy as np
@@ -14,9 +15,9 @@ from procc_annotator.field.model import Field
 from procc_annotator.metric.chance.paired import PairedDifference, corrected_for
 from procc_annotator.metric.ground import field_rectangle
 from procc_annotator.session.runs.audit import Pose
-from procc_annotator.session.runs.certainty import Certainty
+from procc_annotator.session.runs.certainty import COMPARED, Certainty
 from procc_annotator.session.runs.clusters import SHOT, Clusters
-from procc_annotator.session.runs.frame_order import shots_by_name
+from procc_annotator.session.runs.frame_order import FrameOrder, shots_in
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums
 from procc_annotator.session.runs.tags import MODEL
 
@@ -32,36 +33,55 @@ class Stratum:
     Attributes:
         by, value: what its frames have in common; None for those of which it is not known.
         certainty: the sources over these frames.
-        differences: (a, b) -> the difference of mean JaC, corrected for all strata and pairs.
+        differences: (figure, tau) -> (a, b) -> the difference of two sources, corrected for all
+            strata and pairs.
     """
 
     by: str
     value: str | None
     certainty: Certainty
-    differences: Mapping[tuple[int, int], PairedDifference]
+    differences: Mapping[tuple[str, float], Mapping[tuple[int, int], PairedDifference]]
 
 
-def strata(
-    certainty: Certainty, by: str, values: Sequence[str | None], tau: float
-) -> list[Stratum]:
+def strata(certainty: Certainty, by: str, values: Sequence[str | None]) -> list[Stratum]:
     """The parts of a set, in natural order, those of no value last.
 
     Args:
         values: (F,) of each frame.
-        tau: threshold of the differences, px.
     """
-    found = []
     named: list[str | None] = [*natsorted({v for v in values if v is not None})]
-    for value in [*named, *([None] if None in values else [])]:
-        part = _within(certainty, [v == value for v in values])
-        found.append((value, part, part.differences("mean_jac", tau) if part.pairs else {}))
-    every = corrected_for([d for _, _, own in found for d in own.values()])
-    at = iter(every)
-    return [Stratum(by, value, part, {key: next(at) for key in own}) for value, part, own in found]
+    found = [
+        (value, _within(certainty, [v == value for v in values]))
+        for value in [*named, *([None] if None in values else [])]
+    ]
+    parts = [part for _, part in found]
+    differences: list[dict[tuple[str, float], Mapping[tuple[int, int], PairedDifference]]] = [
+        {} for _ in parts
+    ]
+    if certainty.pairs:
+        for key, tau in product(COMPARED, certainty.thresholds):
+            own = _corrected([part.differences(key, tau) for part in parts])
+            for of_part, differing in zip(differences, own, strict=True):
+                of_part[key, tau] = differing
+    return [
+        Stratum(by, value, part, own) for (value, part), own in zip(found, differences, strict=True)
+    ]
+
+
+def _corrected(
+    several: Sequence[Mapping[tuple[int, int], PairedDifference]],
+) -> list[dict[tuple[int, int], PairedDifference]]:
+    """The differences of all parts, corrected together."""
+    at = iter(corrected_for([one for own in several for one in own.values()]))
+    return [{pair: next(at) for pair in own} for own in several]
 
 
 def values_of(
-    by: str, sources: Sequence[SourceSums], field: Field, tags: Mapping[str, str | None]
+    by: str,
+    sources: Sequence[SourceSums],
+    field: Field,
+    tags: Mapping[str, str | None],
+    order: FrameOrder | None = None,
 ) -> list[str | None]:
     """The value of each frame.
 
@@ -70,6 +90,7 @@ def values_of(
         sources: over the same frames; poses are the median of theirs.
         field: its size tells the sides.
         tags: of the tag, by frame.
+        order: the dataset's table of frames; without it names tell the shots.
 
     Raises:
         UsageError: nothing is known of any frame.
@@ -90,7 +111,7 @@ def values_of(
     elif by == MODEL:
         found = [_models(frames) for frames in _frames(sources)]
     elif by == SHOT:
-        shot_of = {frame: s.name for s in shots_by_name(names) for frame in s.frames}
+        shot_of = {frame: s.name for s in shots_in(names, order) for frame in s.frames}
         found = [shot_of.get(name) for name in names]
     else:
         found = [tags.get(name) for name in names]

@@ -169,7 +169,6 @@ def test_damage_is_one_line(data: bytes, path: str, expected: str) -> None:
 
 
 def test_matlab_homographies_are_those_of_the_same_pictures(shared_data: Path) -> None:
-    pytest.importorskip("scipy")
     file = shared_data / "foreign" / "wc14_homographies_test.mat"
     if not file.is_file():
         pytest.skip(f"{file} is not there")

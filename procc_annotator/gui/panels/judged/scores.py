@@ -235,7 +235,7 @@ class ScoresPanel(QWidget):
             label.setText("–" if value is None else f"{value:.2f}{unit}")
         camera = self._document.camera
         ground_only = camera is not None and projects_only_ground(camera)
-        terms = [self._document.setup.describe(ground_only=ground_only)]
+        terms = [self._document.judge.frame_setup.describe(ground_only=ground_only)]
         if self._document.active_source is self._document.fit_source.source:
             terms.append(_OWN_FIT)
         if (floor := self._document.noise_floor) is not None:

@@ -70,9 +70,9 @@ class ExportAs(DialogTask):
             self._fail(f"{_CANCELLED[0].upper()}{_CANCELLED[1:]}.")
 
     def _ask_path(self) -> None:
-        frame = self._document.frame
-        if self.dialog is not None and frame is not None:
-            out = self.dialog.ask_path(frame.image_folder.parent)
+        workspace = self._document.workspace
+        if self.dialog is not None and workspace is not None:
+            out = self.dialog.ask_path(workspace.folder.parent)
             if out is not None:
                 self.start(out)
 

@@ -51,10 +51,11 @@ class AnnotationImporter(DialogTask):
         """Show the dialog."""
         from procc_annotator.gui.tasks.files.dialogs import ImportDialog
 
-        if (frame := opened_frame(self._document)) is None:
+        workspace = self._document.workspace
+        if opened_frame(self._document) is None or workspace is None:
             return
         self._leave()
-        self.dialog = dialog = ImportDialog(self._parent, str(frame.image_folder))
+        self.dialog = dialog = ImportDialog(self._parent, str(workspace.folder))
         dialog.started.connect(lambda: self.start(Path(dialog.path.text().strip())))
         dialog.cancelled.connect(self.cancel)
         dialog.open()

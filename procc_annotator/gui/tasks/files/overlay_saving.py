@@ -114,7 +114,7 @@ class OverlaySaving:
         dialog.deleteLater()
         if not accepted:
             return
-        name, kind = f"{frame.name}_overlay{suffix}", f"Picture (*{suffix})"
+        name, kind = f"{frame.name.replace('/', '_')}_overlay{suffix}", f"Picture (*{suffix})"
         path = ask_where(document, self._parent, "Save overlay picture", name, kind)
         if path is not None:
             self.write(path, look)

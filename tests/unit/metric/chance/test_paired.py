@@ -11,6 +11,7 @@ from scipy import stats
 
 from procc_annotator.metric.chance.bands import curve_band
 from procc_annotator.metric.chance.clicks import click_spread, noise_of_floor
+from procc_annotator.metric.chance.intervals import intervals
 from procc_annotator.metric.chance.paired import (
     corrected_for,
     exchanged,
@@ -211,3 +212,21 @@ def test_a_coarser_answer_never_needs_more_frames() -> None:
         needed = [frames_needed(0.001 * 1.3**n, 0.02, 40, effective, power=0.5) for n in range(30)]
         assert needed == sorted(needed, reverse=True)
         assert needed[-1] == 2 * 40 / effective  # no interval rests on fewer than two clusters
+
+
+@pytest.mark.parametrize("alike", [0.1, 0.4])
+def test_power_holds_where_frames_come_in_clusters(alike) -> None:
+    rng = np.random.default_rng(11)
+    each, true, spread = 5, 0.06, 0.2
+    between, within = spread * math.sqrt(alike), spread * math.sqrt(1 - alike)
+    deviation = math.sqrt(between**2 / 20 + within**2 / (20 * each))
+    needed = frames_needed(true, deviation, 20 * each, 20.0)
+    count = round(needed / each)
+    clusters = np.repeat(np.arange(count), each)
+    found = 0
+    for _ in range(600):
+        off = true + between * rng.standard_normal(count)[clusters]
+        off += within * rng.standard_normal(len(clusters))
+        (around,) = intervals(sample(Ratios.mean(off), clusters, None), DRAWS)
+        found += around.excludes(0.0)
+    assert found / 600 == pytest.approx(0.8, abs=0.055)

@@ -174,12 +174,18 @@ def test_strata_are_corrected_together_and_say_where_sources_differ() -> None:
     sources = source("a", jacs), source("b", worse)
     tags = {name: "day" if n < 40 else "night" for n, name in enumerate(sources[0].names)}
     found = certain(sources)
-    parts = strata(found, "light", values_of("light", sources, FIELD, tags), 5.0)
-    day, night = (part.differences[0, 1] for part in parts)
+    parts = strata(found, "light", values_of("light", sources, FIELD, tags))
+    day, night = (part.differences["mean_jac", 5.0][0, 1] for part in parts)
     assert [part.value for part in parts] == ["day", "night"]
     assert not day.beyond_chance
     assert night.beyond_chance
     assert night.corrected == pytest.approx(2 * night.p)
+    for key in ("final_score", "mean_error", "completeness"):
+        own = [part.differences[key, 2.0][0, 1] for part in parts]
+        shares = sorted((d for d in own if d.p is not None), key=lambda d: d.p)
+        assert all(d.corrected >= d.p for d in shares)
+        if len(shares) == 2:
+            assert shares[0].corrected == pytest.approx(min(1.0, 2 * shares[0].p))
     with pytest.raises(UsageError, match="known of no frame"):
         values_of("weather", sources, FIELD, {})
 

@@ -1,0 +1,72 @@
+"""Intervals, differences and figures over time in a recipe: what is kept, and how to repeat it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from procc_annotator.cli.chance_options import chance_terms
+from procc_annotator.cli.over_time import OverTimeCall
+from procc_annotator.report.over_time import SourceOverTime
+from procc_annotator.report.recipe import Recipe
+from procc_annotator.report.recipe_further import RecipeChance, RecipeOverTime
+from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet
+from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
+from procc_annotator.session.runs.execution.executor import Executor
+from procc_annotator.session.runs.tags import Tags
+
+
+@dataclass(frozen=True)
+class Further:
+    """What a command made besides the figures of each set.
+
+    Attributes:
+        chance, told: what was asked of chance, and what it said.
+        over_time, steady: the same over time.
+    """
+
+    chance: ChanceTerms | None = None
+    told: Sequence[ToldOfSet] = ()
+    over_time: OverTimeCall | None = None
+    steady: Sequence[SourceOverTime] = ()
+
+    def frame_tables(self, asked: Sequence[Asked]) -> set[Path]:
+        """The tables of frames that were used without being named."""
+        if self.chance is None and self.over_time is None:
+            return set()
+        folders = (folder_of_dataset(one.annotations.path) for one in asked)
+        tables = (folder / FRAMES_FILE for folder in folders if folder is not None)
+        return {table for table in tables if table.is_file()}
+
+
+def terms_again(known: RecipeChance, recipe: Recipe, root: Path) -> ChanceTerms:
+    """What a recipe asks of chance, elsewhere.
+
+    Raises:
+        UsageError, InputError: a file of tags or frames cannot be used.
+    """
+    sets = {one.set: root / one.annotations for one in recipe.evaluations}
+    terms = chance_terms(
+        None if known.tags is None else Tags.read(root / known.tags),
+        sets, known.cluster, known.by, known.method, known.draws.count, known.draws.seed,
+        shots=None if known.shots is None else root / known.shots,
+        power=known.power,
+    )  # fmt: skip
+    return terms.with_noise(known.noise)
+
+
+def over_time_again(
+    known: RecipeOverTime, root: Path, asked: Sequence[Asked], executor: Executor
+) -> list[SourceOverTime] | str:
+    """The figures over time, elsewhere; or why they cannot be made.
+
+    Raises:
+        UsageError, InputError: a table of frames cannot be used.
+    """
+    pictures = None if known.pictures is None else root / known.pictures
+    if pictures is not None and not pictures.exists():
+        return f"not repeated: over time: {known.pictures} is not here"
+    shots = None if known.shots is None else root / known.shots
+    return OverTimeCall(shots, pictures, ()).run(asked, known.threshold, executor)

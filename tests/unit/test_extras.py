@@ -1,0 +1,56 @@
+"""What is said where a part of the installation is missing is the line that adds it right here."""
+
+from __future__ import annotations
+
+import importlib.util
+import shlex
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from procc_annotator import extras
+from procc_annotator.errors import ProccError
+from procc_annotator.report.sheet.as_parquet import parquet_libraries
+from procc_annotator.session.runs.execution.dask_executor import DaskCluster
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+
+
+@pytest.mark.parametrize("has_pip", [True, False])
+def test_the_line_is_for_this_very_python(monkeypatch: pytest.MonkeyPatch, has_pip: bool) -> None:
+    monkeypatch.setattr(sys, "executable", "/a b/python")
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: object() if has_pip else None)
+    said = extras.how_to_have("dask").partition(": ")[2]
+    begin = ["/a b/python", "-m", "pip", "install"]
+    if not has_pip:
+        begin = ["uv", "pip", "install", "--python", "/a b/python"]
+    assert shlex.split(said) == [*begin, "procc-annotator[dask]"]
+
+
+def test_the_standalone_folder_says_that_it_cannot(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    assert "the standalone folder goes without a Dask cluster" in extras.how_to_have("dask")
+
+
+def test_the_extras_are_those_of_the_project() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    optional = project["optional-dependencies"]
+    assert optional.keys() == extras.EXTRAS.keys()
+    base = " ".join(project["dependencies"])
+    for name, (_, library) in extras.EXTRAS.items():
+        assert any(one.startswith(library) for one in optional[name])
+        assert library not in base
+
+
+def test_messages_name_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(ProccError, match=r"procc-annotator\[parquet\]"):
+        parquet_libraries()
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with (
+        pytest.raises(ProccError, match=r"procc-annotator\[dask\]"),
+        DaskCluster("tcp://127.0.0.1:1"),
+    ):
+        pass
