@@ -77,7 +77,7 @@ def draw_overlay(
     given = FrameAnnotation() if annotation is None else as_annotation(annotation)
     measurement, judged, paint = None, None, None
     if camera is not None:
-        used = camera_at(camera, setup.size, as_size_or_none(camera_size)).camera
+        used = camera_at(camera, setup.size, as_size_or_none(camera_size), field=known).camera
         measurement = measure(given, used, setup)
         judged = score_to_read(measurement, threshold)
         paint = project_paint(used, setup) if painted_width else None

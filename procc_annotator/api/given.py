@@ -21,6 +21,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.pixels import PixelArray, bgra
+from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 
@@ -41,6 +42,8 @@ def camera_at(
     size: tuple[int, int],
     camera_size: tuple[int, int] | None = None,
     name: str = "camera",
+    *,
+    field: Field,
 ) -> CameraAt:
     """A camera in px of a picture size; what those of others return is checked from now on.
 
@@ -50,11 +53,14 @@ def camera_at(
         camera_size: (width, height) px that cameras belong to which do not say it, and those read
             from files; None for ``size``.
         name: how to call it where it is none.
+        field: what its picture shows.
 
     Raises:
-        UsageError: it is no camera, or a fit that failed.
+        UsageError: it is no camera, a fit that failed, or would be taken for one of another field.
     """
     if isinstance(camera, LoadedCamera):
+        if problem := of_another_field(camera.assumed_field, field):
+            raise UsageError(f"{name}: {problem} ({NAME_THE_FORMAT})")
         return CameraAt(checked(fit_to_size(camera, size, camera_size)[0], name), camera.model)
     if isinstance(camera, FitResult):
         if camera.camera is None:

@@ -82,7 +82,7 @@ def evaluate(
     (threshold,) = check_thresholds((tau,))
     at = _size_for(camera, size)
     setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
-    used = camera_at(camera, at, as_size_or_none(camera_size)).camera
+    used = camera_at(camera, at, as_size_or_none(camera_size), field=setup.field).camera
     return score_to_read(measure(as_annotation(annotation), used, setup), threshold)
 
 
@@ -120,7 +120,7 @@ def jac_curve(
     """
     at = _size_for(camera, size)
     setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
-    used = camera_at(camera, at, as_size_or_none(camera_size)).camera
+    used = camera_at(camera, at, as_size_or_none(camera_size), field=setup.field).camera
     return score.jac_curve(measure(as_annotation(annotation), used, setup), thresholds)
 
 
@@ -151,8 +151,9 @@ def project_field(
         FieldError: no such field.
     """
     at = _size_for(camera, size)
-    used = camera_at(camera, at, as_size_or_none(camera_size)).camera
-    return project.project_field(used, EvaluationSetup(as_field(field), at, protocol)).pieces
+    known = as_field(field)
+    used = camera_at(camera, at, as_size_or_none(camera_size), field=known).camera
+    return project.project_field(used, EvaluationSetup(known, at, protocol)).pieces
 
 
 def disagreement(
@@ -183,9 +184,10 @@ def disagreement(
         UsageError: an argument of another kind, projections alone, or a step below one pixel.
         FieldError: no such field.
     """
-    at, own = as_size(size), as_size_or_none(camera_size)
-    first, second = camera_at(a, at, own, "a").camera, camera_at(b, at, own, "b").camera
-    return two_cameras.disagreement(first, second, as_field(field), at, step_px=step_px)
+    at, own, known = as_size(size), as_size_or_none(camera_size), as_field(field)
+    first = camera_at(a, at, own, "a", field=known).camera
+    second = camera_at(b, at, own, "b", field=known).camera
+    return two_cameras.disagreement(first, second, known, at, step_px=step_px)
 
 
 def _size_for(camera: object, size: Size | None) -> Size:

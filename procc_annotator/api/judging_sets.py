@@ -86,7 +86,9 @@ def evaluate_set(
         camera = cameras.get(name)
         if isinstance(camera, FitResult) and camera.camera is None:
             camera = None
-        used = None if camera is None else camera_at(camera, at, own, f"camera of {name}")
+        used = None
+        if camera is not None:
+            used = camera_at(camera, at, own, f"camera of {name}", field=known)
         frames[name] = as_annotation(annotation), used
     return score_set(frames, setup, check_thresholds(tuple(thresholds)))
 

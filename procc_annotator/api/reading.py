@@ -15,14 +15,14 @@ from procc_annotator.errors import InputError, ProccError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit import fitting
-from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Size
+from procc_annotator.io.annotation_files.label_map import read_label_map
 from procc_annotator.io.annotation_files.read_set import SetReader
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.collections import CAMERA_PREFIX, files_of
-from procc_annotator.io.frame_names import frame_of_file
 from procc_annotator.io.source import open_source
+from procc_annotator.session.dataset.annotation_source import own_label_map
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.fit_sizes import told_size
@@ -31,6 +31,7 @@ from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
     picture_folders,
     picture_size,
+    picture_tree,
 )
 from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 
@@ -87,6 +88,7 @@ def load_dataset(
     field: Field | str | None = None,
     *,
     on_damaged: OnDamaged | None = None,
+    labels: str | Path | None = None,
 ) -> Dataset:
     """Read a dataset as the window and the commands see it.
 
@@ -96,6 +98,8 @@ def load_dataset(
             dataset says it shows, and the usual one (SoccerNet's classes) where it does not say.
         on_damaged: told of each annotation that cannot be used, which is then left out; None: the
             first one is raised.
+        labels: a file ``labels.toml`` that says which classes the names of another program stand
+            for; None: the dataset's own, if it has one.
 
     Returns:
         Annotations, pictures and the field. Pictures are not opened.
@@ -111,7 +115,7 @@ def load_dataset(
     frames: list[ExchangedFrame] = []
     inside = _annotations_of(place)
     if not pictures or _holds_annotations(inside):
-        frames = _frames(inside, place, known, on_damaged)
+        frames = _frames(inside, place, known, on_damaged, labels)
     sizes = {frame.name: frame.size or told_size(frame.annotation) for frame in frames}
     return Dataset(
         place,
@@ -127,6 +131,7 @@ def load_annotations(
     field: Field | str | None = None,
     *,
     on_damaged: OnDamaged | None = None,
+    labels: str | Path | None = None,
 ) -> dict[str, FrameAnnotation]:
     """Read what is annotated in the frames of a set.
 
@@ -137,6 +142,7 @@ def load_annotations(
             usual one if None.
         on_damaged: told of each frame or file that cannot be used, which is then left out; None:
             the first one is raised.
+        labels: as of `load_dataset`.
 
     Returns:
         Frame name -> its annotation, see `load_annotation`, in natural order.
@@ -146,11 +152,16 @@ def load_annotations(
         UsageError: there is nothing at the path, no annotation, or annotations of several formats.
     """
     place = as_path(path, "annotations")
-    frames = _frames(_annotations_of(place), place, as_field(field), on_damaged)
+    frames = _frames(_annotations_of(place), place, as_field(field), on_damaged, labels)
     return {frame.name: frame.annotation for frame in frames}
 
 
-def load_annotation(path: str | Path, field: Field | str | None = None) -> FrameAnnotation:
+def load_annotation(
+    path: str | Path,
+    field: Field | str | None = None,
+    *,
+    labels: str | Path | None = None,
+) -> FrameAnnotation:
     """Read what is annotated in one frame.
 
     Args:
@@ -158,6 +169,7 @@ def load_annotation(path: str | Path, field: Field | str | None = None) -> Frame
             one such file; it must hold exactly one frame.
         field: knows the official spellings of the classes; or its name, see `load_field`; the
             usual one if None.
+        labels: as of `load_dataset`.
 
     Returns:
         The polylines by class, in the order of the file. Points are normalised: (0, 0) is the
@@ -174,7 +186,7 @@ def load_annotation(path: str | Path, field: Field | str | None = None) -> Frame
             f"{place}: is a camera file ({CAMERA_PREFIX}*), expected an annotation"
             " (those are named after their frame: 00037.json)"
         )
-    frames = _frames(place, place, as_field(field), None)
+    frames = _frames(place, place, as_field(field), None, labels)
     if len(frames) == 1:
         strange = pixel_like(frames[0].annotation)
         if strange is not None:
@@ -257,18 +269,29 @@ def _holds_annotations(place: Path) -> bool:
 
 
 def _frames(
-    place: Path, dataset: Path, field: Field, on_damaged: OnDamaged | None
+    place: Path,
+    dataset: Path,
+    field: Field,
+    on_damaged: OnDamaged | None,
+    labels: str | Path | None,
 ) -> list[ExchangedFrame]:
     """What is annotated, each frame once.
 
     Args:
         place: what the annotations are read from.
-        dataset: whose they are: pictures around it tell sizes that files leave out.
+        dataset: whose they are: pictures around it tell sizes that files leave out, and a
+            ``labels.toml`` in it what names of another program stand for.
     """
-    sizes = PictureSizes(picture_folders(dataset, place))
-    pictures = sorted(picture.name for picture in sizes.files())
+    if labels is None:
+        names = own_label_map(dataset, field)
+    else:
+        names = read_label_map(as_path(labels, "labels"), field)
+    sizes = PictureSizes(picture_folders(dataset, place), tree=picture_tree(dataset))
     with open_source(place) as source:
-        reader = SetReader(source, field, size_of=sizes.size, pictures=pictures)
+        reader = SetReader(
+            source, field, names,
+            size_of=sizes.size, pictures=sizes.names(), called=sizes.called,
+        )  # fmt: skip
         reader.reading.told = on_damaged or _raise
         return list(reader.frames())
 
@@ -281,9 +304,4 @@ def _pictures_of(place: Path) -> dict[str, Path]:
     """Frame name -> picture, of a folder or of a tree of folders; of an archive none."""
     if not place.is_dir():
         return {}
-    found = {frame.name: frame.image_path for frame in list_frames(place)[1]}
-    if found:
-        return found
-    with open_source(place) as source:
-        names, _ = files_of(source, lambda name: Path(name).suffix.lower() in PICTURE_SUFFIXES)
-    return {frame_of_file(name): place / name for name in names}
+    return {frame.name: frame.image_path for frame in list_frames(place)[1]}

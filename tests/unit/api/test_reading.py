@@ -6,6 +6,7 @@ import json
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from procc_annotator import (
@@ -14,6 +15,8 @@ from procc_annotator import (
     FrameAnnotation,
     PinholeCamera,
     UsageError,
+    evaluate,
+    evaluate_set,
     load_annotation,
     load_annotations,
     load_camera,
@@ -178,3 +181,27 @@ def test_an_annotation_from_and_to_plain_values(sample_data: Path) -> None:
 def test_plain_values_that_are_no_annotation(wrong, says) -> None:
     with pytest.raises(UsageError, match=says):
         FrameAnnotation.from_dict(wrong)
+
+
+def test_names_of_others_are_told_by_a_map(sample_data: Path, tmp_path: Path) -> None:
+    own = load_annotation(sample_data / "00002.json")
+    content = {f"x {p.class_name}": [{"x": q.u, "y": q.v} for q in p.points] for p in own}
+    (tmp_path / "00002.json").write_text(json.dumps(content))
+    labels = tmp_path / "names.toml"
+    rules = [f'"x {p.class_name}" = "{p.class_name.strip()}"' for p in own]
+    labels.write_text("\n".join(["[labels]", *rules]))
+    assert load_annotations(tmp_path, labels=labels) == {"00002": own}
+    assert load_annotations(tmp_path)["00002"] != own
+    labels.rename(tmp_path / "labels.toml")
+    assert load_annotations(tmp_path)["00002"] == own
+    assert load_dataset(tmp_path).annotations["00002"] == own
+
+
+def test_a_bare_homography_is_of_one_sport(tmp_path: Path) -> None:
+    np.save(tmp_path / "1.npy", np.diag([0.1, 0.1, 1.0]))
+    camera = load_camera(tmp_path / "1.npy")
+    annotation = FrameAnnotation.from_dict({"Baseline left": [(0.1, 0.2), (0.3, 0.4)]})
+    with pytest.raises(UsageError, match="nothing says which ground"):
+        evaluate(annotation, camera, field="tennis")
+    with pytest.raises(UsageError, match="camera of 1: nothing says which ground"):
+        evaluate_set({"1": annotation}, tmp_path, field="tennis")
