@@ -48,8 +48,8 @@ class ClickNoise:
         if self.of_size is not None:
             of, told_by = f" of {self.of_size[0]}x{self.of_size[1]}", f", from {self.told_by}"
         return (
-            f"Every point moved by {self.px:.3g} px{of} (standard deviation along x and y{told_by}),"
-            f" {self.repeats} times, seed {self.seed}."
+            f"Every point moved by {self.px:.3g} px{of} (standard deviation along x and y"
+            f"{told_by}), {self.repeats} times, seed {self.seed}."
         )
 
 
