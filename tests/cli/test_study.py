@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import procc_annotator
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.session.database.database import WorkspaceDatabase
@@ -99,6 +100,17 @@ def test_no_export_passes_the_mark_of_gold_on(cli, dataset, study, tmp_path) -> 
     written |= {str(p): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
     assert len(written) > 10
     assert not [name for name, data in written.items() if "gold" in name or b"gold" in data]
+
+
+def test_the_window_knows_nothing_of_gold() -> None:
+    """What it never reads it can neither show nor pass on; the commands of a study alone do."""
+    package = Path(procc_annotator.__file__).parent
+    readers = [
+        path.relative_to(package).as_posix()
+        for path in package.rglob("*.py")
+        if "gold_file" in path.read_text() or "gold.csv" in path.read_text()
+    ]
+    assert set(readers) == {"cli/assign.py", "cli/gold.py", "session/dataset/gold_file.py"}
 
 
 def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path) -> None:
