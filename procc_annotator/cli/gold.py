@@ -118,6 +118,8 @@ def gold(
 
 
 def _marked(dataset: Path, gold_file: Path | None) -> tuple[str, ...]:
+    if not dataset.exists():
+        raise UsageError(f"{dataset}: does not exist")
     folder = folder_of_dataset(dataset)
     path = gold_file
     if path is None and folder is not None and (folder / GOLD_FILE).is_file():

@@ -92,6 +92,16 @@ def test_errors_on_gold_frames_rise_in_the_order_of_work(cli, dataset, study, tm
     assert rows[0]["time"] == "1970-01-01T00:16:40+00:00"
 
 
+def test_without_times_there_is_no_order_of_work(cli, dataset, study, tmp_path) -> None:
+    annotate(dataset, study / "ben", 0.5, database=False)
+    out = tmp_path / "gold.json"
+    done = cli("gold", dataset.root, study / "ben", "-o", out)
+    assert done.exit_code == 0, done.output
+    assert "errors have no order of work" in " ".join(done.stdout.split())
+    assert "third" not in done.stdout
+    assert "over_time" not in json.loads(out.read_text())
+
+
 def test_no_export_passes_the_mark_of_gold_on(cli, dataset, study, tmp_path) -> None:
     archive, folder = tmp_path / "out.zip", tmp_path / "released"
     assert cli("export", dataset.root, archive).exit_code == 0
@@ -156,6 +166,7 @@ def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path) -> None:
         (("assign", dataset.root, tmp_path / "new", "--annotators", "a/b,c"), "not the name of a"),
         (("assign", dataset.root, tmp_path / "new", *who, "--gold-each", "9"), "there are 4"),
         (("gold", dataset.root, study / "anna"), "nobody has annotated any of 4 gold frames"),
+        (("gold", tmp_path / "none", study / "anna"), "none: does not exist"),
         (("gold", study / "anna", study / "ben"), "has no gold.csv"),
         (("gold", dataset.root, dataset.annotations, "--gold", other), "7: names no frame"),
     ):
