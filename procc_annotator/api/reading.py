@@ -15,14 +15,12 @@ from procc_annotator.errors import InputError, ProccError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit import fitting
-from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Size
 from procc_annotator.io.annotation_files.label_map import read_label_map
 from procc_annotator.io.annotation_files.read_set import SetReader
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.collections import CAMERA_PREFIX, files_of
-from procc_annotator.io.frame_names import frame_of_file
 from procc_annotator.io.source import open_source
 from procc_annotator.session.dataset.annotation_source import own_label_map
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
@@ -33,6 +31,7 @@ from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
     picture_folders,
     picture_size,
+    picture_tree,
 )
 from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 
@@ -287,10 +286,12 @@ def _frames(
         names = own_label_map(dataset, field)
     else:
         names = read_label_map(as_path(labels, "labels"), field)
-    sizes = PictureSizes(picture_folders(dataset, place))
-    pictures = sorted(picture.name for picture in sizes.files())
+    sizes = PictureSizes(picture_folders(dataset, place), tree=picture_tree(dataset))
     with open_source(place) as source:
-        reader = SetReader(source, field, names, size_of=sizes.size, pictures=pictures)
+        reader = SetReader(
+            source, field, names,
+            size_of=sizes.size, pictures=sizes.names(), called=sizes.called,
+        )  # fmt: skip
         reader.reading.told = on_damaged or _raise
         return list(reader.frames())
 
@@ -303,9 +304,4 @@ def _pictures_of(place: Path) -> dict[str, Path]:
     """Frame name -> picture, of a folder or of a tree of folders; of an archive none."""
     if not place.is_dir():
         return {}
-    found = {frame.name: frame.image_path for frame in list_frames(place)[1]}
-    if found:
-        return found
-    with open_source(place) as source:
-        names, _ = files_of(source, lambda name: Path(name).suffix.lower() in PICTURE_SUFFIXES)
-    return {frame_of_file(name): place / name for name in names}
+    return {frame.name: frame.image_path for frame in list_frames(place)[1]}

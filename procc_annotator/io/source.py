@@ -33,6 +33,7 @@ LARGEST_FILE = 50 * 1024 * 1024
 # Deeper folders, or more files than any set has, are a whole disk or a trap.
 _DEEPEST = 24
 _MOST_ENTRIES = 1_000_000
+_RESOURCE_FORKS = "__MACOSX"
 _METHODS = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
 # What zipfile raises for damage in one place or another; RuntimeError is an encrypted member.
 _ZIP_ERRORS = (
@@ -344,7 +345,7 @@ def _entries(folder: Path) -> tuple[list[str], list[str]]:
     try:
         with os.scandir(folder) as entries:
             for entry in entries:
-                if not _counts(entry.name):
+                if entry.name[0] == "." or entry.name == _RESOURCE_FORKS:
                     continue
                 is_folder = entry.is_dir() and not _named_like_file(entry.name)
                 (folders if is_folder else names).append(entry.name)
@@ -359,7 +360,9 @@ def _named_like_file(name: str) -> bool:
 
 def _counts(name: str) -> bool:
     parts = PurePosixPath(name).parts
-    return bool(parts) and "__MACOSX" not in parts and not any(p.startswith(".") for p in parts)
+    return (
+        bool(parts) and _RESOURCE_FORKS not in parts and not any(p.startswith(".") for p in parts)
+    )
 
 
 def read_file(

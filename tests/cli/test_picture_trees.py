@@ -14,7 +14,9 @@ import cv2
 import numpy as np
 import pytest
 
+from procc_annotator import load_dataset
 from procc_annotator.field.load import load_field
+from procc_annotator.report.conversion import read_annotations
 from procc_annotator.session.dataset.frame_sequence import FEWEST, sequence_of
 from procc_annotator.session.dataset.frames import list_frames
 from procc_annotator.session.dataset.workspace import Workspace
@@ -142,6 +144,10 @@ def test_game_state_folders_go_by_their_pictures(cli, tree: Tree, tmp_path: Path
     assert all(name in (tmp_path / "s.csv").read_text() for name in NAMES)
     done = cli("propose", tree.root, tmp_path / "p")
     assert "all frames are annotated" in done.stderr
+    read = load_dataset(tree.root)
+    assert list(read.annotations) == list(read.pictures) == NAMES
+    imported = read_annotations(tree.root, Workspace.open(tree.root, load_field()))
+    assert list(imported.frames) == NAMES
 
 
 def test_pictures_of_one_folder_keep_plain_names(sample_data: Path, tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames.folder_row import folder_words
 from procc_annotator.gui.panels.frames.model import FolderInfo
 from procc_annotator.session.facts.origins import Status
-from tests.gui.conftest import Hand, MakeWindow
+from tests.gui.conftest import Hand, MakeWindow, all_done
 
 
 @pytest.fixture
@@ -131,3 +132,27 @@ def test_an_edit_is_saved_beside_the_picture_of_its_match(
     hand.draw("Middle line", (100, 50), (120, 200))
     names = {p.relative_to(tree).as_posix() for p in tree.rglob("*.json")}
     assert names == {"a/img1/1.json", "b/img1/1.json"}
+
+
+def test_while_blind_no_folder_tells_a_score(
+    make_window: MakeWindow, sample_data: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    for match in ("a", "b"):
+        folder, cameras = tmp_path / "season" / match, tmp_path / "cameras" / match
+        folder.mkdir(parents=True)
+        cameras.mkdir(parents=True)
+        for suffix in (".jpg", ".json"):
+            shutil.copy(sample_data / f"00002{suffix}", folder)
+        shutil.copy(sample_data / "cameras/pinhole/camera_00002.json", cameras)
+    window = make_window(tmp_path / "season")
+    assert window.document.load_cameras(tmp_path / "cameras")
+
+    def scores() -> list[float | None]:
+        infos = map(window.frames.model.folder_info, range(window.frames.model.rowCount()))
+        return [info.jac for info in infos if info is not None]
+
+    qtbot.waitUntil(lambda: scores() == [1.0, 1.0], timeout=20_000)
+    window.document.set_blind(True)
+    assert scores() == [None, None]
+    all_done(qtbot)
+    assert scores() == [None, None]

@@ -44,6 +44,8 @@ class FolderFigures(QObject):
 
     def look_again(self) -> None:
         """Statuses or scores of some frames are other ones."""
+        if self._document.frame_scores.allowed is not None:
+            self._jac[:] = math.nan  # while blind nothing that was known before stays in sight
         if self._names:
             self._soon.start()
 
