@@ -230,6 +230,7 @@ def _shots(pictures: PictureSource, anchors: Anchors, start: int | None) -> list
             own[0],
             pictures.frames[own[0] : own[-1] + 1],
             {n: camera for n, camera in anchors.cameras.items() if n in own},
+            {n: clicks for n, clicks in anchors.clicks.items() if n in own},
         )
         for own in ranges
     ]

@@ -201,7 +201,7 @@ class _Writing:
             except OSError as error:
                 raise SaveError(f"{path}: could not be removed: {error.strerror}") from error
             return
-        file_name, data = camera_file(name, one.fit)
+        file_name, data = camera_file(name, one.fit, one.clicks or None)
         make_folder((self._out / file_name).parent)
         write_atomic(self._out / file_name, data)
 

@@ -174,7 +174,8 @@ def test_the_noise_of_clicks_is_what_annotators_differ_by(cli, methods) -> None:
         assert done.exit_code == 0, done.output
         found = chance(methods / f"out_{size}.json")["clicks"]
         moved.append([row["moved_jac"] for row in found["rows"]])
-        assert f"of {size}, as {file} has it," in found["notes"][0]
+        assert f"px of {size} (" in found["notes"][0]
+        assert f"from {file})" in found["notes"][0]
     assert moved[0] == pytest.approx(moved[1], abs=0.03)  # px of another size are the same noise
     given = cli("evaluate", *BOTH, "--click-noise", "0.7", "-t", "1", "-o", "given.json")
     assert given.exit_code == 0

@@ -121,6 +121,18 @@ def test_annotated_frames_are_anchors(cli, shot, video, tmp_path) -> None:
     assert done.exit_code == 0, done.output
     assert "(2 anchors, 22 followed" in done.stdout
 
+    # Judged by the clicks they were fitted to they explain these; other frames do not.
+    every = tmp_path / "every"
+    shutil.copytree(marked, every)
+    known = sorted(every.rglob("*.json"))
+    (known[0].parent / f"{name_of(5)}.json").write_bytes(known[0].read_bytes())
+    scores = tmp_path / "scores.json"
+    assert cli("evaluate", known[0].parent, tmp_path / "out", "-o", scores).exit_code == 0
+    images = json.loads(scores.read_text())["images"]
+    fitted = {one["name"] for one in images if one.get("fitted_on_these_clicks")}
+    assert fitted == {name_of(number) for number in ANCHORS}
+    assert len(images) == 3
+
 
 def test_only_the_shot_of_a_frame(cli, video, cameras, tmp_path) -> None:
     for frame in ("14", name_of(14)):

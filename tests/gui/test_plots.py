@@ -233,9 +233,9 @@ class TestTau:
         rows = [f"{name},{'abc'[place // 5]},{place}" for place, name in enumerate(names)]
         table.write_text("frame,shot,number\n" + "\n".join(rows) + "\n")
         show(plotted, qtbot, DifferencePage, "set")
-        assert "3 clusters shots by frames.csv" in said(plotted)
+        assert "3 clusters of one shot each, by frames.csv" in said(plotted)
         show(plotted, qtbot, TauPage, "set")
-        assert "3 clusters shots by frames.csv" in said(plotted)
+        assert "3 clusters of one shot each, by frames.csv" in said(plotted)
         clustered = numbers(plotted, qtbot, tmp_path / "clustered.csv")
         at = next(n for n, row in enumerate(alone) if row["tau_px"] == "5.0")
         assert alone[at]["jac bad"] == clustered[at]["jac bad"]

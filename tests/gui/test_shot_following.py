@@ -287,6 +287,9 @@ class TestFollowing:
         follow(window, qtbot)
 
         assert asked == [[0, 5, 10]]
+        # These are fits to the clicks they would be judged by, the others are not.
+        anchored = {one.number for one in document.shot_track.tracked.values() if one.clicks}
+        assert anchored == {0, 5, 10}
 
     def test_a_folder_is_followed_up_to_where_pictures_are_missing(
         self,

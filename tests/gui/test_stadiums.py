@@ -53,6 +53,11 @@ def test_dimensions_that_are_entered_leave_the_stadiums_as_they_are(
     path.write_text("frame,stadium,length\n00002,small,99\n")
     window = make_window(annotated)
     document = window.document
+    window.actions_["field_dimensions"].trigger()
+    dialog = window.field_dimensions.dialog
+    assert dialog is not None
+    assert "(stadiums.csv): 1 frame of 1 stadium" in dialog.note.text()
+    dialog.reject()
     document.field_choice.resize({"width": 66.0})
     qtbot.waitUntil(lambda: "66" in document.field.described, timeout=20_000)
     document.go_to(1)

@@ -25,6 +25,7 @@ class TrackedFrame:
             was found.
         anchor_distance: frames to the nearest anchor, or to where a proposal began the track; None
             if it is lost.
+        clicks: the SHA-256 of the annotation that an anchor was fitted to; empty for other frames.
     """
 
     number: int
@@ -34,6 +35,7 @@ class TrackedFrame:
     coverage: float
     residual_px: float | None
     anchor_distance: int | None
+    clicks: str = ""
 
 
 @dataclass(frozen=True, eq=False)

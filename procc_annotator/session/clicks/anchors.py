@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import NamedTuple
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
@@ -11,7 +12,15 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.io.camera_files.fitted_on import annotation_digest
 from procc_annotator.session.dataset.workspace import Workspace
+
+
+class ClickedAnchor(NamedTuple):
+    """A camera fitted to clicks, and the `annotation_digest` of these."""
+
+    camera: Camera
+    clicks: str
 
 
 def anchor_camera(
@@ -40,7 +49,7 @@ def anchors_of(
     size: tuple[int, int],
     model: str = "R",
     go_on: Callable[[], None] = lambda: None,
-) -> dict[int, Camera]:
+) -> dict[int, ClickedAnchor]:
     """The camera fitted to each frame's clicks, by number; of those whose clicks determine one.
 
     Args:
@@ -51,7 +60,7 @@ def anchors_of(
         model: see `fit_camera`.
         go_on: called between frames.
     """
-    found: dict[int, Camera] = {}
+    found: dict[int, ClickedAnchor] = {}
     for number, index in sorted(indices.items()):
         go_on()
         try:
@@ -63,5 +72,5 @@ def anchors_of(
         shown = field_of_frame(field, workspace.frames[index].name)
         camera, _ = anchor_camera(annotation, shown, size=size, model=model)
         if camera is not None:
-            found[number] = camera
+            found[number] = ClickedAnchor(camera, annotation_digest(annotation))
     return found

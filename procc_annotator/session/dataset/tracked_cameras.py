@@ -78,7 +78,8 @@ class TrackedCameras:
             return None
         fit = frame.fit
         camera, _ = fit_to_size(LoadedCamera(frame.fit.camera, fit.model, fit.size), size)
-        return CameraForFrame(camera, fit.model, doubt_about(frame) or None)
+        doubt = doubt_about(frame) or None
+        return CameraForFrame(camera, fit.model, doubt, frame.clicks or None)
 
     def why_none(self, frame_name: str) -> str:
         """Why a frame has no camera, for people."""

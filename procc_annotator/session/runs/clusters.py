@@ -63,7 +63,9 @@ def clusters_of(
     shot_of = {frame: str(n) for n, shot in enumerate(found) for frame in shot.frames}
     if len(found) > 1 and any(len(shot.frames) > 1 for shot in found):
         told_by = "by names" if order is None else f"by {order.told_by}"
-        return _by_value(frames, [shot_of.get(f) for f in frames], f"shots {told_by}", SHOT)
+        return _by_value(
+            frames, [shot_of.get(f) for f in frames], f"of one shot each, {told_by}", SHOT
+        )
     if by == SHOT:
         raise UsageError("names of frames tell no shots to cluster by: give a tag with --tags")
     return _alone(

@@ -44,12 +44,12 @@ class ClickNoise:
     @property
     def described(self) -> str:
         """How points are moved, in words."""
-        of = ""
+        of, told_by = "", ""
         if self.of_size is not None:
-            of = f" of {self.of_size[0]}x{self.of_size[1]}, as {self.told_by} has it,"
+            of, told_by = f" of {self.of_size[0]}x{self.of_size[1]}", f", from {self.told_by}"
         return (
-            f"Every point moved by {self.px:.3g} px{of} (standard deviation along x and y),"
-            f" {self.repeats} times, seed {self.seed}."
+            f"Every point moved by {self.px:.3g} px{of} (standard deviation along x and y"
+            f"{told_by}), {self.repeats} times, seed {self.seed}."
         )
 
 

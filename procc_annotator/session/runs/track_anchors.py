@@ -14,6 +14,7 @@ from procc_annotator.image.decode import read_size
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.io.camera_files.fitted_on import annotation_digest
 from procc_annotator.session.clicks.anchors import anchor_camera
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame
@@ -25,13 +26,13 @@ class Anchors:
 
     Attributes:
         cameras: by number of the frame, px of the pictures.
-        annotated: how many of them are fits to an annotation.
+        clicks: of those that are fits to an annotation, its `annotation_digest`.
         remarks: annotated frames that give no camera, and why, one line each.
         errors: annotations, pictures and cameras that cannot be used, one line each.
     """
 
     cameras: dict[int, Camera] = field(default_factory=dict)
-    annotated: int = 0
+    clicks: dict[int, str] = field(default_factory=dict)
     remarks: list[str] = field(default_factory=list)
     errors: list[str] = field(default_factory=list)
 
@@ -86,4 +87,4 @@ class Anchors:
                 self.remarks.append(f"{frame.name}: its annotation is no anchor: {why}")
                 continue
             self.cameras[number] = camera
-            self.annotated += 1
+            self.clicks[number] = annotation_digest(annotation)

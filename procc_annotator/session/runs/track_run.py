@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from procc_annotator.camera.base import Camera
@@ -42,11 +42,13 @@ class ShotToFollow:
         first: number of its first frame.
         frames: all of them.
         anchors: cameras that are known, by number; px of the pictures.
+        clicks: digests of the annotations that anchors were fitted to, by number.
     """
 
     first: int
     frames: tuple[Frame, ...]
     anchors: Mapping[int, Camera]
+    clicks: Mapping[int, str] = field(default_factory=dict)
 
     @property
     def name(self) -> str:
@@ -104,10 +106,12 @@ class FollowShots:
     def _follow(self, shot: ShotToFollow) -> FollowedShot:
         pictures = _pictures_of(shot)
         anchors = {n: camera for n, camera in shot.anchors.items() if n in shot.numbers}
-        field = field_of_stadium(self.field, stadium_of(self.field, shot.frames[0].name))
-        found = self.follow(pictures, shot.numbers, field, anchors=anchors, on_frame=self.on_frame)
+        shown = field_of_stadium(self.field, stadium_of(self.field, shot.frames[0].name))
+        found = self.follow(pictures, shot.numbers, shown, anchors=anchors, on_frame=self.on_frame)
         tracked = tuple(
-            unseen(one, pictures.damaged[one.number]) if one.number in pictures.damaged else one
+            unseen(one, pictures.damaged[one.number])
+            if one.number in pictures.damaged
+            else replace(one, clicks=shot.clicks.get(one.number, ""))
             for one in found.frames
         )
         begins = tuple(first for first, _ in found.shots if first != shot.first)

@@ -27,11 +27,16 @@ from procc_annotator.field.painted_middle import can_be_at_middle
 from procc_annotator.fit.together.stadium import DEFAULT_NAMES
 from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.panels.parts import note_label, show_note
+from procc_annotator.words import count_of
 
 _WIDTH = 440
 _OWN = (
     "Scores then differ from those of the nominal field ({nominal}), as official evaluations take"
     " it; they name the dimensions they were computed with."
+)
+_STADIUMS = (
+    "Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is"
+    " for all others, and for what stadiums leave open."
 )
 _AT_MIDDLE = (
     "Scores then differ from those of official evaluations, which take lines where the rules"
@@ -227,6 +232,10 @@ class FieldDimensionsDialog(QDialog):
         notes = [_OWN.format(nominal=nominal)] if own else []
         if self.lines == MIDDLE:
             notes.append(_AT_MIDDLE)
+        if (stadiums := self._field.stadiums) is not None:
+            frames = count_of(len(stadiums.frames), "frame")
+            known = count_of(len(stadiums.dimensions), "stadium")
+            notes.append(_STADIUMS.format(frames=frames, stadiums=known))
         show_note(self.note, "\n".join(notes))
 
     def _estimate(self) -> None:

@@ -300,7 +300,7 @@ def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
             within = range(max(within[0], numbers[0]), min(within[-1], numbers[-1]) + 1)
         come.total = len(within)
         control.progress(0, come.total)
-        given = _anchors(asked, pictures, within, go_on)
+        given, clicks = _anchors(asked, pictures, within, go_on)
         anchors = dict(given)
         if asked.camera is not None:
             anchors.setdefault(asked.number, asked.camera)
@@ -312,13 +312,15 @@ def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
         if (why := pictures.damaged.get(frame.number)) is not None:
             frames.append(unseen(frame, why))
         else:
-            frames.append(frame if frame.number in given else _not_an_anchor(frame))
+            own = replace(frame, clicks=clicks.get(frame.number, ""))
+            frames.append(own if frame.number in given else _not_an_anchor(own))
     return replace(found, frames=tuple(frames))
 
 
 def _anchors(
     asked: _Asked, pictures: UsablePictures, within: range, go_on: Callable[[], None]
-) -> dict[int, Camera]:
+) -> tuple[dict[int, Camera], dict[int, str]]:
+    """Cameras by number, and digests of the clicks that some of them were fitted to."""
     picture = pictures(asked.number)
     indices = {n: i for n, i in asked.sequence.index_of.items() if n in within}
     clicked = anchors_of(
@@ -329,7 +331,10 @@ def _anchors(
         model=asked.model,
         go_on=go_on,
     )
-    return clicked | _dragged(asked, pictures, indices, clicked, go_on)
+    dragged = _dragged(asked, pictures, indices, clicked, go_on)
+    anchors = {number: anchor.camera for number, anchor in clicked.items()}
+    clicks = {number: anchor.clicks for number, anchor in clicked.items() if number not in dragged}
+    return anchors | dragged, clicks
 
 
 def _dragged(

@@ -132,7 +132,7 @@ def test_clusters() -> None:
     by_name = clusters_of(names, None, {})
     assert (by_name.count, by_name.by) == (2, SHOT)
     assert by_name.numbers.tolist() == [0, 0, 1, 1, 1]
-    assert by_name.described == "2 clusters shots by names"
+    assert by_name.described == "2 clusters of one shot each, by names"
     plain = clusters_of(["1", "2", "3"], None, {})
     assert (plain.count, plain.by) == (3, NONE)
     assert "not clustered" in plain.described
