@@ -17,8 +17,8 @@ from mkdocs.structure.pages import Page
 import procc_annotator
 
 ROOT = Path(__file__).resolve().parents[2]
-PICTURE = re.compile(r"!\[([^\]]*)\]\((\S*pictures/)([\w-]+)\.png\)")
-DARK = "-dark.png"
+PICTURE = re.compile(r"!\[([^\]]*)\]\((\S*pictures/)([\w-]+)\.webp\)")
+DARK = "-dark.webp"
 BEGINS = re.compile(r"- |1\. |\|")  # a list, a table
 GOES_ON = re.compile(r"- |\d+\. |\||\s|#")  # what either stands behind without a line between
 
@@ -81,7 +81,7 @@ def _in_both_themes(found: re.Match[str]) -> str:
     title, folder, name = found.groups()
     if not (ROOT / "docs" / "pictures" / f"{name}{DARK}").exists():
         return found.group(0)
-    light, dark = f"{folder}{name}.png#only-light", f"{folder}{name}{DARK}#only-dark"
+    light, dark = f"{folder}{name}.webp#only-light", f"{folder}{name}{DARK}#only-dark"
     return f"![{title}]({light})![{title}]({dark})"
 
 

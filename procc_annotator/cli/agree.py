@@ -26,6 +26,8 @@ from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.session.runs.clusters import Clusters, clusters_of
 from procc_annotator.session.runs.consensus_run import MOST, ConsensusRun
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.set_run import WORTH_WORKERS
 from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import listed
 
@@ -92,6 +94,7 @@ def agree(
         ),
     ] = None,
     labels: options.LabelsFile = None,
+    workers: options.FitWorkers = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -121,12 +124,17 @@ def agree(
         call = shown, options.parse_size(size), thresholds
         if len(sources) > 2:
             several = ConsensusRun(sources, *call)
-            errors = _agree_all(several, alike, consensus, output, power=power)
+            count = several.total
+            with make_executor(workers, frames=count, worth_from=WORTH_WORKERS) as executor:
+                several.executor = executor
+                errors = _agree_all(several, alike, consensus, output, power=power)
         elif consensus is not None:
             raise UsageError("a consensus is that of three annotators or more")
         else:
             run = AgreementRun(sources[0], sources[1], *call)
-            agreed = agree_sets(run, output=output, progress=with_progress, clusters=alike)
+            with make_executor(workers, frames=run.total, worth_from=WORTH_WORKERS) as executor:
+                run.executor = executor
+                agreed = agree_sets(run, output=output, progress=with_progress, clusters=alike)
             _print_agreement(agreed)
             if power:
                 needed = needed_sheet(agreed.floor, agreed.described, agreed.known)

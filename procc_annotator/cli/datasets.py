@@ -14,6 +14,7 @@ from procc_annotator.cli.problems import folded
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
+from procc_annotator.io.annotation_files.label_map import read_label_map
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource
@@ -22,11 +23,16 @@ from procc_annotator.session.dataset.annotated_frames import (
     DatasetFrames,
     FileFrames,
 )
-from procc_annotator.session.dataset.annotation_source import ReadSource, open_annotations
+from procc_annotator.session.dataset.annotation_source import (
+    ReadSource,
+    open_annotations,
+    own_label_map,
+)
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import (
     annotations_of,
+    lies_below,
     like_cameras_in,
 )
 from procc_annotator.session.dataset.field_match import (
@@ -38,7 +44,7 @@ from procc_annotator.session.dataset.field_match import (
     mismatch_of,
 )
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
-from procc_annotator.session.dataset.picture_tree import has_pictures
+from procc_annotator.session.dataset.picture_tree import has_pictures, pictures_in
 from procc_annotator.session.dataset.what_lies_there import instead_of_pictures
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.words import count_of
@@ -92,25 +98,33 @@ def _classes_of(workspace: Workspace) -> frozenset[str]:
 
 @contextmanager
 def annotated_frames(
-    path: Path, field: Field, annotations: Path | None = None
+    path: Path, field: Field, annotations: Path | None = None, labels: Path | None = None
 ) -> Iterator[tuple[AnnotatedFrames, FileSource | None]]:
-    """The frames of a dataset; of annotations of any format where there is no picture.
+    """The frames of a dataset; of annotations of any format where there is no picture, or where a
+    map says what their labels stand for.
+
+    Args:
+        path, field, annotations: as of `open_dataset`.
+        labels: such a map; None: the dataset's own, if it has one.
 
     Yields:
         Them, and what they are read from where that is not a dataset with pictures.
 
     Raises:
         UsageError: no such folder, or nothing annotated in it.
-        InputError: annotations that cannot be opened or listed.
+        InputError: annotations that cannot be opened or listed, or the map cannot be used.
     """
     if path.is_file() and path.suffix.lower() in PICTURE_SUFFIXES:
         pictured = True
     else:
-        pictured = path.is_dir() and has_pictures(path)
-    if pictured or not path.exists():
+        pictured = path.is_dir() and bool(
+            pictures_in(path) or (lies_below(path) and has_pictures(path))
+        )
+    names = own_label_map(path, field) if labels is None else read_label_map(labels, field)
+    if (pictured and names is None) or not path.exists():
         yield DatasetFrames(open_dataset(path, field, annotations)), None
         return
-    with open_annotations(annotations or annotations_of(path), field) as source:
+    with open_annotations(annotations or annotations_of(path), field, names) as source:
         frames = FileFrames(source, field)
         if not frames.names:
             raise UsageError(f"nothing to do: no picture and no annotation in {path}")

@@ -54,6 +54,7 @@ def export(
     size: options.Size = "960x540",
     field: options.FieldName = None,
     lines: options.Lines = None,
+    labels: options.LabelsFile = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -74,7 +75,7 @@ def export(
         field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
     )
     thresholds = options.thresholds_or_default(threshold)
-    with datasets.annotated_frames(dataset, setup.field, annotations) as (frames, source):
+    with datasets.annotated_frames(dataset, setup.field, annotations, labels) as (frames, source):
         camera_set = datasets.open_cameras(
             cameras, camera_format, options.shown_size(camera_size), setup.field
         )

@@ -85,6 +85,7 @@ def field_size(
     size: options.FitSize = None,
     field: options.FieldName = None,
     lines: options.Lines = None,
+    labels: options.LabelsFile = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
@@ -96,7 +97,7 @@ def field_size(
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
     kept_in = _workspace_of(dataset) if save else None
-    with open_annotations(place, setup.field) as source:
+    with open_annotations(place, setup.field, options.label_map(labels, setup.field)) as source:
         report_mismatch(source, setup.field)
         report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)

@@ -76,6 +76,7 @@ def gold(
     ] = None,
     size: options.Size = "960x540",
     field: options.FieldName = None,
+    labels: options.LabelsFile = None,
     tags: chance_options.TagsFile = None,
     cluster: chance_options.Cluster = None,
     output: Annotated[
@@ -88,12 +89,13 @@ def gold(
         outputs.check_output_folder(output)
     marked = _marked(dataset, gold_file)
     shown = chosen_field(field, dataset, *annotators)
+    names = options.label_map(labels, shown)
     terms = shown, options.parse_size(size), options.thresholds_or_default(threshold)
     read = None if tags is None else Tags.read(tags)
     clustering = chance_options.cluster_of(cluster, read), read
     with ExitStack() as opened:
         answers, *sources = (
-            opened.enter_context(open_annotations(annotations_of(path), shown))
+            opened.enter_context(open_annotations(annotations_of(path), shown, names))
             for path in (dataset, *annotators)
         )
         if output is not None:
@@ -116,6 +118,8 @@ def gold(
 
 
 def _marked(dataset: Path, gold_file: Path | None) -> tuple[str, ...]:
+    if not dataset.exists():
+        raise UsageError(f"{dataset}: does not exist")
     folder = folder_of_dataset(dataset)
     path = gold_file
     if path is None and folder is not None and (folder / GOLD_FILE).is_file():

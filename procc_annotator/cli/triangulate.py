@@ -95,6 +95,7 @@ def triangulate(
     size: options.FitSize = None,
     field: options.FieldName = None,
     lines: options.Lines = None,
+    labels: options.LabelsFile = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
 ) -> None:
@@ -106,7 +107,7 @@ def triangulate(
     known = with_surveyed(known, surveyed or (), shown)
     named = named_in_options(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)
-    with open_annotations(place, shown) as source:
+    with open_annotations(place, shown, options.label_map(labels, shown)) as source:
         datasets.report_remarks(list_annotations(source).notices)
         _refuse_classes_of_another_field(source, shown)
         groups = groups_asked_for(groups, source, views, pattern)

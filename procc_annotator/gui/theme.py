@@ -48,6 +48,10 @@ _DARK = {
     QPalette.ColorRole.Dark: "#141618",
     QPalette.ColorRole.Shadow: "#0a0b0c",
 }
+# The style takes the edges of boxes that are ticked from the window's colour, a little darker: on a
+# dark window nobody sees them. These stand in for it, for what draws such boxes.
+_WINDOW_OF_BOXES = {False: "#a6acb2", True: "#c0c6cc"}
+WITH_BOXES = ("QCheckBox", "QRadioButton", "CommentList")
 _TEXT_ROLES = (
     QPalette.ColorRole.WindowText,
     QPalette.ColorRole.Text,
@@ -69,6 +73,21 @@ def palette(dark: bool) -> QPalette:
     return result
 
 
+def palette_of_boxes(dark: bool) -> QPalette:
+    """The colours of what can be ticked, light or dark."""
+    result = palette(dark)
+    result.setColor(QPalette.ColorRole.Window, QColor(_WINDOW_OF_BOXES[dark]))
+    return result
+
+
+def wear(application: QApplication, dark: bool) -> None:
+    """Give the application its colours."""
+    application.setPalette(palette(dark))
+    for kind in WITH_BOXES:
+        # A text at run time, whatever the stub says.
+        application.setPalette(palette_of_boxes(dark), kind)  # type: ignore[arg-type]
+
+
 def is_dark(colours: QPalette) -> bool:
     """Whether a palette is dark."""
     window = colours.color(QPalette.ColorRole.Window)
@@ -86,7 +105,7 @@ def follow_system(application: QApplication) -> None:
     hints = QGuiApplication.styleHints()
 
     def apply(scheme: Qt.ColorScheme) -> None:
-        application.setPalette(palette(scheme == Qt.ColorScheme.Dark))
+        wear(application, scheme == Qt.ColorScheme.Dark)
 
     apply(hints.colorScheme())
     hints.colorSchemeChanged.connect(apply)

@@ -39,20 +39,24 @@ def write_assignments(
         out: a folder.
 
     Raises:
-        UsageError: a folder of an annotator is there already.
+        UsageError: a folder of an annotator is there already; an annotator who would get one of the
+            folders of a tree alone, so that frames would lose its name.
         SaveError: something cannot be written.
     """
     who = dict.fromkeys(one.annotator for one in assigned)
     for name in who:
         if (out / name).exists():
             raise UsageError(f"{out / name}: exists already, choose another folder")
+        _check_folders(name, [one.frame for one in assigned if one.annotator == name])
     for name in who:
         make_folder(out / name)
         for file in own_files:
             _give(file, out / name / file.name, link=False)
     for one in progress(assigned, len(assigned), "giving out"):
         picture = pictures[one.frame]
-        _give(picture, out / one.annotator / picture.name, link=True)
+        target = out / one.annotator / f"{one.frame}{picture.suffix}"
+        make_folder(target.parent)
+        _give(picture, target, link=True)
     write_atomic(out / PLAN_FILE, csv_bytes(plan_sheet(assigned)))
 
 
@@ -89,6 +93,17 @@ def counts_sheet(
         spread = (len(own), min(counts), max(counts)) if parts else ()
         rows.append((name, sum(kinds), *kinds, *spread))
     return Sheet("assignments", "Assignments", tuple(columns), tuple(rows))
+
+
+def _check_folders(annotator: str, frames: Sequence[str]) -> None:
+    """Pictures of a single folder are called as if it were not there."""
+    folders = {frame.rpartition("/")[0] for frame in frames}
+    if len(folders) == 1 and folders != {""}:
+        raise UsageError(
+            f"{annotator} would get frames of {folders.pop()} alone, which would then be called"
+            " otherwise than in the dataset: let more frames overlap, or assign that folder for"
+            " itself"
+        )
 
 
 def _give(source: Path, target: Path, *, link: bool) -> None:

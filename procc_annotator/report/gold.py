@@ -33,6 +33,7 @@ from procc_annotator.report.sheet.figures import (
 )
 from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
 from procc_annotator.session.runs.gold_run import THIRDS, GoldErrors, GoldFrame
+from procc_annotator.words import count_of
 
 _COUNTS = (COMMON, APART, ADDED, MISSED, LEFT_OUT)
 _TEN = 10
@@ -75,8 +76,9 @@ class AgainstGold:
 
 
 def gold_sheets(against: AgainstGold) -> tuple[Sheet, ...]:
-    """All tables, in the order they are read."""
-    return errors_sheet(against), over_time_sheet(against)
+    """All tables, in the order they are read; none over time where nobody's order is known."""
+    timed = any(found.timed for _, found in against.there)
+    return (errors_sheet(against), *((over_time_sheet(against),) if timed else ()))
 
 
 def errors_sheet(against: AgainstGold) -> Sheet:
@@ -93,9 +95,11 @@ def errors_sheet(against: AgainstGold) -> Sheet:
         for name, found in against.there
         for tau in against.thresholds
     ]  # fmt: skip
-    notes = (f"{against.gold} frames are gold. In brackets {against.known}.",)
+    notes = [f"Gold: {count_of(against.gold, 'frame')}. In brackets {against.known}."]
+    if not any(found.timed for _, found in against.there):
+        notes.append("Nothing tells when points were put: errors have no order of work.")
     title = "Each annotator against gold"
-    return Sheet("gold", title, columns, tuple(rows), against.described, notes)
+    return Sheet("gold", title, columns, tuple(rows), against.described, tuple(notes))
 
 
 def over_time_sheet(against: AgainstGold) -> Sheet:

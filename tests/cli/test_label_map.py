@@ -57,6 +57,25 @@ def test_the_map_of_a_dataset_is_used_by_itself(cli, renamed, tmp_path: Path) ->
     assert classes <= {e.name for e in load_field(None).elements}
 
 
+def test_an_export_has_the_official_names(cli, dataset, renamed, tmp_path: Path) -> None:
+    """Of annotations alone, and of a dataset with pictures."""
+    folder, labels = renamed
+    for place in (folder, dataset.root):
+        if place is dataset.root:
+            for file in dataset.annotations.glob("*.json"):
+                content = json.loads(file.read_text())
+                names = [e.name for e in load_field(None).elements]
+                named = {f"element {names.index(n)}": p for n, p in content.items()}
+                file.write_text(json.dumps(named))
+        out = tmp_path / f"out_{place.name}"
+        assert cli("export", place, out, "--map", labels).exit_code == 0
+        frames = [f for f in out.glob("*.json") if not f.name.startswith("jac")]
+        assert len(frames) == 5
+        classes = {name for f in frames for name in json.loads(f.read_text())}
+        assert classes >= {"Middle line", "Side line top"}
+        assert not any(name.startswith("element ") for name in classes)
+
+
 def test_unknown_labels_are_listed_once_with_counts(cli, renamed) -> None:
     folder, _ = renamed
     done = cli("check", folder, "--no-paint")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import shutil
 import zipfile
 from pathlib import Path
 
@@ -91,6 +92,16 @@ def test_errors_on_gold_frames_rise_in_the_order_of_work(cli, dataset, study, tm
     assert rows[0]["time"] == "1970-01-01T00:16:40+00:00"
 
 
+def test_without_times_there_is_no_order_of_work(cli, dataset, study, tmp_path) -> None:
+    annotate(dataset, study / "ben", 0.5, database=False)
+    out = tmp_path / "gold.json"
+    done = cli("gold", dataset.root, study / "ben", "-o", out)
+    assert done.exit_code == 0, done.output
+    assert "errors have no order of work" in " ".join(done.stdout.split())
+    assert "third" not in done.stdout
+    assert "over_time" not in json.loads(out.read_text())
+
+
 def test_no_export_passes_the_mark_of_gold_on(cli, dataset, study, tmp_path) -> None:
     archive, folder = tmp_path / "out.zip", tmp_path / "released"
     assert cli("export", dataset.root, archive).exit_code == 0
@@ -100,6 +111,39 @@ def test_no_export_passes_the_mark_of_gold_on(cli, dataset, study, tmp_path) -> 
     written |= {str(p): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
     assert len(written) > 10
     assert not [name for name, data in written.items() if "gold" in name or b"gold" in data]
+
+
+def test_frames_of_a_tree_keep_their_folders(cli, dataset, tmp_path) -> None:
+    """Both matches call their frames alike."""
+    season = tmp_path / "season"
+    for match in ("home", "away"):
+        (season / match).mkdir(parents=True)
+        for name in ("1", "2", "3", "10"):
+            for suffix, folder in (("jpg", dataset.root), ("json", dataset.annotations)):
+                shutil.copy(folder / f"{name}.{suffix}", season / match)
+    (season / "gold.csv").write_text("frame\nhome/1\naway/1\n")
+    out = tmp_path / "study"
+    done = cli("assign", season, out, "--annotators", "anna,ben", "--overlap", "0.5")
+    assert done.exit_code == 0, done.output
+    with open(out / "plan.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    for who in ("anna", "ben"):
+        planned = {f"{row['frame']}.jpg" for row in rows if row["annotator"] == who}
+        there = {p.relative_to(out / who).as_posix() for p in (out / who).rglob("*.jpg")}
+        assert there == planned
+        for picture in list((out / who).rglob("*.jpg")):
+            name = picture.relative_to(out / who).with_suffix(".json")
+            shutil.copy(season / name, out / who / name)
+    done = cli("gold", season, out / "anna", out / "ben", "-o", tmp_path / "gold.json")
+    assert done.exit_code == 0, done.output
+    content = json.loads((tmp_path / "gold.json").read_text())
+    assert {row["frame"] for row in content["frames"]["rows"]} == {"home/1", "away/1"}
+    (season / "gold.csv").unlink()
+    few = ("--annotators", "a,b,c,d,e,f,g,h", "--overlap", "0")
+    done = cli("assign", season, tmp_path / "few", *few)
+    assert done.exit_code == 2
+    assert "alone, which would then be called otherwise" in done.stderr
+    assert not (tmp_path / "few").exists()
 
 
 def test_the_window_knows_nothing_of_gold() -> None:
@@ -122,6 +166,7 @@ def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path) -> None:
         (("assign", dataset.root, tmp_path / "new", "--annotators", "a/b,c"), "not the name of a"),
         (("assign", dataset.root, tmp_path / "new", *who, "--gold-each", "9"), "there are 4"),
         (("gold", dataset.root, study / "anna"), "nobody has annotated any of 4 gold frames"),
+        (("gold", tmp_path / "none", study / "anna"), "none: does not exist"),
         (("gold", study / "anna", study / "ben"), "has no gold.csv"),
         (("gold", dataset.root, dataset.annotations, "--gold", other), "7: names no frame"),
     ):

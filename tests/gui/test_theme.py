@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import product
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QApplication, QCheckBox, QListWidgetItem, QRadioButton, QWidget
+from pytestqt.qtbot import QtBot
 
+from procc_annotator.gui.panels.review import CommentList
 from procc_annotator.gui.plots.looks import contrast
-from procc_annotator.gui.theme import blend, muted, palette
+from procc_annotator.gui.theme import blend, is_dark, muted, palette, wear
 
 ROLE = QPalette.ColorRole
 TEXTS = (ROLE.WindowText, ROLE.PlaceholderText, ROLE.Link)
@@ -29,3 +34,44 @@ def test_every_text_has_enough_contrast(dark: bool) -> None:
         pairs[f"hint on {ground.name}"] = muted(colours), colours.color(ground)
     found = {name: round(contrast(*pair), 2) for name, pair in pairs.items()}
     assert {name: value for name, value in found.items() if value < 4.5} == {}
+
+
+@pytest.fixture
+def application(qapp: QApplication) -> Iterator[QApplication]:
+    """Wears afterwards what it wore before."""
+    style, before = qapp.style().name(), is_dark(qapp.palette())
+    qapp.setStyle("Fusion")
+    yield qapp
+    qapp.setStyle(style)
+    wear(qapp, before)
+
+
+def comments() -> CommentList:
+    made = CommentList()
+    item = QListWidgetItem("")
+    item.setCheckState(Qt.CheckState.Unchecked)
+    made.addItem(item)
+    return made
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize("make", [QCheckBox, QRadioButton, comments])
+def test_a_box_that_is_not_ticked_is_seen(
+    application: QApplication, qtbot: QtBot, make: type[QWidget], dark: bool
+) -> None:
+    """Its edge stands out from what is around it and from what is within (WCAG 2, 1.4.11)."""
+    wear(application, dark)
+    parent = QWidget()  # which paints the ground
+    qtbot.addWidget(parent)
+    box = make()
+    box.setParent(parent)
+    box.setGeometry(20, 20, 60, 40)
+    parent.resize(100, 80)
+    picture = parent.grab().toImage()
+    ground = picture.pixelColor(5, 5)
+    assert ground == palette(dark).color(ROLE.Window)
+    left = 24 if isinstance(box, CommentList) else 18  # within the list's own frame
+    colours = [picture.pixelColor(x, y) for x, y in product(range(left, 50), range(24, 56))]
+    within = palette(dark).color(ROLE.Base)
+    seen = [c for c in colours if min(contrast(c, ground), contrast(c, within)) >= 3]
+    assert len(seen) >= 8  # of a circle the pixels that are not shared with what is around

@@ -39,6 +39,11 @@ STATUS_TIPS = {
 _TEXT_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape)
 
 
+class CommentList(QListWidget):
+    """The thread of comments, each with a box to tick once it is settled; the theme knows it by
+    its name."""
+
+
 class ReviewPanel(QWidget):
     """Shows and changes what the workspace's database knows about the frame on screen."""
 
@@ -84,7 +89,7 @@ class ReviewPanel(QWidget):
         self.origins.setWordWrap(True)
         self.origins.setTextFormat(Qt.TextFormat.RichText)
         self.origins.setToolTip("How the points of this frame came to be")
-        self.comments = QListWidget()
+        self.comments = CommentList()
         self.comments.setObjectName("reviewThread")
         self.comments.setWordWrap(True)
         self.comments.setSpacing(3)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QStringListModel, Qt
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -30,6 +30,7 @@ from procc_annotator.session.labels.label_proposal import LabelProposal
 _SIZE = (960, 480)
 _HEADERS = ("Label", "Shapes", "Stands for", "", "Why")
 _AS_IT_IS = "? (stays as it is, an unknown class)"
+_LEFT_OUT = "Leave out"
 _SURETIES = {"sure": "sure", "likely": "likely", "open": "to be said"}
 _LONGEST = 40  # characters of a label that are shown
 
@@ -111,6 +112,7 @@ class LabelDialog(QDialog):
             grid.addWidget(title, 0, column)
         names = [e.name for e in field.elements]
         titles = [field.title_of(name) for name in names]
+        self._titles = QStringListModel([_AS_IT_IS, _LEFT_OUT, *titles], self)
         for row, one in enumerate(self._proposals, start=1):
             box = self._choice(one, names, titles, field)
             shown = one.count.label
@@ -138,9 +140,11 @@ class LabelDialog(QDialog):
         rules: list[Rule | _AsItIs] = [_AsItIs(), None, *orders, *names]
         box = QComboBox()
         box.setAccessibleName(f"What {one.count.label} stands for")
-        box.addItems(
-            [_AS_IT_IS, "Leave out", *(rule_words(rule, field) for rule in orders), *titles]
-        )
+        if orders:
+            words = [rule_words(rule, field) for rule in orders]
+            box.addItems([_AS_IT_IS, _LEFT_OUT, *words, *titles])
+        else:  # most labels: one list for all of them
+            box.setModel(self._titles)
         box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         box.setMinimumContentsLength(_LONGEST)
         box.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
