@@ -94,3 +94,20 @@ def test_the_window_opens_from_the_wheel(installed: Path, sample_data: Path) -> 
     assert done.returncode == 0, done.stderr
     assert "title:" in done.stdout
     assert "Traceback" not in done.stderr
+
+
+def test_the_wheel_has_the_sample_and_nothing_that_draws_it(
+    installed: Path, sample_data: Path
+) -> None:
+    own = installed / "procc_annotator" / "_sample_data"
+    there = {str(path.relative_to(own)) for path in own.rglob("*") if path.is_file()}
+    suffixes = {".jpg", ".json", ".toml", ".homographyMatrix"}
+    wanted = {
+        str(path.relative_to(sample_data))
+        for path in sample_data.rglob("*")
+        if path.suffix in suffixes and ".procc" not in path.parts
+    }
+    assert there - {"README.md"} == wanted
+    done = run(installed, "-m", "procc_annotator", "open", "--selftest")
+    assert done.returncode == 0, done.stderr
+    assert "in a copy of 00001.jpg" in done.stdout

@@ -15,6 +15,7 @@ from procc_annotator.cli.console import progress_bar
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.io.annotation_files.annotation_formats import NAMES
+from procc_annotator.io.annotation_files.exchange import SIZE_UNKNOWN
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.camera_files.polyline_submission import POLYLINES
@@ -180,6 +181,11 @@ def convert(
         )
     datasets.tell_mismatch(done.classes, known, source, unknown=done.unknown)
     datasets.report_remarks(done.losses)
+    if not done.frames and done.problems and all(SIZE_UNKNOWN in one for one in done.problems):
+        raise UsageError(
+            f"nothing to do: {done.title} is in pixels, and the size of no picture of {source} is"
+            " known; put the pictures beside the annotations, or name their size: --size WxH"
+        )
     unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.frames:
         raise UsageError(f"nothing to do: no frame of {source} could be written to {out}")

@@ -23,6 +23,7 @@ Size = tuple[int, int]
 # Under this key formats with room for foreign content keep what the annotation file held beside
 # its classes. Other programs leave it alone.
 EXTRA_KEY = "procc_extra"
+SIZE_UNKNOWN = "the size of its picture is not known"  # why a frame is not written
 _SHOWN_FRAMES = 3
 _LONGEST_NAME = 200
 _LONGEST_PATH = 600  # of the folders above a picture
@@ -255,7 +256,7 @@ class Writing:
         if frame.size is not None and min(frame.size) >= 2:
             return frame.size
         self.problems.append(
-            f"{printable(frame.name)}: not written: the size of its picture is not known"
+            f"{printable(frame.name)}: not written: {SIZE_UNKNOWN}"
             " (put the pictures beside the annotations, or give the size)"
         )
         return None

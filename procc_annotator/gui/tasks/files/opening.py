@@ -19,9 +19,10 @@ _CAMERA_SUFFIXES = (".json", ".homographyMatrix", ".txt", ".npy", ".zip")
 
 
 def sample_folder() -> Path | None:
-    """The sample frames of a checkout; an installed package has none."""
-    folder = Path(__file__).resolve().parents[4] / "sample_data"
-    return folder if folder.is_dir() else None
+    """The sample frames that come with the program; a package of others may have left them out."""
+    package = Path(__file__).resolve().parents[3]
+    folders = (package / "_sample_data", package.parent / "sample_data")  # installed, or a checkout
+    return next((folder for folder in folders if folder.is_dir()), None)
 
 
 class OpeningTask(QObject):
