@@ -16,6 +16,7 @@ from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.metric.different_views import most_different
 from procc_annotator.report.annotating import Annotated as Done
 from procc_annotator.report.annotating import annotate_pictures
@@ -23,7 +24,7 @@ from procc_annotator.report.targets import is_archive
 from procc_annotator.session.dataset.dataset_folder import (
     annotation_folder,
     folder_of_dataset,
-    json_stems,
+    holds_annotations,
 )
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame
@@ -210,12 +211,15 @@ def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) ->
 
 def _looked_for_elsewhere(pictures: PictureSource, out: Path) -> Path | None:
     """Where the window looks for annotations of these pictures, if that is not OUT."""
-    return None if _is_usual(pictures, out) or not json_stems(out) else _usual(pictures)
+    return None if _is_usual(pictures, out) or not holds_annotations(out) else _usual(pictures)
 
 
 def _usual(pictures: PictureSource) -> Path:
     """Where the window looks for annotations of these pictures."""
-    return pictures.folder if pictures.is_video else annotation_folder(pictures.folder)
+    if pictures.is_video:
+        return pictures.folder
+    apart = pictures.folder / ANNOTATIONS_FOLDER
+    return apart if holds_annotations(apart) else annotation_folder(pictures.folder)
 
 
 def _is_usual(pictures: PictureSource, out: Path) -> bool:

@@ -38,8 +38,9 @@ from procc_annotator.report.comparison_chance import intervals_sheet, nearer_she
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.dataset_folder import annotations_of, lies_below
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
+from procc_annotator.session.dataset.picture_tree import pictures_in
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.clusters import Clusters, clusters_of
 from procc_annotator.session.runs.comparison_run import ComparisonRun
@@ -259,7 +260,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     with open_annotations(_annotation_folder(dataset), field) as source:
         report_mismatch(source, field)
         report_like_cameras(source)
-        if dataset.is_dir():
+        if dataset.is_dir() and (pictures_in(dataset) or lies_below(dataset)):
             workspace = Workspace.open(dataset, field)
             if workspace.frames:
                 images = {frame.name: frame.image_path for frame in workspace.frames}

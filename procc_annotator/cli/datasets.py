@@ -32,6 +32,7 @@ from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import (
     annotations_of,
+    lies_below,
     like_cameras_in,
 )
 from procc_annotator.session.dataset.field_match import (
@@ -43,7 +44,7 @@ from procc_annotator.session.dataset.field_match import (
     mismatch_of,
 )
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
-from procc_annotator.session.dataset.picture_tree import has_pictures
+from procc_annotator.session.dataset.picture_tree import has_pictures, pictures_in
 from procc_annotator.session.dataset.what_lies_there import instead_of_pictures
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.words import count_of
@@ -116,7 +117,9 @@ def annotated_frames(
     if path.is_file() and path.suffix.lower() in PICTURE_SUFFIXES:
         pictured = True
     else:
-        pictured = path.is_dir() and has_pictures(path)
+        pictured = path.is_dir() and bool(
+            pictures_in(path) or (lies_below(path) and has_pictures(path))
+        )
     names = own_label_map(path, field) if labels is None else read_label_map(labels, field)
     if (pictured and names is None) or not path.exists():
         yield DatasetFrames(open_dataset(path, field, annotations)), None

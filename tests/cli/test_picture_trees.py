@@ -241,3 +241,22 @@ def test_a_tree_of_shots_has_a_strip_that_breaks_between_folders(tmp_path: Path)
     assert list(sequence.unbroken(first)) == list(range(first, first + FEWEST))
     assert list(sequence.unbroken(second)) == list(range(second, second + FEWEST))
     assert sequence.paths[second] == tmp_path / "b/img1/000001.jpg"
+
+
+def test_a_folder_of_overlays_below_annotations_is_none_of_pictures(
+    cli, sample_data: Path, tmp_path: Path
+) -> None:
+    """All annotations count, not only those of frames that were drawn."""
+    annotations = tmp_path / "annotations_alone"
+    (annotations / "overlays").mkdir(parents=True)
+    for frame in ("00001", "00002"):
+        shutil.copy(sample_data / f"{frame}.json", annotations)
+    cv2.imwrite(str(annotations / "overlays" / "00001.png"), np.zeros((48, 48, 3), np.uint8))
+    done = cli("export", annotations, tmp_path / "out")
+    assert done.exit_code == 0, done.stderr
+    assert "2 annotations written" in done.stdout
+    cameras = sample_data / "cameras" / "pinhole"
+    done = cli("compare", f"a={cameras}", f"b={cameras}", annotations)
+    assert "2 frames" in done.stdout + done.stderr
+    done = cli("calibrate", annotations, tmp_path / "fitted")
+    assert "960x540" in done.stdout

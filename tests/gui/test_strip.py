@@ -102,6 +102,23 @@ class TestWhereItIs:
         assert (sequence.first, sequence.last, sequence.video) == (100, 123, None)
         assert window.strip.mapTo(window, QPoint()).y() > window.canvas.mapTo(window, QPoint()).y()
 
+    def test_shots_in_folders_of_their_own_lie_one_behind_the_other(
+        self, make_window: MakeWindow, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        for scene, match in enumerate(("a", "b")):
+            (tmp_path / match / "img1").mkdir(parents=True)
+            for number in range(FEWEST):
+                path = tmp_path / match / "img1" / f"{number:06d}.png"
+                cv2.imwrite(str(path), panned(number, scene=scene))
+        window = make_window(tmp_path)
+        qtbot.waitUntil(window.strip.isVisible)
+        window.document.go_to(FEWEST)
+        all_done(qtbot)
+        assert strip_words(window).startswith("b/img1/000000")
+        sequence = window.document.sequence.value
+        assert sequence is not None
+        assert len(sequence.unbroken(int(sequence.numbers[FEWEST]))) == FEWEST
+
     def test_unrelated_pictures_have_none(
         self, make_window: MakeWindow, tmp_path: Path, qtbot: QtBot
     ) -> None:

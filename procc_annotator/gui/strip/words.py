@@ -13,7 +13,13 @@ def words_of(document: Document, content: StripContent, number: int | None) -> s
     sequence = content.sequence
     if sequence is None or number is None:
         return ""
+    index = sequence.index_of.get(number)
+    name = None
+    if index is not None and document.workspace is not None:
+        name = document.workspace.frames[index].name
     said = [f"frame {number} of {sequence.first}–{sequence.last}"]
+    if name is not None and "/" in name:
+        said = [name]  # in a tree numbers go on from folder to folder
     if sequence.step > 1:
         said.append(f"names count by {sequence.step}")
     if sequence.video is not None:
@@ -26,10 +32,6 @@ def words_of(document: Document, content: StripContent, number: int | None) -> s
     status = content.statuses.get(number, Status.UNTOUCHED)
     if status is not Status.UNTOUCHED:
         said.append(status.value)
-    index = sequence.index_of.get(number)
-    name = None
-    if index is not None and document.workspace is not None:
-        name = document.workspace.frames[index].name
     if document.state.reveals(name):
         said.extend(_of_track(document, number))
     else:

@@ -174,6 +174,19 @@ def annotated_videos(folder: Path) -> list[Path]:
     return found
 
 
+def lies_below(dataset: Path) -> bool:
+    """Whether the pictures of a dataset, if it has any, are those of the folders below it: neither
+    pictures nor annotations lie at its top. Beside annotations such folders are other things, of
+    overlays for example.
+
+    Raises:
+        InputError: it cannot be listed.
+    """
+    if not dataset.is_dir() or pictures_in(dataset):
+        return False
+    return not holds_annotations(dataset, deeper=False)
+
+
 def is_known_dataset(folder: Path) -> bool:
     """Whether a folder was worked on as a dataset, so that it may be looked through unasked."""
     own = any((folder / name).is_file() for name in _OWN_THINGS)

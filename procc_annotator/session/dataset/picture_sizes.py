@@ -12,7 +12,7 @@ from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.io.frame_names import ByFrame
-from procc_annotator.session.dataset.dataset_folder import is_known_dataset
+from procc_annotator.session.dataset.dataset_folder import is_known_dataset, lies_below
 from procc_annotator.session.dataset.picture_names import PICTURE_FOLDERS, PictureNames
 from procc_annotator.session.dataset.picture_tree import find_pictures
 
@@ -28,7 +28,8 @@ class PictureSizes:
         Args:
             folders: where they may be; earlier ones count first.
             otherwise: the size of those that are not there.
-            tree: a folder that is looked through, however deep, where those hold none.
+            tree: a folder that is looked through, however deep, where neither pictures nor
+                annotations lie at its top.
         """
         self._paths = ByFrame[Path]()
         self._names = PictureNames(self._paths)
@@ -36,8 +37,11 @@ class PictureSizes:
         for folder in folders:
             for inner in PICTURE_FOLDERS:
                 self._list(folder / inner)
-        if tree is not None and not self._paths:
-            for frame, picture in find_pictures(tree).frames():
+        if tree is not None and lies_below(tree):
+            found = find_pictures(tree)
+            if found.in_tree:
+                self._paths.clear()
+            for frame, picture in found.frames():
                 self._paths.setdefault(frame, tree / picture)
 
     def size(self, frame: str) -> Size | None:
