@@ -409,6 +409,9 @@ def test_cameras_of_no_frame_are_told(make_window: MakeWindow, annotated: Path) 
     assert "no camera has the name of a frame" in said
     assert "'stray'" in said
     assert "'00001'" in said
+    stray.write_text("{}")
+    window.document.load_cameras(stray)
+    assert "stray.json: holds no camera of a known format" in window.message_bar.label.text()
 
 
 def test_tabs_of_panels_show_whole_words_from_the_start(
