@@ -19,7 +19,7 @@ from tests.gui.conftest import MakeWindow
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
-ALT = Qt.KeyboardModifier.AltModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 def opened(window: MainWindow) -> set[str]:
@@ -35,7 +35,7 @@ def in_front(window: MainWindow, name: str) -> bool:
 
 def test_keys_and_buttons_turn_to_the_panels_of_a_work(window: MainWindow) -> None:
     assert opened(window) == set(DESKS["annotate"])
-    QTest.keyClick(window.canvas, Qt.Key.Key_2, ALT)
+    QTest.keyClick(window.canvas, Qt.Key.Key_F2, SHIFT)
     assert opened(window) == set(DESKS["judge"])
     assert in_front(window, "scores")
     button = window.desk_switch.findChild(QToolButton, "desk_review")
@@ -88,7 +88,7 @@ def test_a_panel_that_was_torn_off_stays(window: MainWindow) -> None:
 def test_hidden_panels_come_back_with_a_work(window: MainWindow) -> None:
     QTest.keyClick(window.canvas, Qt.Key.Key_F11)
     assert not opened(window)
-    QTest.keyClick(window.canvas, Qt.Key.Key_3, ALT)
+    QTest.keyClick(window.canvas, Qt.Key.Key_F3, SHIFT)
     assert opened(window) == {"review"}
     assert not window.actions_["hide_panels"].isChecked()
 
