@@ -11,11 +11,21 @@ import typer
 from procc_annotator.cli import chance_options, datasets
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.field_option import chosen_field
-from procc_annotator.errors import UsageError
-from procc_annotator.io.landmark_file import LANDMARKS_FILE
+from procc_annotator.errors import SaveError, UsageError
+from procc_annotator.field.load import is_shipped
+from procc_annotator.field.model import Field
 from procc_annotator.report.assigning import PLAN_FILE, counts_sheet, write_assignments
-from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, FRAMES_FILE
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.dataset_field import (
+    field_of_dataset,
+    keep_dimensions,
+    keep_field,
+    keep_lines,
+    own_field_file,
+)
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, OWN_THINGS
 from procc_annotator.session.dataset.gold_file import GOLD_FILE, read_gold
+from procc_annotator.session.facts.origins import default_author
 from procc_annotator.session.runs.assignments import StudyTerms, assign_frames
 from procc_annotator.session.runs.clusters import clusters_of
 from procc_annotator.session.runs.tags import Tags
@@ -49,7 +59,10 @@ def assign(
         str, typer.Option(metavar="A,B,...", help="Names of the annotators, and of their folders.")
     ],
     overlap: Annotated[
-        float, typer.Option(min=0.0, max=1.0, metavar="SHARE", help="Of frames several get.")
+        float,
+        typer.Option(
+            min=0.0, max=1.0, metavar="SHARE", help="Share of the frames that several get."
+        ),
     ] = 0.2,
     copies: Annotated[
         int, typer.Option(min=2, metavar="N", help="Annotators who get such a frame.")
@@ -90,15 +103,35 @@ def assign(
     # Where every frame stands for itself there is nothing to be even over.
     parts = dict(zip(frames, map(str, alike.numbers), strict=True)) if alike.by != "none" else {}
     assigned = assign_frames(frames, parts, marked, terms)
-    own = [folder / name for name in (FIELD_FILE, LANDMARKS_FILE, FRAMES_FILE)]
+    own = {name: folder / name for name in OWN_THINGS if (folder / name).is_file()}
+    shown = field_of_dataset(folder)
+    source = shown.field.source
+    if source is not None and not is_shipped(source):
+        own[FIELD_FILE] = source
     pictures = {frame.name: frame.image_path for frame in workspace.frames}
-    write_assignments(
-        assigned, pictures, [file for file in own if file.is_file()], out, progress=with_progress
-    )
+    write_assignments(assigned, pictures, own, out, progress=with_progress)
+    if shown.chosen:
+        for name in terms.annotators:
+            _remember_field(out / name, shown.field)
     stdout_console().print(counts_sheet(assigned, parts, terms))
     even = "" if not parts else f", even over {alike.described}"
     typer.echo(f"{count_of(len(frames), 'frame')}, {len(marked)} of them gold{even}, seed {seed}")
     typer.echo(f"written: {out} (keep {PLAN_FILE} to yourself)")
+
+
+def _remember_field(folder: Path, field: Field) -> None:
+    """An annotator's dataset shows the field that the dataset shows."""
+    database = WorkspaceDatabase.open(folder, default_author())
+    try:
+        if own_field_file(folder) is None:
+            keep_field(database, folder, field)
+        else:
+            keep_dimensions(database, field)
+            keep_lines(database, field)
+    finally:
+        kept = database.close()
+    if not kept:
+        raise SaveError(f"{folder}: its field cannot be kept: {database.problem}")
 
 
 def _names(text: str) -> tuple[str, ...]:

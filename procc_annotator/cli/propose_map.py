@@ -69,9 +69,10 @@ def propose_map(
     code = datasets.report_unreadable(found.problems)
     frames = labelled_frames(found, known)
     if not any(frame.shapes for frame in frames):
-        raise UsageError(
-            f"nothing to do: every label of {annotations} is a class of the field {known.title}"
-        )
+        every = f"every label of {annotations} is a class of the field {known.title}"
+        said = f"; {'; '.join(found.losses)}" if found.losses else ""
+        none = f"no frame of {annotations} could be read"
+        raise UsageError(f"nothing to do: {every if frames else none}{said}")
     shown = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size), known)
     unusable: list[str] = []
     given = None if shown is None else cameras_of(shown, unusable.append)

@@ -72,6 +72,7 @@ from procc_annotator.gui.tasks.shot.walking import ShotWalk
 from procc_annotator.gui.window.command_palette import CommandPalette
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
+from procc_annotator.gui.window.desk_switch import DeskSwitch
 from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
@@ -99,6 +100,8 @@ class MainWindow(QMainWindow):
         self._make_panels()
         self.actions_ = Actions(self, self.canvas)
         ActionStates(self.document, self.actions_, self)
+        self._docks.turned = self._show_desk
+        self.desk_switch = DeskSwitch(self, self.actions_)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
         self.landmarks.add_actions(self.actions_["group_views"])
@@ -365,10 +368,22 @@ class MainWindow(QMainWindow):
 
     def show_panel(self, name: str) -> None:
         """Open a panel and bring it to the front of its tabs."""
+        self._show_panels()
+        self._docks.show(name)
+
+    def turn_to(self, desk: str) -> None:
+        """Show the panels of one kind of work: annotate, judge or review."""
+        self._show_panels()
+        self._docks.turn_to(desk)
+        self._show_desk(desk)  # a tick that was taken away by hand comes back
+
+    def _show_desk(self, desk: str) -> None:
+        self.actions_.set_checked(f"desk_{desk}", True)
+
+    def _show_panels(self) -> None:
         if self.actions_["hide_panels"].isChecked():
             self.actions_["hide_panels"].setChecked(False)
             self.set_panels_hidden(False)
-        self._docks.show(name)
 
     def find_anything(self) -> None:
         """Show the command palette; once more puts it away."""

@@ -106,6 +106,7 @@ _HOME = str(Path.home())
 # fmt: off
 GEOMETRY = Setting("geometry", BYTES, QByteArray(), "Where the window is and how large")
 LAYOUT = Setting("state", BYTES, QByteArray(), "How the panels are arranged")
+DESKS = Setting("desks", ENTRIES, {}, "How the panels of each kind of work are arranged")
 AUTHOR = Setting("author", TEXT, "", "Whose name points, comments and versions bear")
 TAU = Setting("tau", NUMBER, DEFAULT_TAU, "The threshold, px")
 PROTOCOL = Setting("protocol", _one_of("soccernet", "procc"), "soccernet",

@@ -24,7 +24,7 @@ Progress = Callable[[Iterable[Assigned], int, str], Iterator[Assigned]]
 def write_assignments(
     assigned: Sequence[Assigned],
     pictures: Mapping[str, Path],
-    own_files: Sequence[Path],
+    own_files: Mapping[str, Path],
     out: Path,
     *,
     progress: Progress = lambda items, _total, _what: iter(items),
@@ -35,7 +35,7 @@ def write_assignments(
 
     Args:
         pictures: frame -> its picture.
-        own_files: what else an annotator's dataset needs, such as its field.
+        own_files: what else an annotator's dataset needs, such as its field: name -> file.
         out: a folder.
 
     Raises:
@@ -50,8 +50,8 @@ def write_assignments(
         _check_folders(name, [one.frame for one in assigned if one.annotator == name])
     for name in who:
         make_folder(out / name)
-        for file in own_files:
-            _give(file, out / name / file.name, link=False)
+        for called, file in own_files.items():
+            _give(file, out / name / called, link=False)
     for one in progress(assigned, len(assigned), "giving out"):
         picture = pictures[one.frame]
         target = out / one.annotator / f"{one.frame}{picture.suffix}"

@@ -131,3 +131,18 @@ def test_a_damaged_table_is_told_and_loses_nothing(cli, clicked, fits, tmp_path)
 
 def test_methods_have_no_such_table(cli, dataset) -> None:
     assert "left out" not in cli("evaluate", *dataset.set_arguments).stdout
+
+
+@pytest.mark.parametrize("model", ["R", "H"])
+def test_fits_of_a_tree_are_known_by_the_tables_at_its_top(cli, dataset, tmp_path, model) -> None:
+    tree, fits, out = tmp_path / "tree", tmp_path / "fits", tmp_path / "s.json"
+    for folder, frames in (("one", ("1", "2")), ("two", ("3",))):
+        (tree / folder).mkdir(parents=True)
+        for frame in frames:
+            shutil.copy(dataset.annotations / f"{frame}.json", tree / folder)
+    assert cli("calibrate", tree, fits, "--model", model, "--held-out").exit_code == 0
+    done = cli("evaluate", tree, fits, "-o", out)
+    assert done.exit_code == 0, done.output
+    scores = json.loads(out.read_text())
+    assert all(image["fitted_on_these_clicks"] for image in scores["images"])
+    assert (len(scores["images"]), scores["held_out"]["frames"]) == (3, 3)

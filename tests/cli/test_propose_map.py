@@ -115,6 +115,21 @@ def test_names_of_another_sport_are_told(cli, tmp_path: Path) -> None:
     assert "exists already" in again.stderr
 
 
+def test_what_was_left_out_is_told_where_there_is_nothing_to_propose(cli, tmp_path: Path) -> None:
+    content = {
+        "images": [{"id": 1, "width": 640, "height": 360, "file_name": "a.jpg"}],
+        "annotations": [
+            {"id": 1, "image_id": 1, "category_id": 1, "keypoints": [0, 0, 0, 5, 5, 2] * 16}
+        ],
+        "categories": [{"id": 1, "name": "pitch", "keypoints": [str(i) for i in range(32)]}],
+    }
+    (tmp_path / "k.json").write_text(json.dumps(content))
+    done = cli("propose-map", tmp_path / "k.json", "-o", tmp_path / "labels.toml")
+    assert done.exit_code == 2
+    assert '"pitch" = { template = "soccer_32" }' in done.stderr
+    assert not (tmp_path / "labels.toml").exists()
+
+
 @pytest.mark.skipif(not REAL.is_dir(), reason="the real files are not here")
 @pytest.mark.parametrize("name", ["test", "training"])
 def test_a_public_tennis_set(cli, tmp_path: Path, name: str) -> None:

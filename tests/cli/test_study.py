@@ -15,6 +15,7 @@ import procc_annotator
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.dataset_field import field_of_dataset, keep_field
 from procc_annotator.session.facts.origins import Origin, OriginKind
 
 GOLD = ("2", "3", "10", "11")
@@ -144,6 +145,29 @@ def test_frames_of_a_tree_keep_their_folders(cli, dataset, tmp_path) -> None:
     assert done.exit_code == 2
     assert "alone, which would then be called otherwise" in done.stderr
     assert not (tmp_path / "few").exists()
+
+
+@pytest.mark.parametrize("kept", ["chosen", "file", "file elsewhere"])
+def test_an_annotators_dataset_shows_the_field_of_the_dataset(cli, dataset, tmp_path, kept) -> None:
+    field = load_field("futsal", length=39.0)
+    if kept != "chosen":
+        place = dataset.root if kept == "file" else tmp_path
+        file = place / "field.toml"
+        shutil.copy(load_field("futsal").source, file)
+        field = load_field(str(file), length=39.0)
+    database = WorkspaceDatabase.open(dataset.root, "keeper")
+    keep_field(database, dataset.root, field)
+    database.close()
+    out = tmp_path / "study"
+    done = cli("assign", dataset.root, out, "--annotators", "anna,ben")
+    assert done.exit_code == 0, done.output
+    if kept == "file elsewhere":
+        file.unlink()
+    for who in ("anna", "ben"):
+        found = field_of_dataset(out / who)
+        assert found.chosen
+        assert found.field.described == field.described
+        assert found.field.dimension("length").value == 39.0
 
 
 def test_the_window_knows_nothing_of_gold() -> None:

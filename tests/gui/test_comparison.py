@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
     QLineEdit,
-    QRadioButton,
     QWidget,
 )
 from pytestqt.qtbot import QtBot
@@ -212,7 +211,7 @@ class TestKeysHeldElsewhere:
             QTest.keyClick(view, Qt.Key.Key_Down)
         elif where == "source":
             window.show_panel("cameras")
-            radio = window.findChild(QRadioButton, "cameras_set_0")
+            radio = window.cameras.list.rows[0].radio  # not one that is about to be deleted
             qtbot.waitUntil(radio.isVisible)
             QTest.mouseClick(radio, LEFT, NONE, QPoint(8, radio.height() // 2))
         else:

@@ -490,7 +490,7 @@ def test_a_layout_of_another_version_is_dropped(make_window: MakeWindow, dataset
     assert second.docks["frames"].isVisible()
     assert second.docks["agreement"].isHidden()
     assert second.docks["field_map"] not in second.tabifiedDockWidgets(second.docks["elements"])
-    assert second.docks["fit"] in second.tabifiedDockWidgets(second.docks["elements"])
+    assert second.docks["findings"] in second.tabifiedDockWidgets(second.docks["elements"])
 
 
 def test_keys_draw_again_after_a_click_in_the_list_of_frames(

@@ -17,6 +17,7 @@ KEPT = {
     "geometry",
     "state",
     "author",
+    "desks",
     "tau",
     "protocol",
     "off_plane",

@@ -177,18 +177,19 @@ class TestRows:
         assert audited.toolbar.cameras.currentText() == "bad"
 
     def test_a_double_click_lets_the_name_be_typed(self, audited: MainWindow, qtbot: QtBot) -> None:
-        row = child(audited, SourceRow, "cameras_row_1")
+        audited.show_panel("cameras")
+        row = audited.cameras.list.rows[1]  # not one that is about to be deleted
         QTest.mouseDClick(row.radio, Qt.MouseButton.LeftButton)
         assert row.edit.isVisible()
-        QTest.keyClicks(row.edit, "Broadcast  X")
+        QTest.keyClicks(row.edit, "TV  X")
         QTest.keyClick(row.edit, Qt.Key.Key_Return)
-        assert [s.name for s in audited.document.sources] == ["true", "Broadcast X", "pinhole"]
-        qtbot.waitUntil(lambda: row.radio.text() == "Broadcast X")
+        assert [s.name for s in audited.document.sources] == ["true", "TV X", "pinhole"]
+        qtbot.waitUntil(lambda: row.radio.text() == "TV X")
         assert not row.edit.isVisible()
         QTest.keyClick(row.radio, Qt.Key.Key_F2)
         QTest.keyClicks(row.edit, "something else")
         QTest.keyClick(row.edit, Qt.Key.Key_Escape)
-        assert row.radio.text() == "Broadcast X"
+        assert row.radio.text() == "TV X"
 
     def test_no_two_sources_have_the_same_name(self, audited: MainWindow) -> None:
         document = audited.document
@@ -402,12 +403,15 @@ def test_cameras_of_no_frame_are_told(make_window: MakeWindow, annotated: Path) 
     """A file named like no frame would else be judged as if nothing were wrong with it."""
     window = make_window(annotated)
     stray = annotated / "stray.json"
-    stray.write_text("{}")
+    stray.write_bytes((annotated / "cameras" / "true" / "camera_00001.json").read_bytes())
     window.document.load_cameras(stray)
     said = window.message_bar.label.text()
     assert "no camera has the name of a frame" in said
     assert "'stray'" in said
     assert "'00001'" in said
+    stray.write_text("{}")
+    window.document.load_cameras(stray)
+    assert "stray.json: holds no camera of a known format" in window.message_bar.label.text()
 
 
 def test_tabs_of_panels_show_whole_words_from_the_start(

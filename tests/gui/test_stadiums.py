@@ -6,6 +6,7 @@ from pathlib import Path
 
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 
 
@@ -41,8 +42,11 @@ def test_a_frame_is_shown_and_judged_with_its_own_dimensions(
     window.document.go_to(2)
     assert length(window) == 105
     assert "dimensions of 2 stadiums" in window.document.field.described
+    assert window.document.state.sized_field == load_field("soccer")
     window.show_panel("scores")
     window.document.go_to(1)
+    # One object for every frame of a stadium, or what is worked out of it would not be kept.
+    assert window.document.state.sized_field is window.document.frame_field
     qtbot.waitUntil(lambda: "99 x 62 m" in window.scores.terms.text(), timeout=20_000)
 
 

@@ -99,7 +99,7 @@ class DisagreementWatch(Derived[Compared]):
         names, setup = (a.name, b.name), state.setup
         if why := _why_not(names, cameras):
             return why
-        return names, *cameras, state.field, setup.size
+        return names, *cameras, state.sized_field, setup.size
 
 
 def _why_not(names: tuple[str, str], cameras: Sequence[CameraOrProjections | None]) -> str:

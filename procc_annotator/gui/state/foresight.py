@@ -130,7 +130,12 @@ class Foresight(QObject):
             fitted = self._live_fit.insight
             if fitted is None or fitted.fit.camera is not None:
                 return None
-        return state.annotation, state.field, found, self._review.not_visible(state.frame_name)
+        return (
+            state.annotation,
+            state.sized_field,
+            found,
+            self._review.not_visible(state.frame_name),
+        )
 
     def _look(self, *_: object) -> None:
         self._stand_in.look()

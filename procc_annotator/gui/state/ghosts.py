@@ -255,7 +255,7 @@ class Ghosts(QObject):
         state = self._store.state
         if ghost is None or state.picture is None:
             return None
-        return ghost, state.picture, state.field, state.picture_size
+        return ghost, state.picture, state.sized_field, state.picture_size
 
     def _to_find(self) -> Inputs | None:
         """The current ghost first, then the next."""

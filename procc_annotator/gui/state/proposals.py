@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.from_picture.agreed_positions import positions_of_fits
 from procc_annotator.fit.from_picture.proposal import SURE, Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
@@ -158,6 +159,7 @@ class Proposals(QObject):
         """In a thread."""
         go_on()
         asked, others = self._asked
+        field = field_of_frame(field, frame.name)
         known = positions_of_fits(others if asked is frame else (), field)
         picture = self._cache.get(frame.image_path)
         return propose_camera(picture, field, known=known, go_on=go_on)

@@ -12,6 +12,7 @@ from typing import Literal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import SaveError
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_stadium, stadium_of
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
 from procc_annotator.gui.state.notices import Notice, Told
@@ -145,6 +146,17 @@ class State:
     def frame_name(self) -> str | None:
         """The name of the frame on screen."""
         return frame.name if (frame := self.frame) is not None else None
+
+    @property
+    def sized_field(self) -> Field:
+        """The field with the dimensions of the stadium of the frame on screen: the same object for
+        every frame of a stadium."""
+        name = self.frame_name
+        return (
+            self.field
+            if name is None
+            else field_of_stadium(self.field, stadium_of(self.field, name))
+        )
 
     @property
     def shown_annotation(self) -> FrameAnnotation:

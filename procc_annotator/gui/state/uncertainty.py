@@ -131,7 +131,7 @@ class UncertaintyWatch(Derived[KnownGround]):
             return None if live.working else why
         if fit.camera is None:
             return f"No camera yet, so no uncertainty map: {fit.failure}."
-        return fit, state.field
+        return fit, state.sized_field
 
     def _give_way(self) -> None:
         if self._disagreement.wanted:

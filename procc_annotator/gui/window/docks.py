@@ -1,8 +1,13 @@
-"""The docks around the picture: which there are, how they are arranged, hidden and remembered."""
+"""The docks around the picture: which there are, how they are arranged, hidden and remembered.
+
+Those that are for one kind of work make a desk; one desk is in sight at a time, beside the frames
+and the field map, which belong to every work.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import pairwise
 
@@ -13,7 +18,7 @@ from procc_annotator.gui.panels.refresher import Refresher
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
-_VERSION = 4  # of the arrangement; what another version saved is not restored
+_VERSION = 5  # of the arrangement; what another version saved is not restored
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 190, 230  # below that texts are cut off
 
 TITLES = {
@@ -29,7 +34,29 @@ TITLES = {
     "review": "Review",
     "agreement": "Agreement",
 }
-_ALONE = ("frames", "field_map")  # the others share a column as tabs, in this order
+_ALONE = ("frames", "field_map")  # the others share a column as tabs, desk by desk
+DESKS: Mapping[str, tuple[str, ...]] = {
+    "annotate": ("elements", "findings", "landmarks"),
+    "judge": ("scores", "cameras", "fit", "plots"),
+    "review": ("review", "agreement"),
+}
+_LATER = frozenset(["agreement"])  # until there is a second annotator
+
+
+@dataclass(frozen=True, slots=True)
+class DeskLook:
+    """How a desk was left.
+
+    Attributes:
+        open: its docks that are not closed.
+        front: the one in front of its tabs.
+        width, map_height: of the column and of the field map above it, px; 0 where it is not shown.
+    """
+
+    open: tuple[str, ...]
+    front: str
+    width: int = 0
+    map_height: int = 0
 
 
 def _catch_up(panel: QWidget, in_sight: bool) -> None:
@@ -44,10 +71,13 @@ class Docks:
 
     Attributes:
         by_name: one for each panel.
+        desk: the one in sight.
+        turned: told which desk is in sight after another was.
     """
 
     def __init__(self, window: QMainWindow, panels: Mapping[str, QWidget]) -> None:
         self._window = window
+        self.turned: Callable[[str], object] = _nobody
         self._open = QByteArray()
         self.by_name: dict[str, QDockWidget] = {}
         for name, title in TITLES.items():
@@ -58,6 +88,8 @@ class Docks:
             panels[name].setMinimumWidth(narrowest)
             dock.visibilityChanged.connect(partial(_catch_up, panels[name]))
             self.by_name[name] = dock
+        self.desk = next(iter(DESKS))
+        self._looks: dict[str, DeskLook] = {}
         self.arrange()
 
     def arrange(self) -> None:
@@ -69,22 +101,66 @@ class Docks:
             window.addDockWidget(_LEFT if name == "frames" else _RIGHT, dock)
             dock.show()
         window.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
-        for before, after in pairwise(name for name in docks if name not in _ALONE):
+        in_tabs = [name for desk in DESKS.values() for name in desk]
+        for before, after in pairwise(in_tabs):
             window.tabifyDockWidget(docks[before], docks[after])
-        self.hide("agreement")  # until there is a second annotator
-        docks["elements"].raise_()
+        self._looks = {desk: _first_look(desk) for desk in DESKS}
+        self.desk = next(iter(DESKS))
+        self._show_desk()
         window.resizeDocks(
             [docks["frames"], docks["field_map"]], [245, 300], Qt.Orientation.Horizontal
         )
         window.resizeDocks(
             [docks["field_map"], docks["elements"]], [260, 400], Qt.Orientation.Vertical
         )
+
+    # --- desks --------------------------------------------------------------------------------
+
+    def turn_to(self, desk: str) -> None:
+        """Show the panels of one kind of work as they were left; a torn off panel stays."""
+        if desk != self.desk:
+            self._looks[self.desk] = self._look()
+            self.desk = desk
+            self._show_desk()
+
+    def _show_desk(self) -> None:
+        look, docks = self._looks[self.desk], self.by_name
+        for desk, names in DESKS.items():
+            for name in names:
+                if not docks[name].isFloating():
+                    docks[name].setVisible(desk == self.desk and name in look.open)
+        if look.front in look.open:
+            docks[look.front].raise_()
+            if look.width:
+                self._resize(look)
         self.show_whole_tabs()
+        self.turned(self.desk)
+
+    def _resize(self, look: DeskLook) -> None:
+        above, below = self.by_name["field_map"], self.by_name[look.front]
+        self._window.resizeDocks([below], [look.width], Qt.Orientation.Horizontal)
+        if look.map_height:
+            self._window.resizeDocks([above], [look.map_height], Qt.Orientation.Vertical)
+
+    def _look(self) -> DeskLook:
+        docks = self.by_name
+        names = DESKS[self.desk]
+        opened = tuple(name for name in names if not docks[name].isHidden())
+        shown = [n for n in opened if not docks[n].visibleRegion().isEmpty()]
+        front = shown[0] if shown else (opened or names)[0]
+        field_map = docks["field_map"]
+        height = 0 if field_map.isHidden() or field_map.isFloating() else field_map.height()
+        width = docks[front].width() if opened and not docks[front].isFloating() else 0
+        return DeskLook(opened, front, width, height)
 
     def show(self, name: str) -> None:
-        """Open a dock and bring it to the front of its tabs."""
-        self.by_name[name].show()
-        self.by_name[name].raise_()
+        """Open a dock, turning to its desk, and bring it to the front of its tabs."""
+        dock = self.by_name[name]
+        desk = next((desk for desk, names in DESKS.items() if name in names), self.desk)
+        if not dock.isFloating():
+            self.turn_to(desk)
+        dock.show()
+        dock.raise_()
         self.show_whole_tabs()
 
     def hide(self, name: str) -> None:
@@ -112,6 +188,45 @@ class Docks:
         """The arrangement, to be remembered."""
         return self._window.saveState(_VERSION)
 
+    def desks(self) -> dict[str, object]:
+        """How every desk looks and which one is in sight, to be remembered."""
+        looks = self._looks | {self.desk: self._look()}
+        return {"desk": self.desk, **{name: asdict(look) for name, look in looks.items()}}
+
+    def restore_desks(self, kept: Mapping[str, object]) -> None:
+        """Have the desks look as they did; what cannot be read of it stays as it is at first."""
+        for desk in DESKS:
+            if (look := _look_of(desk, kept.get(desk))) is not None:
+                self._looks[desk] = look
+        if (last := kept.get("desk")) in DESKS:
+            self.desk = str(last)
+        self._show_desk()
+
     def restore(self, state: QByteArray) -> bool:
         """Arrange the docks as they were; False, and nothing done, if that was another version."""
         return self._window.restoreState(state, _VERSION)
+
+
+def _nobody(_: str) -> None:
+    """Nobody is told yet."""
+
+
+def _first_look(desk: str) -> DeskLook:
+    names = DESKS[desk]
+    return DeskLook(tuple(name for name in names if name not in _LATER), names[0])
+
+
+def _look_of(desk: str, kept: object) -> DeskLook | None:
+    """A look as it was kept; what belongs to no dock of the desk is none. A panel that waits for
+    something to be opened is closed until then."""
+    if not isinstance(kept, dict) or not isinstance(kept.get("open"), list):
+        return None
+    names = [n for n in DESKS[desk] if n in kept["open"] and n not in _LATER]
+    front = kept.get("front")
+    width, height = kept.get("width"), kept.get("map_height")
+    return DeskLook(
+        tuple(names),
+        str(front) if front in names else (names or DESKS[desk])[0],
+        width if isinstance(width, int) else 0,
+        height if isinstance(height, int) else 0,
+    )

@@ -42,8 +42,8 @@ class Remembering:
         window.resize(_SIZE.boundedTo(window.screen().availableGeometry().size()))
         if not (geometry := settings.get(rows.GEOMETRY)).isEmpty():
             window.restoreGeometry(geometry)
-            self._docks.restore(settings.get(rows.LAYOUT))
-            self._docks.hide("agreement")  # there is no second annotator yet
+            if self._docks.restore(settings.get(rows.LAYOUT)):
+                self._docks.restore_desks(settings.get(rows.DESKS))
         document.set_tau(settings.get(rows.TAU))
         document.store.set(keymap=settings.get(rows.KEYS))
         for row, prefix in _CHOICES.items():
@@ -60,6 +60,7 @@ class Remembering:
         settings, document = self._settings, self._document
         settings.set(rows.GEOMETRY, self._window.saveGeometry())
         settings.set(rows.LAYOUT, self._docks.state())
+        settings.set(rows.DESKS, self._docks.desks())
         settings.set(rows.TAU, document.tau)
         settings.set(rows.PROTOCOL, document.setup.protocol)
         settings.set(rows.OFF_PLANE, document.setup.off_plane)

@@ -138,7 +138,7 @@ class CameraCollection:
 
     def beside(self) -> list[str]:
         """Files beside the cameras that tell what they were fitted to, as names in the source."""
-        folders = {PurePosixPath(file).parent for file in self.frames.values()}
+        folders = {p for file in self.frames.values() for p in PurePosixPath(file).parents}
         names = {str(folder / name) for folder in folders for name in (TABLE_FILE, HELD_OUT_FILE)}
         for frame, file in self.frames.items():
             own = self.frames.name_there(frame) or frame

@@ -69,11 +69,14 @@ class FittedOn:
         if own is not None:
             return own
         folder = PurePosixPath(file).parent
-        if folder not in self._tables:
-            self._tables[folder] = _table(self.beside(folder / TABLE_FILE))
-        beside = self._tables[folder].get(frame)
-        if beside is not None:
-            return beside
+        name = PurePosixPath(frame).name
+        for place in (folder, *folder.parents):  # of a tree it lies at the top
+            if place not in self._tables:
+                self._tables[place] = _table(self.beside(place / TABLE_FILE))
+            table = self._tables[place]
+            beside = table.get(frame) or table.get(str(folder.relative_to(place) / name))
+            if beside is not None:
+                return beside
         note = self.beside(folder / f"{frame}{BESIDE}")
         return None if note is None else _digest_in(_object(note))
 

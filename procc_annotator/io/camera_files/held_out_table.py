@@ -85,11 +85,15 @@ class HeldOutTables:
         Args:
             file: of the camera, in the source. data: its content.
         """
-        folder = PurePosixPath(file).parent
-        if folder not in self._tables:
-            self._tables[folder] = _read_table(self._read(folder / HELD_OUT_FILE))
-        table, remark = self._tables[folder]
-        return (table.get(camera_hash(data)) if table else None), remark
+        remarks = []
+        for place in PurePosixPath(file).parents:  # of a tree it lies at the top
+            if place not in self._tables:
+                self._tables[place] = _read_table(self._read(place / HELD_OUT_FILE))
+            table, remark = self._tables[place]
+            remarks.append(remark)
+            if table and (found := table.get(camera_hash(data))) is not None:
+                return found, remark
+        return None, next(filter(None, remarks), "")
 
 
 def _read_table(data: bytes | None) -> tuple[Mapping[str, HeldOut], str]:

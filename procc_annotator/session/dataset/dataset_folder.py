@@ -31,7 +31,7 @@ STADIUMS_FILE = "stadiums.csv"
 _LOOKED_INTO = 20
 _ARCHIVES = frozenset({".zip"})
 _ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
-_OWN_THINGS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE, STADIUMS_FILE)
+OWN_THINGS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE, STADIUMS_FILE)
 
 
 def like_cameras(pictures: Iterable[str]) -> str:
@@ -98,7 +98,7 @@ def folder_of_dataset(place: Path) -> Path | None:
 
 def _has_own_things(folder: Path) -> bool:
     """Whether a folder called ``annotations`` was worked on as a dataset itself."""
-    if any((folder / name).is_file() for name in _OWN_THINGS):
+    if any((folder / name).is_file() for name in OWN_THINGS):
         return True
     return (folder / WORKSPACE_FOLDER).is_dir() and bool(pictures_in(folder))
 
@@ -209,7 +209,7 @@ def _may_be_object(source: FileSource, file: str) -> bool:
 
 def is_known_dataset(folder: Path) -> bool:
     """Whether a folder was worked on as a dataset, so that it may be looked through unasked."""
-    own = any((folder / name).is_file() for name in _OWN_THINGS)
+    own = any((folder / name).is_file() for name in OWN_THINGS)
     return own or (folder / WORKSPACE_FOLDER).is_dir()
 
 

@@ -106,7 +106,7 @@ def test_the_consensus_of_five_is_nearer_the_truth_than_any_of_them() -> None:
     rng = np.random.default_rng(2)
     exact = FrameAnnotation.from_dict(truth, size=SIZE)
     alone, agreed = [], []
-    for _ in range(30):
+    for _ in range(15):
         several = [
             FrameAnnotation.from_dict(
                 {name: at + rng.normal(0, 2, at.shape) for name, at in truth.items()}, size=SIZE
@@ -119,3 +119,39 @@ def test_the_consensus_of_five_is_nearer_the_truth_than_any_of_them() -> None:
     # A median of five normal errors has 0.54 of the deviation of one.
     ratio = np.median(np.concatenate(agreed)) / np.median(np.concatenate(alone))
     assert 0.4 < ratio < 0.68
+
+
+def odd_points(rng: np.random.Generator) -> np.ndarray:
+    """Clicks as nobody should make them: in one place, anywhere, in a row, around, heaped."""
+    count = int(rng.integers(1, 12))
+    base = rng.uniform(-200, 1200, (1, 2))
+    angles = np.linspace(0, 2 * np.pi, count)
+    return [
+        np.repeat(base, count, axis=0),
+        rng.uniform(-300, 1300, (count, 2)),
+        base + np.outer(np.arange(count), rng.normal(0, 30, 2)),
+        base + np.column_stack((100 * np.cos(angles), 30 * np.sin(angles))),
+        base + np.round(rng.normal(0, 2, (count, 2))),
+    ][int(rng.integers(5))]
+
+
+@pytest.mark.parametrize("sport", ["soccer", "basketball_nba", "athletics"])
+def test_whatever_was_clicked_distances_are_numbers(sport) -> None:
+    field, rng = load_field(sport), np.random.default_rng(6)
+    names = [element.name for element in field.elements]
+    for _ in range(25):
+        several = [
+            FrameAnnotation.from_dict(
+                {str(name): odd_points(rng) for name in rng.choice(names, 4, replace=False)},
+                size=SIZE,
+            )
+            for _ in range(int(rng.integers(2, 6)))
+        ]
+        of_all, of_others = consensus_of(several, field, SIZE)
+        for line in of_all.annotation:
+            assert line.points
+            assert np.isfinite(points_px(line, SIZE)).all()
+        for own, others in zip(several, of_others, strict=True):
+            found = against(own, others, field, SIZE)
+            assert np.isfinite(found.distances).all()
+            assert 0.0 <= found.jac(5.0) <= 1.0

@@ -172,7 +172,7 @@ class GhostAccepting(QObject):
 
     def _find(self, ghosts: tuple[Ghost, ...], *, everything: bool) -> bool:
         """Have the points of ghosts found in the background; most are known already."""
-        document, field = self._document, self._document.field
+        document, field = self._document, self._document.state.sized_field
         made_for = document.ghosts.insight
         if not ghosts or made_for is None or not document.begin_edit():
             return False  # somebody else has the frame, or nobody can edit it: that is said

@@ -13,7 +13,7 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_of_frame, field_of_stadium, stadium_of
 from procc_annotator.fit.through_shot.bounds import shot_around
 from procc_annotator.fit.through_shot.following_shot import track
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
@@ -34,6 +34,7 @@ class _Asked:
     """What is to be followed.
 
     Attributes:
+        stadium: of the shot; None where its field has no dimensions of its own.
         number: of the frame it begins at.
         camera: of that frame, px of the picture; None where nothing is known of it.
         within: the frames to follow; None: the shot of the frame, up to its cuts.
@@ -43,6 +44,7 @@ class _Asked:
     workspace: Workspace
     sequence: FrameSequence
     field: Field
+    stadium: str | None
     model: str
     number: int
     camera: Camera | None
@@ -172,6 +174,7 @@ class ShotFollowing(QObject):
             workspace,
             sequence,
             document.field,
+            stadium_of(document.field, document.frame.name) if document.frame else None,
             document.live_fit.model,
             number,
             camera,
@@ -304,9 +307,8 @@ def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
         anchors = dict(given)
         if asked.camera is not None:
             anchors.setdefault(asked.number, asked.camera)
-        found = track(
-            pictures, within, asked.field, anchors=anchors, on_frame=on_frame, go_on=go_on
-        )
+        shown = field_of_stadium(asked.field, asked.stadium)
+        found = track(pictures, within, shown, anchors=anchors, on_frame=on_frame, go_on=go_on)
     frames = []
     for frame in found.frames:
         if (why := pictures.damaged.get(frame.number)) is not None:

@@ -1,0 +1,38 @@
+"""Three words in the corner of the menus: annotate, judge, review."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QToolButton, QWidget
+
+from procc_annotator.gui.window.docks import DESKS
+from procc_annotator.gui.window.menus import Actions
+
+_ROOM = 6  # px around the words: no more than the menus have beside them
+
+
+class DeskSwitch(QWidget):
+    """Buttons of the actions that turn to a desk."""
+
+    def __init__(self, window: QMainWindow, actions: Actions) -> None:
+        super().__init__(window)
+        self.setObjectName("deskSwitch")
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 4, 0)
+        row.setSpacing(2)
+        for desk in DESKS:
+            action = actions[f"desk_{desk}"]
+            action.setIconText(desk.capitalize())
+            button = QToolButton()
+            button.setObjectName(f"desk_{desk}")
+            button.setDefaultAction(action)
+            button.setAutoRaise(True)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+            button.setMaximumHeight(button.fontMetrics().height() + _ROOM)
+            row.addWidget(button)
+        if window.menuBar().isNativeMenuBar():  # on macOS it has no corner
+            bar = window.addToolBar("Desks")
+            bar.setObjectName("desks")
+            bar.addWidget(self)
+        else:
+            window.menuBar().setCornerWidget(self)

@@ -1,0 +1,132 @@
+"""Panels come by the kind of work: annotate, judge, review; each is found as it was left."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QTabBar, QToolButton
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.settings import DESKS as KEPT
+from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.window.docks import DESKS
+from tests.gui.conftest import MakeWindow
+
+# The offscreen platform has no window manager to pass these on to.
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+ALT = Qt.KeyboardModifier.AltModifier
+
+
+def opened(window: MainWindow) -> set[str]:
+    """The panels that are open, in front of their tabs or not."""
+    docks = {name for desk in DESKS.values() for name in desk}
+    return {name for name in docks if not window.docks[name].isHidden()}
+
+
+def in_front(window: MainWindow, name: str) -> bool:
+    QApplication.processEvents()
+    return not window.docks[name].visibleRegion().isEmpty()
+
+
+def test_keys_and_buttons_turn_to_the_panels_of_a_work(window: MainWindow) -> None:
+    assert opened(window) == set(DESKS["annotate"])
+    QTest.keyClick(window.canvas, Qt.Key.Key_2, ALT)
+    assert opened(window) == set(DESKS["judge"])
+    assert in_front(window, "scores")
+    button = window.desk_switch.findChild(QToolButton, "desk_review")
+    assert button is not None
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert opened(window) == {"review"}
+    assert button.isChecked()
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)  # it is there already
+    assert button.isChecked()
+    assert opened(window) == {"review"}
+
+
+def test_a_panel_that_is_asked_for_brings_its_work(window: MainWindow) -> None:
+    window.show_panel("plots")
+    assert window.actions_["desk_judge"].isChecked()
+    assert in_front(window, "plots")
+    window.enter_panel("elements")
+    assert window.actions_["desk_annotate"].isChecked()
+    assert in_front(window, "elements")
+
+
+def test_each_is_found_as_it_was_left(window: MainWindow) -> None:
+    window.show_panel("fit")
+    window.docks["plots"].close()
+    window.resizeDocks([window.docks["fit"]], [420], Qt.Orientation.Horizontal)
+    QApplication.processEvents()
+    wide = window.docks["fit"].width()
+    assert wide > 400
+    window.turn_to("annotate")
+    window.resizeDocks([window.docks["elements"]], [300], Qt.Orientation.Horizontal)
+    QApplication.processEvents()
+    window.turn_to("judge")
+    assert opened(window) == {"scores", "cameras", "fit"}
+    assert in_front(window, "fit")
+    assert abs(window.docks["fit"].width() - wide) <= 2
+
+
+def test_a_panel_that_was_torn_off_stays(window: MainWindow) -> None:
+    window.show_panel("scores")
+    window.docks["scores"].setFloating(True)
+    window.turn_to("annotate")
+    assert not window.docks["scores"].isHidden()
+    window.show_panel("scores")
+    assert window.actions_["desk_annotate"].isChecked()  # it needs no turn
+    window.reset_layout()
+    assert not window.docks["scores"].isFloating()
+    assert opened(window) == set(DESKS["annotate"])
+
+
+def test_hidden_panels_come_back_with_a_work(window: MainWindow) -> None:
+    QTest.keyClick(window.canvas, Qt.Key.Key_F11)
+    assert not opened(window)
+    QTest.keyClick(window.canvas, Qt.Key.Key_3, ALT)
+    assert opened(window) == {"review"}
+    assert not window.actions_["hide_panels"].isChecked()
+
+
+@pytest.mark.new_window
+def test_the_next_run_begins_at_the_same_work(make_window: MakeWindow, dataset: Path) -> None:
+    first = make_window(dataset)
+    first.show_panel("cameras")
+    first.close()
+    second = make_window(dataset)
+    assert second.actions_["desk_judge"].isChecked()
+    assert opened(second) == set(DESKS["judge"])
+    assert in_front(second, "cameras")
+
+
+@pytest.mark.new_window
+def test_what_is_kept_in_another_form_is_passed_over(
+    make_window: MakeWindow, dataset: Path
+) -> None:
+    first = make_window(dataset)
+    first.close()
+    Settings().set(KEPT, {"desk": 7, "judge": {"open": ["nothing", "fit"], "width": "wide"}})
+    second = make_window(dataset)
+    assert opened(second) == set(DESKS["annotate"])
+    second.turn_to("judge")
+    assert opened(second) == {"fit"}
+
+
+@pytest.mark.new_window
+@pytest.mark.parametrize("desk", DESKS)
+def test_no_tab_hides_behind_an_arrow(
+    make_window: MakeWindow, dataset: Path, qtbot: QtBot, desk: str
+) -> None:
+    window = make_window(dataset, size=(1280, 720))
+    qtbot.waitUntil(lambda: window.docks["elements"].width() >= 280)
+    window.turn_to(desk)
+    QApplication.processEvents()
+    direct = Qt.FindChildOption.FindDirectChildrenOnly
+    for bar in window.findChildren(QTabBar, options=direct):
+        if bar.isVisible():
+            assert bar.tabRect(bar.count() - 1).right() <= bar.width()
