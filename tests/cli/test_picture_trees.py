@@ -260,3 +260,17 @@ def test_a_folder_of_overlays_below_annotations_is_none_of_pictures(
     assert "2 frames" in done.stdout + done.stderr
     done = cli("calibrate", annotations, tmp_path / "fitted")
     assert "960x540" in done.stdout
+
+
+def test_what_cvat_exports_is_a_tree_with_its_pictures(cli, tree: Tree, tmp_path: Path) -> None:
+    """It puts pictures in images/, leaves that folder out of their names, and adds a list of
+    labels."""
+    place = tmp_path / "project"
+    assert cli("convert", tree.root, place, "--to", "cvat", "--pictures").exit_code == 0
+    (place / "labels.json").write_text("[]")
+    done = cli("check", place)
+    assert done.exit_code == 0, done.stderr
+    assert "no pictures" not in done.stdout
+    done = cli("export", place, tmp_path / "out.zip")
+    assert "4 annotations written" in done.stdout
+    assert [frame.name for frame in list_frames(place)[1]] == NAMES

@@ -172,3 +172,11 @@ def test_a_stadium_of_one_frame_is_not_kept(cli, two, tmp_path) -> None:
     assert done.exit_code == 2
     assert "nothing to save" in plain(done.stderr)
     assert not (two / "stadiums.csv").exists()
+
+
+def test_a_release_carries_them(cli, known, tmp_path) -> None:
+    out = tmp_path / "published"
+    done = cli("release", known, out, "--version", "1.0", "--by", "Ann Other", "--no-check")
+    assert done.exit_code == 0, done.output
+    assert (out / "stadiums.csv").read_bytes() == (known / "stadiums.csv").read_bytes()
+    assert "`stadiums.csv`: the stadium of each frame" in (out / "README.md").read_text()

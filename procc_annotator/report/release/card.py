@@ -12,6 +12,7 @@ from procc_annotator.report.release.released import (
     ANNOTATIONS,
     CHANGES_FILE,
     CROISSANT_FILE,
+    FIELD_COPY,
     FINDINGS_FILE,
     INDEX_FILE,
     PICTURES,
@@ -19,6 +20,7 @@ from procc_annotator.report.release.released import (
     SPLITS,
     Release,
 )
+from procc_annotator.session.dataset.dataset_folder import STADIUMS_FILE
 from procc_annotator.version import __version__
 from procc_annotator.words import count_of
 
@@ -118,6 +120,8 @@ def _files(release: Release) -> str:
         PROVENANCE_FILE: "how every point came to be",
         AGREEMENT_FILE: "how near two annotators are, frame by frame",
         FINDINGS_FILE: "findings of the label check that are still open",
+        FIELD_COPY: "the field that is annotated",
+        STADIUMS_FILE: "the stadium of each frame, and the dimensions of its field in metres",
     }
     lines += [f"- `{name}`: {what}" for name, what in more.items() if name in there]
     return "\n".join(lines)

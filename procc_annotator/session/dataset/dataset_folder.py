@@ -6,12 +6,15 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from procc_annotator.errors import UsageError
+import msgspec
+
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.label_map import LABELS_FILE
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, CAMERA_PREFIX, list_annotations
+from procc_annotator.io.json_text import without_bom
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
-from procc_annotator.io.source import open_source
+from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.session.database.file import FOLDER as WORKSPACE_FOLDER
 from procc_annotator.session.dataset.picture_tree import (
     find_pictures,
@@ -25,6 +28,7 @@ VIEWS_FILE = "views.csv"
 FRAMES_FILE = "frames.csv"
 STADIUMS_FILE = "stadiums.csv"
 
+_LOOKED_INTO = 20
 _ARCHIVES = frozenset({".zip"})
 _ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
 OWN_THINGS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE, STADIUMS_FILE)
@@ -130,7 +134,7 @@ def annotations_of(dataset: Path) -> Path:
 def _beside_only_pictures(dataset: Path) -> Path | None:
     """Where the annotations are of a dataset whose pictures all lie in one folder just below, if
     they are there and none is at its top."""
-    if not dataset.is_dir() or holds_annotations(dataset, deeper=False):
+    if not dataset.is_dir() or _annotated_at_top(dataset):
         return None
     only = find_pictures(dataset).only_folder
     place = annotation_folder(dataset / only)
@@ -184,7 +188,23 @@ def lies_below(dataset: Path) -> bool:
     """
     if not dataset.is_dir() or pictures_in(dataset):
         return False
-    return not holds_annotations(dataset, deeper=False)
+    return not _annotated_at_top(dataset)
+
+
+def _annotated_at_top(folder: Path) -> bool:
+    """Whether annotations lie in a folder itself; a list of labels that CVAT adds is none."""
+    with open_source(folder) as source:
+        found = list_annotations(source)
+        looked_at = [] if found.in_tree else list(found.values())[:_LOOKED_INTO]
+        return any(_may_be_object(source, file) for file in looked_at)
+
+
+def _may_be_object(source: FileSource, file: str) -> bool:
+    """Whether JSON is an object, or damaged so that nobody knows."""
+    try:
+        return type(msgspec.json.decode(without_bom(source.read(file)))) is dict
+    except (InputError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+        return True
 
 
 def is_known_dataset(folder: Path) -> bool:
