@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QComboBox, QDialogButtonBox, QLabel
 from pytestqt.qtbot import QtBot
 
@@ -486,3 +486,18 @@ def test_in_a_folder_that_cannot_be_written_it_is_said_whom_it_holds_for(
     window.field_dimensions.dialog.boxes["length"].setValue(101.0)
     window.field_dimensions.dialog.accept()
     qtbot.waitUntil(lambda: "from now on, for you alone" in told[-1])
+
+
+def test_the_picture_stands_in_a_frame_while_blind(blind: MainWindow, qtbot: QtBot) -> None:
+    shown = blind.canvas.blind_frame
+    edges, badge = shown.edges, shown.badge
+    view = blind.canvas.viewport()
+    before = blind.canvas.to_picture(QPointF(100, 100))
+    assert all(edge.isVisible() for edge in edges)
+    assert "Ctrl+Enter" in badge.text
+    assert view.rect().contains(badge.geometry())
+    blind.document.commit_frame()
+    qtbot.waitUntil(lambda: "committed" in badge.text)
+    blind.document.set_blind(False)
+    assert not any(part.isVisible() for part in (*edges, badge))
+    assert blind.canvas.to_picture(QPointF(100, 100)) == before  # nothing has moved

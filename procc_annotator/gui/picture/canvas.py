@@ -11,6 +11,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
+from procc_annotator.gui.picture.blind_frame import BlindFrame
 from procc_annotator.gui.picture.camera_hand import CameraHand
 from procc_annotator.gui.picture.comparison import OtherSources
 from procc_annotator.gui.picture.editor import Editor
@@ -54,6 +55,7 @@ class Canvas(PictureView):
         self._other_layer = OverlayLayer(document, self.editor)
         self._ghost_layer = GhostLayer(document)
         self.found_plate = FoundPlate(document, self.viewport())
+        self.blind_frame = BlindFrame(document, self.viewport())
         self.camera_hand = CameraHand(document, self, self.editor)
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False

@@ -43,7 +43,10 @@ def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
     rows = _projection(data, path)
     if rows is not None:
         return projection_from(rows, path)
-    convention = "carwc" if data.startswith(NPY_MAGIC) or path.lower().endswith(".npy") else "wc14"
+    is_npy = data.startswith(NPY_MAGIC) or path.lower().endswith(".npy")
+    convention = "carwc" if is_npy else "wc14"
+    if not is_npy and len(data) <= _LARGEST_TEXT:
+        _check_count(numbers_of_text(data, path), path)
     return assumed_homography(read_homography(data, path=path, convention=convention), convention)
 
 
@@ -91,6 +94,18 @@ def _projection(data: bytes, path: str) -> list[list[float]] | None:
         return None
     numbers = np.array(numbers_of_text(data, path))
     return [[float(number) for number in row] for row in numbers.reshape(3, 4)]
+
+
+def _check_count(numbers: list[float], path: str) -> None:
+    """Raises CameraError: these are the numbers of no matrix."""
+    if len(numbers) not in (9, 12):
+        worlds = ", ".join(CONVENTIONS)
+        raise CameraError(
+            path,
+            f"{worlds}: expected 9 numbers (3 x 3), found {len(numbers)};"
+            " projection: expected 12 (3 x 4)",
+            advice="the file may be cut off",
+        )
 
 
 def _of_stack(content: FloatArray, path: str, inside: str) -> LoadedCamera:
