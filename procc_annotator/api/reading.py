@@ -33,6 +33,7 @@ from procc_annotator.session.dataset.picture_sizes import (
     picture_size,
     picture_tree,
 )
+from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
 from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 
 OnDamaged = Callable[[ProccError], None]
@@ -233,7 +234,10 @@ def load_cameras(
                     raise
                 on_damaged(error)
         if not cameras.frames:
-            raise UsageError(f"{cameras.path}: holds no camera (format {format})")
+            raise UsageError(
+                f"{cameras.path}: holds no camera (format {format})"
+                + instead_of_cameras(cameras.path)
+            )
     return found
 
 

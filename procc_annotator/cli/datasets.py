@@ -45,7 +45,10 @@ from procc_annotator.session.dataset.field_match import (
 )
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.picture_tree import has_pictures, pictures_in
-from procc_annotator.session.dataset.what_lies_there import instead_of_pictures
+from procc_annotator.session.dataset.what_lies_there import (
+    instead_of_cameras,
+    instead_of_pictures,
+)
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.words import count_of
 
@@ -158,7 +161,9 @@ def open_cameras(
         raise UsageError(f"{path}: does not exist")
     cameras = CameraSet.open(path, camera_format, camera_size=camera_size, field=field)
     if not cameras.frames:
-        raise UsageError(f"nothing to do: no camera (format {camera_format}) in {path}")
+        raise UsageError(
+            f"nothing to do: no camera (format {camera_format}) in {path}{instead_of_cameras(path)}"
+        )
     report_remarks(cameras.notices)
     return cameras
 

@@ -19,6 +19,7 @@ from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
+from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
 from procc_annotator.session.landmarks import landmark_edits
 from procc_annotator.session.landmarks.view_groups import ViewGroups, load_views
 from procc_annotator.session.landmarks.view_names import groups_by_name
@@ -191,6 +192,9 @@ def cameras_asked_for(
         spec.path, spec.format, spec.name, options.shown_size(camera_size), field
     )
     if not given.frames:
-        raise UsageError(f"nothing to do: no camera (format {spec.format}) in {spec.path}")
+        raise UsageError(
+            f"nothing to do: no camera (format {spec.format}) in {spec.path}"
+            + instead_of_cameras(spec.path)
+        )
     report_remarks(given.notices)
     return given

@@ -138,3 +138,50 @@ def test_what_lies_there_instead_is_told_with_the_command(cli, dataset, tmp_path
     assert done.exit_code == 2
     assert "no picture in" in done.stderr
     assert "only annotations (labelme JSON)" in done.stderr
+
+
+def test_cameras_instead_of_annotations_are_told_by_their_format(
+    cli, dataset, tmp_path: Path
+) -> None:
+    cli("convert", dataset.cameras, tmp_path / "krt", "--to", "krt")
+    done = cli("check", tmp_path / "krt")
+    assert done.exit_code == 2
+    assert "it holds 5 files of cameras (K, R, t and distortion)" in done.stderr
+    assert "expected a point" not in done.stderr
+    matrices = tmp_path / "matrices"
+    matrices.mkdir()
+    (matrices / "1.npy").write_bytes(b"whatever")
+    done = cli("calibrate", matrices, tmp_path / "fitted")
+    assert "it holds 1 file of cameras (.npy): give the annotations" in done.stderr
+    done = cli("check", matrices / "1.npy")
+    assert "it is a file of cameras by its name (.npy)" in done.stderr
+
+
+def test_an_empty_annotation_is_not_taken_for_a_camera(cli, tmp_path: Path) -> None:
+    (tmp_path / "1.json").write_text('{"Middle line": []}')
+    (tmp_path / "2.json").write_text("{}")
+    assert cli("check", tmp_path, "--no-paint").exit_code == 0
+
+
+def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "yolo"
+    cli("convert", dataset.root, out, "--to", "yolo-pose", "--pictures")
+    for place in (out, out / "labels"):
+        done = cli("evaluate", place, dataset.cameras)
+        assert done.exit_code == 2
+        assert "it holds 5 files of YOLO pose, which is not read" in done.stderr
+        assert "choose one" not in done.stderr
+
+
+def test_annotations_instead_of_cameras_are_told_by_their_format(
+    cli, dataset, in_coco: Path, tmp_path: Path
+) -> None:
+    cli("convert", dataset.root, tmp_path / "cvat.xml", "--to", "cvat")
+    for place, title in ((in_coco, "COCO"), (tmp_path / "cvat.xml", "CVAT for images 1.1")):
+        done = cli("evaluate", dataset.annotations, place)
+        assert done.exit_code == 2
+        assert f"it holds annotations ({title}" in done.stderr
+        assert f"procc-annotator calibrate {place}" in done.stderr
+    (tmp_path / "notes.md").write_text("no cameras")
+    done = cli("evaluate", dataset.annotations, tmp_path / "notes.md")
+    assert "cameras are looked for in files of .homographymatrix, .json" in done.stderr

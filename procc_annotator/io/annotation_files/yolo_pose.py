@@ -25,6 +25,7 @@ from procc_annotator.io.annotation_files.pieces import labels_for
 
 DEFAULT_SPLIT = "train"
 _TITLE = "YOLO"
+_BOX = 5  # numbers before the keypoints: a class and its box
 _DECIMALS = 7  # of a width: a ten thousandth of a pixel
 
 
@@ -55,6 +56,25 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
             writing.count(polylines)
     if writing.frames:
         writing.put("data.yaml", _data(split, longest, ids).encode())
+
+
+def is_pose_label(data: bytes) -> bool:
+    """Whether a text is one of YOLO pose: a class, a box and keypoints in widths and heights, with
+    or without visibility."""
+    try:
+        lines = [
+            [float(word) for word in line.split()] for line in data.decode("ascii").split("\n")
+        ]
+    except ValueError:  # no numbers, no such text
+        return False
+    found = [line for line in lines if line]
+    return bool(found) and all(
+        len(line) >= _BOX + 2
+        and ((len(line) - _BOX) % 2 == 0 or (len(line) - _BOX) % 3 == 0)
+        and line[0] == int(line[0])
+        and all(0 <= value <= 1 for value in line[1:_BOX])
+        for line in found
+    )
 
 
 def _inside(polyline: Polyline, size: Size) -> list[tuple[float, float]]:

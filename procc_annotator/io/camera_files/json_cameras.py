@@ -228,6 +228,18 @@ def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRe
     return known.many(content, path)
 
 
+def recognised_title(data: bytes, path: str) -> str:
+    """The title of the format a file of cameras is told to be by its content, as of `read_json`;
+    empty for any other file, damaged ones too."""
+    try:
+        if _is_lines(data):
+            return TVCALIB.title
+        content = _decoded(data, path)
+        return "OpenCV FileStorage" if is_storage(content) else _recognised(content, path).title
+    except CameraError:
+        return ""
+
+
 def only_record(records: CameraRecords) -> LoadedCamera:
     """The camera of a file of many that happens to hold one.
 

@@ -22,6 +22,7 @@ from procc_annotator.session.dataset.picture_tree import (
     pictures_in,
     suffix_of,
 )
+from procc_annotator.session.dataset.what_lies_there import camera_suffixes
 
 FIELD_FILE = "field.toml"
 VIEWS_FILE = "views.csv"
@@ -155,6 +156,11 @@ def _annotations_of_file(dataset: Path) -> Path:
         if not holds_annotations(folder):
             raise UsageError(f"nothing to do: no annotation (*.json) in {folder}")
         return folder
+    if suffix in camera_suffixes():
+        raise UsageError(
+            f"nothing to do: no annotation in {dataset}; it is a file of cameras by its name"
+            f" ({suffix}): give the annotations"
+        )
     if suffix not in _ANNOTATION_SUFFIXES:
         raise UsageError(
             f"{dataset}: is neither a folder nor an archive (.zip), nor an annotation (.json) or a"

@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
-from procc_annotator.io.annotation_files.annotation_formats import told_formats
+from procc_annotator.io.annotation_files.annotation_formats import PLAIN, told_formats
+from procc_annotator.io.annotation_files.yolo_pose import is_pose_label
+from procc_annotator.io.camera_files.json_cameras import recognised_title
+from procc_annotator.io.camera_files.registry import suffixes_of
 from procc_annotator.io.collections import CAMERA_PREFIX
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.words import count_of
+
+# Suffixes that annotations, lists and notes have as well tell nothing of cameras.
+_NOT_CAMERAS_ALONE = frozenset({".json", ".xml", ".txt", ".yml", ".yaml"})
+# So many files are read to tell what a set holds.
+_LOOKED_INTO = 3
 
 
 def instead_of_annotations(source: FileSource) -> str:
@@ -24,6 +33,15 @@ def instead_of_annotations(source: FileSource) -> str:
     cameras = sum(name.rpartition("/")[2].startswith(CAMERA_PREFIX) for name in names)
     if cameras:
         return f"; it holds {count_of(cameras, 'camera')} ({CAMERA_PREFIX}*): give the annotations"
+    if labels := _pose_labels(source, names):
+        return (
+            f"; it holds {count_of(labels, 'file')} of YOLO pose, which is not read: get it as COCO"
+            " keypoints, and procc-annotator propose-map says what its places are"
+        )
+    if suffixes := {_suffix(name) for name in names} & camera_suffixes():
+        files = sum(_suffix(name) in suffixes for name in names)
+        kinds = ", ".join(sorted(suffixes))
+        return f"; it holds {count_of(files, 'file')} of cameras ({kinds}): give the annotations"
     if pictures or videos:
         what = count_of(pictures, "picture") if pictures else count_of(videos, "video")
         return (
@@ -31,6 +49,64 @@ def instead_of_annotations(source: FileSource) -> str:
             " propose and annotate without a click"
         )
     return ""
+
+
+def camera_suffixes() -> frozenset[str]:
+    """Lower-case suffixes of files that hold cameras and nothing else this program reads."""
+    return suffixes_of() - _NOT_CAMERAS_ALONE
+
+
+def refuse_cameras(source: FileSource, names: Sequence[str]) -> None:
+    """Refuse files that are cameras, by the first of them, where annotations were asked for.
+
+    Raises:
+        UsageError: they are.
+    """
+    first = names[:_LOOKED_INTO]
+    titles = [_camera_title(source, name) for name in first]
+    if not all(titles):
+        return
+    what = count_of(len(names), "file") if len(names) > 1 else "a file"
+    raise UsageError(
+        f"nothing to do: no annotation in {source.path}; it holds {what} of cameras ({titles[0]}):"
+        " give the annotations"
+    )
+
+
+def instead_of_cameras(place: Path) -> str:
+    """What a place without cameras holds, to go on after "nothing to do: .."; empty where that
+    tells nothing. The program's own annotations are told by the reader of cameras."""
+    try:
+        with open_source(place) as source:
+            told = [known for known in told_formats(source) if known.name != PLAIN]
+            files = source.tree()
+    except (InputError, UsageError):  # what cannot be opened is told where it is needed
+        return ""
+    if told:
+        titles = " and ".join(known.title for known in told)
+        return (
+            f"; it holds annotations ({titles}): procc-annotator calibrate {place} OUT fits cameras"
+            " to them"
+        )
+    if any(_suffix(name) in suffixes_of() for name in files):
+        return ""
+    return f"; cameras are looked for in files of {', '.join(sorted(suffixes_of()))}"
+
+
+def _camera_title(source: FileSource, name: str) -> str:
+    try:
+        return recognised_title(source.read(name), source.display(name))
+    except InputError:  # told where it is read
+        return ""
+
+
+def _pose_labels(source: FileSource, names: Sequence[str]) -> int:
+    texts = [name for name in names if _suffix(name) == ".txt"]
+    try:
+        told = any(is_pose_label(source.read(name)) for name in texts[:_LOOKED_INTO])
+    except InputError:  # what cannot be read tells nothing
+        return 0
+    return len(texts) if told else 0
 
 
 def instead_of_pictures(place: Path) -> str:

@@ -16,6 +16,7 @@ from procc_annotator.io.camera_files.fitted_on import fitted_words
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
+from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
 from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.held_out import HeldOutFigures
 from procc_annotator.session.runs.score_chunk import (
@@ -124,10 +125,12 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         if not cameras.frames:
             raise UsageError(
                 f"nothing to do: no camera (format {cameras.format}) in {cameras.path}"
-                + choice_of(cameras)
+                + (instead_of_cameras(cameras.path) or choice_of(cameras))
             )
         if not self.matched:
             first = next(iter(cameras.frames))
+            if instead := instead_of_cameras(cameras.path):
+                raise UsageError(f"nothing to do: no camera in {cameras.path}{instead}")
             if cameras.path.is_file() and len(cameras.frames) == 1:
                 cameras.read(first)  # of a file of many that cannot be read only this is known
             raise UsageError(

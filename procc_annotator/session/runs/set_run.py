@@ -20,7 +20,7 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import AnnotationFiles, list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import require_lists
-from procc_annotator.session.dataset.what_lies_there import instead_of_annotations
+from procc_annotator.session.dataset.what_lies_there import instead_of_annotations, refuse_cameras
 from procc_annotator.session.runs.execution.executor import Executor, InProcess
 from procc_annotator.session.runs.unfinished import Unfinished, digest_of, stamp_of_file
 
@@ -234,8 +234,9 @@ def require_annotations(source: FileSource) -> AnnotationFiles:
     if not files:
         raise UsageError(
             f"nothing to do: no annotation in {source.path}"
-            f"{choice_of(source) or instead_of_annotations(source)}"
+            f"{instead_of_annotations(source) or choice_of(source)}"
         )
+    refuse_cameras(source, list(files.values()))
     return files
 
 
