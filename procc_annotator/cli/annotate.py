@@ -82,6 +82,7 @@ def annotate(
     cameras: Cameras,
     every: Every = 1,
     views: Views = None,
+    labels: options.LabelsFile = None,
     field: options.FieldName = None,
     lines: options.Lines = None,
     camera_format: options.CameraFormat = "auto",
@@ -92,6 +93,7 @@ def annotate(
     if not cameras.exists():
         raise UsageError(f"{cameras}: does not exist")
     shown = chosen_field(field, source, lines=lines)
+    names = options.label_map(labels, shown)
     pictures = open_pictures(source, out)
     datasets.report_remarks(pictures.notices)
     with CameraCollection.open(cameras, camera_format, field=shown) as collection:
@@ -100,7 +102,7 @@ def annotate(
         chosen = _with_camera(pictures.frames[::every], collection, cameras)
         if views is not None:
             chosen = _most_different(chosen, collection, views)
-        frames = _not_annotated(chosen, pictures.annotated(out, shown))
+        frames = _not_annotated(chosen, pictures.annotated(out, shown, names))
         run = AnnotationRun(frames, collection, shown, options.shown_size(camera_size))
         done = Done()
         try:

@@ -14,7 +14,7 @@ from procc_annotator.cli.problems import folded
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
-from procc_annotator.io.annotation_files.label_map import read_label_map
+from procc_annotator.io.annotation_files.label_map import LabelMap, read_label_map
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource
@@ -72,11 +72,19 @@ Cameras = Annotated[
 ]
 
 
-def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> Workspace:
+def open_dataset(
+    path: Path, field: Field, annotations: Path | None = None, names: LabelMap | None = None
+) -> Workspace:
     """The dataset, to be read: its annotations may be of any format. It has a picture.
+
+    Args:
+        path, field: of the dataset.
+        annotations: where they are, if elsewhere.
+        names: what their labels stand for; None: as the dataset's own map says, if it has one.
 
     Raises:
         UsageError: no such folder, or no picture in it.
+        InputError: none of the annotations can be read, or the dataset's map cannot be used.
     """
     for given in (path, annotations):
         if given is not None and not given.exists():
@@ -87,7 +95,7 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
     workspace = Workspace.open(path, field, annotations)
     if not workspace.frames:
         raise UsageError(f"nothing to do: no picture in {path}{instead_of_pictures(path)}")
-    workspace.given = kept = FrameAnnotations.of(path, annotations, field)
+    workspace.given = kept = FrameAnnotations.of(path, annotations, field, names)
     report_remarks((*workspace.notices, *kept.notices))
     tell_mismatch(_classes_of(workspace), field, workspace.folder, unknown=kept.unknown)
     return workspace

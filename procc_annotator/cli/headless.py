@@ -9,11 +9,11 @@ import typer
 
 from procc_annotator.cli import datasets
 from procc_annotator.cli.console import stdout_console
-from procc_annotator.cli.options import make_setup
+from procc_annotator.cli.options import LabelsFile, label_map, make_setup
 from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.errors import UsageError
+from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.export import Scoring, export_dataset
 from procc_annotator.report.pictures import render_pictures
@@ -21,6 +21,8 @@ from procc_annotator.report.scores.scoring import Scored, score_set
 from procc_annotator.report.scores.tables import sets_table
 from procc_annotator.report.targets import make_folder
 from procc_annotator.session.dataset.annotated_frames import DatasetFrames
+from procc_annotator.session.dataset.annotation_source import open_annotations
+from procc_annotator.session.dataset.dataset_folder import annotations_of
 
 HELP = """\
 Camera sets are the subfolders of DATASET/cameras.
@@ -41,23 +43,30 @@ def headless(
         Path, typer.Argument(help="Folder of pictures and annotations, with cameras/.")
     ],
     out: Annotated[Path, typer.Argument(help="Folder of everything written.")],
+    labels: LabelsFile = None,
 ) -> None:
-    raise typer.Exit(run_headless(dataset, out))
+    raise typer.Exit(run_headless(dataset, out, labels))
 
 
-def run_headless(dataset: Path, out: Path) -> int:
-    """Evaluate, export, draw, print where everything is; returns the exit code."""
+def run_headless(dataset: Path, out: Path, labels: Path | None = None) -> int:
+    """Evaluate, export, draw, print where everything is; returns the exit code.
+
+    Args:
+        dataset: of pictures and annotations. out: folder of everything written.
+        labels: what the labels of its files stand for; None: as its own map says, if it has one.
+    """
     if not dataset.is_dir():
         raise UsageError(f"{dataset}: no such folder")
     typer.echo(f"Without a window: evaluating, exporting and drawing {dataset}.\n")
     setup = make_setup(None, "960x540", "soccernet", "missed", mirrored=False, datasets=[dataset])
+    names = label_map(labels, setup.field)
     make_folder(out)
-    scored = {f: _score(dataset, f, out, setup) for f in camera_folders(dataset)}
+    scored = {f: _score(dataset, f, out, setup, names) for f in camera_folders(dataset)}
     best = max(scored, key=lambda folder: _merit(scored[folder]), default=None)
     if scored:
         _print_table(scored)
         typer.echo(f"\nscores, JSON and CSV   {out}/scores_*.json, .csv")
-    problems = _export_and_draw(dataset, best, out, setup)
+    problems = _export_and_draw(dataset, best, out, setup, names)
     for result in scored.values():
         problems += [error for error in result.errors if error not in problems]
     return datasets.report_unreadable(problems)
@@ -71,11 +80,12 @@ def camera_folders(dataset: Path) -> list[Path]:
     return sorted(f for f in folder.iterdir() if f.is_dir() and f.name[0] != ".") or [folder]
 
 
-def _score(dataset: Path, cameras: Path, out: Path, setup: EvaluationSetup) -> Scored:
+def _score(
+    dataset: Path, cameras: Path, out: Path, setup: EvaluationSetup, names: LabelMap | None
+) -> Scored:
     outputs = [out / f"scores_{cameras.name}{suffix}" for suffix in (".json", ".csv")]
-    folder = dataset / "annotations"
     with (
-        open_source(folder if folder.is_dir() else dataset) as annotation_source,
+        open_annotations(annotations_of(dataset), setup.field, names) as annotation_source,
         CameraCollection.open(cameras) as collection,
     ):
         return score_set(annotation_source, collection, setup, THRESHOLDS, outputs=outputs)
@@ -93,10 +103,14 @@ def _print_table(scored: dict[Path, Scored]) -> None:
 
 
 def _export_and_draw(
-    dataset: Path, cameras: Path | None, out: Path, setup: EvaluationSetup
+    dataset: Path,
+    cameras: Path | None,
+    out: Path,
+    setup: EvaluationSetup,
+    names: LabelMap | None,
 ) -> list[str]:
     """Export with, and draw, the camera set that agrees best; returns what could not be read."""
-    workspace = datasets.open_dataset(dataset, setup.field)
+    workspace = datasets.open_dataset(dataset, setup.field, names=names)
     camera_set = datasets.open_cameras(cameras, "auto", None, setup.field)
     exported = export_dataset(
         DatasetFrames(workspace), out / "export", Scoring(setup, THRESHOLDS, camera_set)

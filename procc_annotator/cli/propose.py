@@ -122,6 +122,7 @@ def propose(
     every: Every = 1,
     detector: With = None,
     annotations: datasets.Annotations = None,
+    labels: options.LabelsFile = None,
     field: options.FieldName = None,
     lines: options.Lines = None,
     camera_format: options.CameraFormat = "auto",
@@ -138,6 +139,7 @@ def propose(
         chosen_proposer(detector)
         proposer = WithPlugin(detector)
     shown = chosen_field(field, dataset, lines=lines)
+    names = options.label_map(labels, shown)
     pictures = open_pictures(dataset, annotations)
     datasets.report_remarks(pictures.notices)
     left = unfinished_file(out, "propose")
@@ -145,7 +147,7 @@ def propose(
     inputs = [pictures.path, *([known] if known is not None else [])]
     _check_out(out, inputs, overwrite=overwrite or going_on)
     positions = () if known is None else read_positions(known, shown, camera_format)
-    annotated = None if every_frame else pictures.annotated(annotations, shown)
+    annotated = None if every_frame else pictures.annotated(annotations, shown, names)
     wanted = _wanted(pictures.frames[::every], shown, annotated)
     chosen = wanted.frames
     run = ProposalRun(chosen, shown, proposer, positions)

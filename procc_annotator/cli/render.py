@@ -67,6 +67,7 @@ def render(
     dataset: datasets.Dataset,
     out: Out,
     annotations: datasets.Annotations = None,
+    labels: options.LabelsFile = None,
     cameras: datasets.Cameras = None,
     threshold: Threshold = options.DEFAULT_THRESHOLD,
     protocol: options.Protocol = "soccernet",
@@ -89,7 +90,9 @@ def render(
         field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
     )
     (tau,) = options.thresholds_or_default([threshold])
-    workspace = datasets.open_dataset(dataset, setup.field, annotations)
+    workspace = datasets.open_dataset(
+        dataset, setup.field, annotations, options.label_map(labels, setup.field)
+    )
     camera_set = datasets.open_cameras(
         cameras, camera_format, options.shown_size(camera_size), setup.field
     )

@@ -27,6 +27,7 @@ from procc_annotator.report.tracks import (
     summary_words,
     write_tracks,
 )
+from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.shots import find_shots
@@ -102,6 +103,7 @@ def track(
     source: Source,
     out: Out,
     annotations: Annotations = None,
+    labels: options.LabelsFile = None,
     cameras: Cameras = None,
     begin: From = None,
     field: options.FieldName = None,
@@ -115,13 +117,18 @@ def track(
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
     shown = chosen_field(field, source, lines=lines)
+    names = options.label_map(labels, shown)
     pictures = open_pictures(source, annotations)
     datasets.report_remarks(pictures.notices)
     start = None if begin is None else _number_of(begin, pictures)
     _check_out(out, [source, annotations, cameras], overwrite=overwrite)
     table = _table(out, tuple(frame.name for frame in pictures.frames), overwrite=overwrite)
     size = options.shown_size(camera_size)
-    anchors = _anchors(pictures, shown, annotations, cameras, camera_format, size)
+    clicked = None if annotations is None else pictures.annotated(annotations, shown, names)
+    anchors = _anchors(pictures, shown, clicked, cameras, camera_format, size)
+    places = [str(given) for given in (annotations, cameras) if given is not None]
+    if places and not anchors.cameras:
+        typer.echo(f"note: no frame here has a camera in {' and '.join(places)}", err=True)
     shots = _shots(pictures, anchors, start)
     if overwrite:
         for shot in shots:
@@ -198,24 +205,20 @@ def _table(out: Path, names: tuple[str, ...], *, overwrite: bool) -> TrackTable:
 def _anchors(
     pictures: PictureSource,
     field: Field,
-    annotations: Path | None,
+    clicked: FrameAnnotations | None,
     cameras: Path | None,
     camera_format: str,
     camera_size: tuple[int, int] | None,
 ) -> Anchors:
     found = Anchors()
-    if annotations is not None:
-        given = pictures.annotated(annotations, field)
-        datasets.report_remarks(given.notices)
-        found.add_annotated(pictures.frames, given, field)
+    if clicked is not None:
+        datasets.report_remarks(clicked.notices)
+        found.add_annotated(pictures.frames, clicked, field)
     if cameras is not None:
         with CameraCollection.open(cameras, camera_format, field=field) as collection:
             datasets.report_remarks(collection.notices)
             found.add_cameras(pictures.frames, collection, camera_size)
     datasets.report_remarks(found.remarks)
-    if (annotations is not None or cameras is not None) and not found.cameras:
-        where = " and ".join(str(given) for given in (annotations, cameras) if given is not None)
-        typer.echo(f"note: no frame here has a camera in {where}", err=True)
     return found
 
 

@@ -94,3 +94,64 @@ def test_a_map_that_is_wrong_is_one_line(cli, renamed) -> None:
     assert len(done.stderr.splitlines()) == 1
     assert "line 2: label 'element 1'" in done.stderr
     assert "did you mean 'Side line bottom'?" in done.stderr
+
+
+def test_pictures_are_drawn_by_the_map(cli, dataset, renamed, tmp_path: Path) -> None:
+    folder, labels = renamed
+    runs = {
+        "own": ("--annotations", dataset.annotations),
+        "mapped": ("--annotations", folder, "--map", labels),
+        "unnamed": ("--annotations", folder),
+    }
+    drawn = {}
+    for name, given in runs.items():
+        out = tmp_path / name
+        done = cli("render", dataset.root, out, "--cameras", dataset.cameras, *given)
+        assert done.exit_code == 0, done.stderr
+        drawn[name] = {file.name: file.read_bytes() for file in out.glob("*.png")}
+    assert len(drawn["own"]) == 5
+    assert drawn["mapped"] == drawn["own"]
+    assert drawn["unnamed"] != drawn["own"]
+    (dataset.root / "labels.toml").write_bytes(labels.read_bytes())
+    by_itself = tmp_path / "by_itself"
+    args = ("--cameras", dataset.cameras, "--annotations", folder)
+    assert cli("render", dataset.root, by_itself, *args).exit_code == 0
+    assert {file.name: file.read_bytes() for file in by_itself.glob("*.png")} == drawn["own"]
+
+
+def test_anchors_of_a_track_are_fitted_by_the_map(cli, dataset, renamed, tmp_path: Path) -> None:
+    folder, labels = renamed
+    said = []
+    for given in ((), ("--map", labels)):
+        out = tmp_path / f"tracked{len(given)}"
+        done = cli("track", dataset.root, out, "--annotations", folder, *given)
+        said.append("no frame here has a camera in" in done.stderr)
+    assert said == [True, False]
+
+
+def test_annotated_frames_are_told_by_the_map(cli, dataset, renamed, tmp_path: Path) -> None:
+    folder, labels = renamed
+    done = cli("propose", dataset.root, tmp_path / "p", "--annotations", folder, "--map", labels)
+    assert "names by" in done.stderr
+    assert "all frames are annotated" in done.stderr
+    done = cli("annotate", dataset.root, folder, "--cameras", dataset.cameras, "--map", labels)
+    assert "names by" in done.stderr
+    assert "not touched: 5 frames annotated already" in done.stdout
+
+
+def test_the_headless_job_goes_by_the_map(cli, dataset, renamed, tmp_path: Path) -> None:
+    folder, labels = renamed
+    assert cli("headless", dataset.root, tmp_path / "own").exit_code == 0
+    for file in dataset.annotations.iterdir():
+        file.unlink()
+    for file in folder.glob("*.json"):
+        (dataset.annotations / file.name).write_bytes(file.read_bytes())
+    done = cli("headless", dataset.root, tmp_path / "mapped", "--map", labels)
+    assert done.exit_code == 0, done.stderr
+    scores = sorted(file.name for file in (tmp_path / "own").glob("scores_*.json"))
+    assert scores
+    for name in scores:
+        own, mapped = (
+            json.loads((tmp_path / run / name).read_text())["summary"] for run in ("own", "mapped")
+        )
+        assert own == mapped

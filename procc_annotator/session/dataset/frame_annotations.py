@@ -9,9 +9,14 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
+from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.io.collections import AnnotationFiles, list_annotations
 from procc_annotator.io.source import FileSource
-from procc_annotator.session.dataset.annotation_source import ReadSource, open_annotations
+from procc_annotator.session.dataset.annotation_source import (
+    ReadSource,
+    open_annotations,
+    own_label_map,
+)
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.pending_save import bytes_of
@@ -38,23 +43,29 @@ class FrameAnnotations:
         self.notices = (*notices, *self._files.notices)
 
     @classmethod
-    def of(cls, place: Path, given: Path | None, field: Field) -> FrameAnnotations:
+    def of(
+        cls, place: Path, given: Path | None, field: Field, names: LabelMap | None = None
+    ) -> FrameAnnotations:
         """Look what the annotations of some pictures are kept in.
 
         Args:
             place: the dataset: a folder, a picture, or a video.
             given: a folder, archive or file of annotations, where somebody named one.
             field: knows the official names.
+            names: which classes the labels of the files stand for; None: as the ``labels.toml`` of
+                the dataset says, or of what was named, and where there is none they are classes.
 
         Raises:
             UsageError: what was named is of another sport, or holds no annotation that can be told.
-            InputError: none of the annotations can be read.
+            InputError: none of the annotations can be read, or the map cannot be used.
         """
+        names = names or own_label_map(place, field)
         if given is not None:
             # The folder of annotations that are to come need not exist yet.
-            return _found_in(given, field) if given.exists() else cls()
+            return _found_in(given, field, names) if given.exists() else cls()
         try:
-            return _found_in(annotations_of(place if place.is_dir() else place.parent), field)
+            beside = annotations_of(place if place.is_dir() else place.parent)
+            return _found_in(beside, field, names)
         except UsageError as error:  # files beside the pictures that nobody asked for
             return cls(notices=(str(error),))
 
@@ -87,8 +98,8 @@ class FrameAnnotations:
         return self._source.display(self._files.get(frame.name, frame.name))
 
 
-def _found_in(place: Path, field: Field) -> FrameAnnotations:
-    source = open_annotations(place, field)
+def _found_in(place: Path, field: Field, names: LabelMap | None) -> FrameAnnotations:
+    source = open_annotations(place, field, names)
     if source.decoded or not place.is_dir():
         return FrameAnnotations(source)
     with source:

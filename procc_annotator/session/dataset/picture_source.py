@@ -11,6 +11,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 from procc_annotator.image.video import open_shared
+from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.session.dataset.dataset_folder import frames_folder
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame, list_frames
@@ -36,18 +37,21 @@ class PictureSource:
     is_video: bool = False
     notices: tuple[str, ...] = ()
 
-    def annotated(self, annotations: Path | None, field: Field) -> FrameAnnotations:
+    def annotated(
+        self, annotations: Path | None, field: Field, names: LabelMap | None = None
+    ) -> FrameAnnotations:
         """What is annotated in them.
 
         Args:
             annotations: a folder, archive or file of annotations, if they are not where they would
                 be looked for.
             field: knows the official names.
+            names: what the labels of the files stand for, as of `FrameAnnotations.of`.
 
         Raises:
             UsageError, InputError: as of `FrameAnnotations.of`.
         """
-        return FrameAnnotations.of(self.path, annotations, field)
+        return FrameAnnotations.of(self.path, annotations, field, names)
 
 
 def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
