@@ -7,6 +7,7 @@ clamped or reordered here, so that an untouched element is written back with ide
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, SupportsFloat
@@ -68,8 +69,9 @@ class FrameAnnotation:
                 are whole numbers); None where they are normalised, as in files.
 
         Raises:
-            UsageError: what is given is none of this, or no finite number.
+            UsageError: what is given is none of this, no finite number, or no size.
         """
+        size = None if size is None else as_size(size)
         return cls(
             tuple(
                 Polyline(str(name), _points_of(str(name), points, size))
@@ -86,8 +88,12 @@ class FrameAnnotation:
 
         Returns:
             Class name -> its points, each ``{"x": u, "y": v}`` with its further keys.
+
+        Raises:
+            UsageError: it is no size.
         """
-        right, low = (1, 1) if size is None else (size[0] - 1, size[1] - 1)
+        width, height = (2, 2) if size is None else as_size(size)
+        right, low = width - 1, height - 1
         return {
             polyline.class_name: [
                 {"x": u * right, "y": v * low, **dict(extra)} for u, v, extra in polyline.points
@@ -201,6 +207,23 @@ def pixel_like(annotation: FrameAnnotation) -> Point | None:
     beyond = [p for p in points if max(abs(p.u), abs(p.v)) > _FARTHEST]
     coordinates = sum((abs(p.u) > _FARTHEST) + (abs(p.v) > _FARTHEST) for p in beyond)
     return beyond[0] if coordinates > len(points) else None  # of two each
+
+
+def as_size(size: Any) -> tuple[int, int]:
+    """(width, height) px of a picture, as a caller gave it.
+
+    Raises:
+        UsageError: it is none, or has no two pixels each way, between which points would lie.
+    """
+    try:
+        width, height = map(operator.index, size)
+    except (TypeError, ValueError):  # no whole numbers, or not two of them
+        raise UsageError(
+            f"expected a size as (width, height) in whole pixels, found {size!r}"
+        ) from None
+    if min(width, height) < 2:
+        raise UsageError(f"the size {width}x{height} is too small")
+    return width, height
 
 
 def points_px(polyline: Polyline, size: tuple[int, int]) -> FloatArray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.given import (
     as_annotation,
     as_camera,
@@ -13,7 +13,6 @@ from procc_annotator.api.given import (
     as_path,
     as_picture,
     as_pixels,
-    as_size,
     kind_of,
 )
 from procc_annotator.camera.base import Camera

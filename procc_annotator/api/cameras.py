@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from procc_annotator.api.given import as_size, as_size_or_none
+from procc_annotator.annotation import as_size
+from procc_annotator.api.given import as_size_or_none
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.checked import CheckedCamera, FunctionCamera
 from procc_annotator.camera.fisheye import FisheyeCamera

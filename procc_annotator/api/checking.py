@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.api.given import as_annotation, as_field, as_picture, as_size
+from procc_annotator.annotation import FrameAnnotation, as_size
+from procc_annotator.api.given import as_annotation, as_field, as_picture
 from procc_annotator.field.model import Field
 from procc_annotator.fit import fitting
 from procc_annotator.fit.fitting import DEFAULT_SIZE

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.checked import checked
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
@@ -79,6 +78,8 @@ def as_camera(camera: object, name: str) -> CameraOrProjections:
     Raises:
         UsageError: it is none.
     """
+    if isinstance(camera, type):
+        raise UsageError(f"{name}: {camera.__name__} is a class; give a camera made of it")
     if isinstance(camera, ElementProjections) or callable(getattr(camera, "project", None)):
         return checked(camera, name)  # type: ignore[arg-type]
     if camera is None:
@@ -135,21 +136,6 @@ def as_path(path: object, what: str) -> Path:
     raise UsageError(f"expected the path of {what}, found {kind_of(path)}")
 
 
-def as_size(size: Any) -> tuple[int, int]:
-    """(width, height) px.
-
-    Raises:
-        UsageError: it is none.
-    """
-    try:
-        width, height = map(operator.index, size)
-    except (TypeError, ValueError):  # no whole numbers, or not two of them
-        raise UsageError(
-            f"expected a size as (width, height) in whole pixels, found {size!r}"
-        ) from None
-    return width, height
-
-
 def as_size_or_none(size: Any) -> tuple[int, int] | None:
     """The same; None stays None."""
     return None if size is None else as_size(size)
@@ -178,6 +164,8 @@ def as_pixels(picture: object) -> PixelArray:
             "expected a picture: the path of one, or (H, W, 3) or (H, W, 4) uint8 pixels, found"
             f" {kind_of(picture)}"
         )
+    if min(picture.shape[:2]) < 2:
+        raise UsageError(f"the picture of {picture.shape[1]}x{picture.shape[0]} px is too small")
     return bgra(picture) if picture.shape[2] == 3 else picture
 
 

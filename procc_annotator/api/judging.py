@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.given import (
     AnyCamera,
     as_annotation,
     as_field,
-    as_size,
     as_size_or_none,
     camera_at,
 )
+from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import DEFAULT_SIZE
 from procc_annotator.fit.result import FitResult
@@ -118,10 +118,13 @@ def jac_curve(
         UsageError: as of `evaluate`.
         FieldError: no such field.
     """
+    given = np.asarray(thresholds)
+    if given.dtype.kind not in "fiu" or np.isnan(given).any():
+        raise UsageError(f"expected thresholds as numbers of pixels, found {thresholds!r}")
     at = _size_for(camera, size)
     setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
     used = camera_at(camera, at, as_size_or_none(camera_size), field=setup.field).camera
-    return score.jac_curve(measure(as_annotation(annotation), used, setup), thresholds)
+    return score.jac_curve(measure(as_annotation(annotation), used, setup), given)
 
 
 def project_field(

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.given import (
     AnyCamera,
     CameraAt,
     as_annotation,
     as_field,
-    as_size,
     as_size_or_none,
     camera_at,
     kind_of,
@@ -69,6 +68,8 @@ def evaluate_set(
             projection, or a choice that there is not, see `evaluate`.
         InputError: a file cannot be used.
     """
+    if not isinstance(thresholds, Iterable):
+        raise UsageError(f"thresholds: expected numbers of pixels, found {thresholds!r}")
     known = annotations.field if isinstance(annotations, Dataset) and field is None else None
     known = known or as_field(field)
     if isinstance(annotations, Dataset):

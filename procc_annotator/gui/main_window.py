@@ -260,7 +260,8 @@ class MainWindow(QMainWindow):
         self.welcome.open_picture.connect(self.opening.open_picture)
         self.welcome.open_video.connect(self.opening.open_video)
         self.welcome.open_sample.connect(self.opening.open_sample)
-        self.opening.secondChosen.connect(self._open_second)
+        self.opening.secondChosen.connect(self.agreement.open)
+        self.document.second.opened.connect(self._show_second)
         self.conflict_bar.reload_chosen.connect(document.editing.reload_frame)
         self.conflict_bar.overwrite_chosen.connect(document.editing.overwrite_frame)
         self.elements.left.connect(self.canvas.setFocus)
@@ -398,10 +399,9 @@ class MainWindow(QMainWindow):
             "review": self.review.focus_comment,
         }[name]()
 
-    def _open_second(self, folder: Path) -> None:
-        if self.agreement.open(folder):
-            self.settings.set(SECOND, str(folder))
-            self.show_panel("agreement")
+    def _show_second(self, folder: Path) -> None:
+        self.settings.set(SECOND, str(folder))
+        self.show_panel("agreement")
 
     def set_panels_hidden(self, hidden: bool) -> None:
         """Hide all panels, or bring back those that were open."""

@@ -307,7 +307,7 @@ class TestSecondAnnotator:
     ) -> None:
         hand.draw(MIDDLE, (100, 103), (200, 103))
         window.show_panel("agreement")
-        assert window.agreement.open(other)
+        window.agreement.open(other)
         qtbot.waitUntil(lambda: window.document.noise_floor is not None)
         table = window.agreement.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 1)
@@ -327,7 +327,7 @@ class TestSecondAnnotator:
             tmp_path, frame_0={MIDDLE: [(100, 103), (300, 103)], TOP: [(400, 200), (500, 100)]}
         )
         window.show_panel("agreement")
-        assert window.agreement.open(folder)
+        window.agreement.open(folder)
         table = window.agreement.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 2)
         cells = [[table.model().index(row, column).data() for column in range(4)] for row in (0, 1)]
@@ -347,7 +347,7 @@ class TestSecondAnnotator:
         folder = write_other(tmp_path, frame_0={MIDDLE: [(100, 103), (200, 103)]})
         (folder / "frame_1.json").write_text("{")
         window.show_panel("agreement")
-        assert window.agreement.open(folder)
+        window.agreement.open(folder)
         panel = window.agreement
         qtbot.waitUntil(lambda: "1 frame unreadable" in panel.noise.text())
         assert "Human noise over 1 frame:" in panel.noise.text()
@@ -365,8 +365,9 @@ class TestSecondAnnotator:
     ) -> None:
         hand.draw(MIDDLE, (100, 103), (120, 103))
         panel = window.agreement
-        assert panel.open(other)
+        panel.open(other)
         window.show_panel("agreement")
+        all_done(qtbot)
         table = panel.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 1)
         assert panel.minimumSizeHint().width() <= 290
@@ -377,6 +378,34 @@ class TestSecondAnnotator:
         assert not table.horizontalScrollBar().isVisible()
         assert table.columnWidth(0) >= 70
         panel.close()
+
+    def test_any_format_is_read_with_the_labels_of_its_folder(
+        self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 100))
+        folder = tmp_path / "theirs"
+        folder.mkdir()
+        shape = {
+            "label": "centre",
+            "shape_type": "line",
+            "points": [[100.5, 103.5], [200.5, 103.5]],
+        }
+        file = folder / "frame_0.json"
+        size = {"imageWidth": 640, "imageHeight": 360, "imagePath": "frame_0.png"}
+        file.write_text(json.dumps({"version": "5.0", "shapes": [shape], **size}))
+        before = file.read_bytes()
+        (folder / "labels.toml").write_text(f'[labels]\n"centre" = "{MIDDLE}"\n')
+        window.agreement.open(folder)
+        assert not window.document.second.is_open  # it is read in the background
+        all_done(qtbot)
+        table = window.agreement.table
+        assert table.model().rowCount() == 1
+        assert table.model().index(0, 0).data() == "Halfway line"
+        told = window.document.store.state.told
+        assert told is not None
+        assert "read as labelme" in told.text
+        assert window.document.noise_floor is not None
+        assert file.read_bytes() == before
 
     def test_closing_it_takes_everything_away(
         self, window: MainWindow, hand: Hand, other: Path, qtbot: QtBot
@@ -389,14 +418,16 @@ class TestSecondAnnotator:
         assert window.document.second.annotation is None
 
     def test_a_folder_without_annotations_is_one_message(
-        self, window: MainWindow, tmp_path: Path
+        self, window: MainWindow, tmp_path: Path, qtbot: QtBot
     ) -> None:
         empty = tmp_path / "empty"
         empty.mkdir()
-        assert not window.agreement.open(empty)
+        window.agreement.open(empty)
+        all_done(qtbot)
         assert "no annotation" in window.message_bar.label.text()
         (empty / "match_info.json").write_text('{"match": "BRA-GER"}')
-        assert not window.agreement.open(empty)
+        window.agreement.open(empty)
+        all_done(qtbot)
         assert "match_info.json holds no list of points" in window.message_bar.label.text()
 
 

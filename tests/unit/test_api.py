@@ -10,7 +10,21 @@ import numpy as np
 import pytest
 
 import procc_annotator
-from procc_annotator import evaluate, fit_camera, load_annotation
+from procc_annotator import (
+    HomographyCamera,
+    camera_from_homography,
+    check_labels,
+    disagreement,
+    draw_overlay,
+    evaluate,
+    evaluate_set,
+    fit_camera,
+    jac_curve,
+    load_annotation,
+    load_camera,
+    propose_camera,
+    track,
+)
 from procc_annotator.annotation import FrameAnnotation, Point
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import AnnotationError, ProccError, UsageError
@@ -22,6 +36,7 @@ from tests.drawn_shots import soccer_shot
 
 SAMPLES = Path(__file__).parents[2] / "sample_data"
 FRAME = SAMPLES / "00002.json"
+CAMERA = SAMPLES / "cameras" / "bad" / "camera_00002.json"
 
 
 def test_a_frame_is_read_as_it_is_in_the_file() -> None:
@@ -239,3 +254,55 @@ def test_pictures_that_are_none(tmp_path) -> None:
         procc_annotator.track([picture], anchors={0: "camera"})  # type: ignore[dict-item]
     assert procc_annotator.propose_camera(picture).state == "none"
     assert procc_annotator.track([]).frames == ()
+
+
+@pytest.mark.parametrize("size", [(0, 540), (1, 540), (-5, 3), (960.5, 540), "x", (960, 540, 3)])
+def test_a_size_is_whole_pixels_two_each_way(size) -> None:
+    annotation, shown = load_annotation(FRAME), HomographyCamera(np.eye(3))
+    camera = load_camera(CAMERA)
+    for asked in (
+        lambda: FrameAnnotation.from_dict({"Middle line": [(1, 2)]}, size=size),
+        lambda: annotation.to_dict(size=size),
+        lambda: evaluate(annotation, camera, size=size),
+        lambda: evaluate(annotation, shown, camera_size=size),
+        lambda: disagreement(camera, camera, size=size),
+        lambda: camera_from_homography(np.eye(3), size=size),
+    ):
+        with pytest.raises(UsageError, match=r"size (as \(width, height\)|.* is too small)"):
+            asked()
+
+
+@pytest.mark.parametrize("shape", [(0, 0, 3), (0, 10, 4), (1, 1, 3)])
+def test_a_picture_without_pixels_is_declined(shape) -> None:
+    annotation, picture = load_annotation(FRAME), np.zeros(shape, np.uint8)
+    for asked in (
+        lambda: propose_camera(picture),
+        lambda: draw_overlay(picture, annotation, load_camera(CAMERA)),
+        lambda: check_labels(annotation, picture=picture),
+        lambda: track([picture, picture]),
+    ):
+        with pytest.raises(UsageError, match=r"the picture of .* px is too small"):
+            asked()
+
+
+def test_the_class_of_a_camera_is_no_camera() -> None:
+    class Mine:
+        def project(self, points_world):
+            return points_world[:, :2], np.ones(len(points_world), bool)
+
+    with pytest.raises(UsageError, match="Mine is a class; give a camera made of it"):
+        evaluate(load_annotation(FRAME), Mine)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("thresholds", [None, ["a"], [float("nan")]])
+def test_the_thresholds_of_a_curve_are_numbers(thresholds) -> None:
+    with pytest.raises(UsageError, match="expected thresholds as numbers of pixels"):
+        jac_curve(load_annotation(FRAME), load_camera(CAMERA), thresholds)
+
+
+@pytest.mark.parametrize("thresholds", [None, 5])
+def test_a_set_takes_several_thresholds(thresholds) -> None:
+    with pytest.raises(UsageError, match="thresholds: expected numbers"):
+        evaluate_set(
+            {"1": load_annotation(FRAME)}, {"1": load_camera(CAMERA)}, thresholds=thresholds
+        )

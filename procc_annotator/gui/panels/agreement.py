@@ -95,16 +95,17 @@ class AgreementPanel(QWidget):
             document.second.changed,
         )
         document.second.changed.connect(self._forget_noise)
+        document.second.opened.connect(self._compare)
         self._refresh()
 
-    def open(self, path: Path) -> bool:
-        """Compare with the annotations of a folder or zip."""
+    def open(self, path: Path) -> None:
+        """Compare with the annotations of a folder or archive of any format, once they are read."""
+        self._document.second.open(path)
+
+    def _compare(self) -> None:
         document = self._document
-        if not document.second.open(path):
-            return False
         document.second.show(document.frame.name if document.frame is not None else None)
         self._measure_set()
-        return True
 
     def _build(self) -> None:
         self.empty = empty_state(_NONE, "agreement_empty")

@@ -3,19 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import InputError, ProccError
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.collections import AnnotationFiles, list_annotations
+from procc_annotator.io.json_text import printable
+from procc_annotator.io.source import FileSource
 from procc_annotator.metric.agreement import FrameAgreement, compare_annotations
+from procc_annotator.session.dataset.annotation_source import ReadSource, open_annotations
+from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.words import listed
+
+_Read = tuple[FileSource, AnnotationFiles]
 
 
 class SecondAnnotator(QObject):
@@ -27,10 +35,12 @@ class SecondAnnotator(QObject):
     """
 
     changed = Signal()
+    opened = Signal(Path)  # what was asked for is read: another one, or by another field
 
     def __init__(self, store: Store, signals: Signals) -> None:
         super().__init__(store)
         self._store = store
+        self._reading = Latest(self, lambda why: say(store, why, "error"))
         signals.fieldChanged.connect(self._read_again)
         self._frame: str | None = None
         self._source: FileSource | None = None
@@ -44,28 +54,38 @@ class SecondAnnotator(QObject):
         """Whether a second folder is open."""
         return self._source is not None
 
-    def open(self, path: Path) -> bool:
-        """Read a folder or zip of annotations; on failure everything stays as it is."""
-        try:
-            source = open_source(path)
+    def open(self, path: Path) -> None:
+        """Read a folder, archive or file of annotations of any format in the background, with its
+        own ``labels.toml``, as ``agree`` does; on failure everything stays as it is."""
+        field = self._store.state.field
+
+        def work(control: JobControl) -> _Read:
+            source = open_annotations(annotations_of(path), field)
             files = list_annotations(source)
-        except ProccError as error:
-            say(self._store, str(error), "error")
-            return False
-        if not files:
-            said = (f"{path}: holds no annotation (*.json)", *files.notices)
-            say(self._store, "; ".join(said), "error")
-            return False
-        self._source, self._files, self.path = source, files, path
-        if files.notices:
-            say(self._store, "; ".join(files.notices))
-        return True
+            if not files:
+                said = (f"{path}: holds no annotation (*.json)", *files.notices)
+                raise UsageError("; ".join(said))
+            return source, files
+
+        self._reading.start(work, partial(self._take, path))
 
     def close(self) -> None:
-        """Forget the second folder."""
+        """Forget the second annotator, be he still read."""
+        self._reading.cancel()
         self._source, self._files, self.path = None, {}, None
         self.annotation, self.error = None, ""
         self.changed.emit()
+
+    def _take(self, path: Path, read: _Read) -> None:
+        self._source, self._files = read
+        self.path = path
+        said = list(read[1].notices)
+        if isinstance(self._source, ReadSource) and (unknown := self._source.unknown):
+            labels = [printable(label) for label in unknown]
+            said.append(f"no class of this field: {listed(labels, 'label')}")
+        if said:
+            say(self._store, "; ".join(said))
+        self.opened.emit(path)
 
     def reader(self) -> Callable[[str], FrameAnnotation | None]:
         """Reads the other annotation of a frame by its name, from any thread; None: there is none.
@@ -83,7 +103,9 @@ class SecondAnnotator(QObject):
         return read
 
     def _read_again(self) -> None:
-        """With another field elements bear other names."""
+        """With another field elements bear other names, and labels of others stand for others."""
+        if self.path is not None and isinstance(self._source, ReadSource):
+            self.open(self.path)
         self.show(self._frame)
 
     def show(self, frame: str | None) -> None:
