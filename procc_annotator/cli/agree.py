@@ -20,7 +20,6 @@ from procc_annotator.report import agreement
 from procc_annotator.report.agreement import Agreed, agree_sets
 from procc_annotator.report.agreement_figures import needed_sheet
 from procc_annotator.report.consensus import agree_all, floor_line, sheets_of, write_agreed
-from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.agreement_run import AgreementRun
@@ -95,18 +94,11 @@ def agree(
     ] = None,
     labels: options.LabelsFile = None,
     workers: options.FitWorkers = None,
-    output: Annotated[
-        Path | None,
-        typer.Option(
-            "--output", "-o", metavar="FILE", help="Write every figure to a .json or .csv file."
-        ),
-    ] = None,
+    output: options.FigureFiles = None,
 ) -> None:
     if not 2 <= len(annotators) <= MOST:
         raise UsageError(f"annotations of {len(annotators)} given, expected those of 2 to {MOST}")
-    if output is not None:
-        score_format(output)
-        outputs.check_output_folder(output)
+    files = outputs.figure_files(output)
     thresholds = options.thresholds_or_default(threshold)
     shown = chosen_field(field, *annotators)
     names = options.label_map(labels, shown)
@@ -115,8 +107,8 @@ def agree(
             opened.enter_context(open_annotations(annotations_of(path), shown, names))
             for path in annotators
         ]
-        if output is not None:
-            outputs.check_not_an_input(output, sources)
+        for path in files:
+            outputs.check_not_an_input(path, sources)
         for source, letter in zip(sources, ascii_uppercase, strict=False):
             report_mismatch(source, shown, f"{letter}: ")
             report_like_cameras(source, f"{letter}: ")
@@ -127,21 +119,21 @@ def agree(
             count = several.total
             with make_executor(workers, frames=count, worth_from=WORTH_WORKERS) as executor:
                 several.executor = executor
-                errors = _agree_all(several, alike, consensus, output, power=power)
+                errors = _agree_all(several, alike, consensus, files, power=power)
         elif consensus is not None:
             raise UsageError("a consensus is that of three annotators or more")
         else:
             run = AgreementRun(sources[0], sources[1], *call)
             with make_executor(workers, frames=run.total, worth_from=WORTH_WORKERS) as executor:
                 run.executor = executor
-                agreed = agree_sets(run, output=output, progress=with_progress, clusters=alike)
+                agreed = agree_sets(run, outputs=files, progress=with_progress, clusters=alike)
             _print_agreement(agreed)
             if power:
                 needed = needed_sheet(agreed.floor, agreed.described, agreed.known)
                 stdout_console().print(needed)
             errors = agreed.errors
-    if output is not None:
-        typer.echo(f"written: {output}")
+    for path in files:
+        typer.echo(f"written: {path}")
     if len(sources) == 2:
         _report_frames(agreed)
     raise typer.Exit(report_unreadable(errors))
@@ -163,7 +155,7 @@ def _agree_all(
     run: ConsensusRun,
     clusters: Callable[[Sequence[str]], Clusters],
     consensus: Path | None,
-    output: Path | None,
+    files: Sequence[Path],
     *,
     power: bool,
 ) -> list[str]:
@@ -181,8 +173,8 @@ def _agree_all(
     console.print(floor_line(agreed))
     if consensus is not None:
         typer.echo(f"written: {consensus}")
-    if output is not None:
-        write_agreed(agreed, run, output)
+    for path in files:
+        write_agreed(agreed, run, path)
     for letter, alone in zip(ascii_uppercase, run.alone, strict=False):
         if alone:
             typer.echo(f"note: only in {letter}, not compared: {listed(alone, 'frame')}", err=True)

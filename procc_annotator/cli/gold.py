@@ -20,7 +20,6 @@ from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report.agreement_figures import intervals_described
 from procc_annotator.report.consensus import short_names
 from procc_annotator.report.gold import AgainstGold, gold_sheets, write_gold
-from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.session.database.places import read_times
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of, folder_of_dataset
@@ -79,14 +78,9 @@ def gold(
     labels: options.LabelsFile = None,
     tags: chance_options.TagsFile = None,
     cluster: chance_options.Cluster = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("--output", "-o", metavar="FILE", help="Write a .json or .csv file."),
-    ] = None,
+    output: options.FigureFiles = None,
 ) -> None:
-    if output is not None:
-        score_format(output)
-        outputs.check_output_folder(output)
+    files = outputs.figure_files(output)
     marked = _marked(dataset, gold_file)
     shown = chosen_field(field, dataset, *annotators)
     names = options.label_map(labels, shown)
@@ -98,8 +92,8 @@ def gold(
             opened.enter_context(open_annotations(annotations_of(path), shown, names))
             for path in (dataset, *annotators)
         )
-        if output is not None:
-            outputs.check_not_an_input(output, (answers, *sources))
+        for path in files:
+            outputs.check_not_an_input(path, (answers, *sources))
         unanswered = sorted(set(marked) - set(list_annotations(answers)))
         if unanswered:
             raise UsageError(
@@ -111,9 +105,9 @@ def gold(
     for name, found in zip(against.names, against.found, strict=True):
         if found is None:
             typer.echo(f"note: {name} has annotated none of the gold frames", err=True)
-    if output is not None:
-        write_gold(against, output)
-        typer.echo(f"written: {output}")
+    for path in files:
+        write_gold(against, path)
+        typer.echo(f"written: {path}")
     raise typer.Exit(report_unreadable(list(against.errors)))
 
 

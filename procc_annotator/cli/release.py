@@ -243,7 +243,7 @@ class _Making:
         with open_annotations(annotations_of(second), self._known) as other:
             run = AgreementRun(self._source, other, self._known, (960, 540), (_AGREEMENT_TAU,))
             agreed, files[AGREEMENT_FILE] = _as_file(
-                ".json", lambda path: agreement.agree_sets(run, output=path)
+                ".json", lambda path: agreement.agree_sets(run, outputs=(path,))
             )
         return agreement.noise_floor_line(agreed)
 

@@ -116,7 +116,7 @@ def _no_progress(
 def agree_sets(
     run: AgreementRun,
     *,
-    output: Path | None = None,
+    outputs: Sequence[Path] = (),
     progress: Progress = _no_progress,
     clusters: ClustersOf = lambda frames: clusters_of(frames, None, {}),
 ) -> Agreed:
@@ -124,26 +124,26 @@ def agree_sets(
 
     Args:
         run: not yet iterated.
-        output: a ``.json`` or ``.csv`` file; it appears when it is complete.
+        outputs: ``.json`` or ``.csv`` files; they appear when they are complete.
         progress: wraps the frames as they come, given their number and a word for the work.
         clusters: which of some frames are alike, for intervals.
 
     Raises:
         UsageError: frames that cannot be clustered; no frame of which both files can be
             read; an output of another kind.
-        SaveError: the output cannot be written.
+        SaveError: an output cannot be written.
     """
     worst: list[tuple[tuple[float, float], int, AgreementRow]] = []
     errors: list[str] = []
     found: list[tuple[str, FrameAgreement]] = []
     with ExitStack() as files:
-        writer: _Writer | None = None
-        if output is not None:
+        writers: list[_Writer] = []
+        for output in outputs:
             kind = _JsonWriter if score_format(output) == "json" else _CsvWriter
-            writer = kind(files.enter_context(replacing(output)), run)
+            writers.append(kind(files.enter_context(replacing(output)), run))
         for count, result in enumerate(progress(run, run.total, "comparing")):
             errors += result.errors
-            if writer is not None:
+            for writer in writers:
                 writer.add(result)
             if result.agreement is not None:
                 found.append((result.name, result.agreement))
@@ -161,7 +161,7 @@ def agree_sets(
         alike, draws = clusters(names), Draws()
         floor = sure_agreement(names, found, run.thresholds, alike, draws)
         known = intervals_described(draws, alike)
-        if writer is not None:
+        for writer in writers:
             writer.end(summary, floor_entry(floor, known))
     rows = [row for _, _, row in sorted(worst, reverse=True)]
     return Agreed(summary, run.describe(), rows, errors, floor, known)

@@ -328,3 +328,15 @@ def test_a_consensus_replaces_nothing(cli, dataset, other, third) -> None:
     assert done.exit_code == 2
     assert "holds the files to be read" in done.stderr
     assert cli("agree", dataset.annotations).exit_code == 2
+
+
+@pytest.mark.parametrize("count", [2, 3])
+def test_several_outputs_are_all_written(cli, dataset, other, third, tmp_path, count) -> None:
+    chosen = (dataset.annotations, other, third)[:count]
+    alone = tmp_path / "alone.json", tmp_path / "alone.csv"
+    both = tmp_path / "new/both.json", tmp_path / "new/both.csv"
+    for file in alone:
+        assert cli("agree", *chosen, "-o", file).exit_code == 0
+    done = cli("agree", *chosen, "-o", both[0], "-o", both[1])
+    assert done.exit_code == 0, done.output
+    assert [file.read_bytes() for file in both] == [file.read_bytes() for file in alone]
