@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 
 _NAMED = 5
+# So many remarks that differ in their numbers only are told one by one.
+_TOLD_ALIKE = 5
+_FIRST_ALIKE = 3
+_NUMBER = re.compile(r"\d+")
 
 
 def count_of(count: int, thing: str, several: str = "", *, thousands: str = "") -> str:
@@ -25,3 +30,21 @@ def all_of(names: Sequence[str]) -> str:
 def listed(names: Sequence[str], thing: str, several: str = "") -> str:
     """How many there are and the first few of them: ``2 frames (a, b)``."""
     return f"{count_of(len(names), thing, several)} ({first_of(names)})"
+
+
+def few_of(remarks: Mapping[str, int]) -> dict[str, int]:
+    """Remarks and for how many each is, where many differ in their numbers only (sizes of
+    pictures) the most frequent of those, and how many more there are and for how many."""
+    alike: dict[str, list[str]] = {}
+    for remark in remarks:
+        alike.setdefault(_NUMBER.sub("0", remark), []).append(remark)
+    told: dict[str, int] = {}
+    for some in alike.values():
+        if len(some) <= _TOLD_ALIKE:
+            told |= {remark: remarks[remark] for remark in some}
+            continue
+        by_count = sorted(some, key=lambda remark: -remarks[remark])
+        first, rest = by_count[:_FIRST_ALIKE], by_count[_FIRST_ALIKE:]
+        told |= {remark: remarks[remark] for remark in first}
+        told[f"and {len(rest)} more like {first[-1]!r}"] = sum(remarks[remark] for remark in rest)
+    return told

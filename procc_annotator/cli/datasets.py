@@ -50,7 +50,7 @@ from procc_annotator.session.dataset.what_lies_there import (
     instead_of_pictures,
 )
 from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.words import count_of
+from procc_annotator.words import count_of, few_of
 
 _LABELS = 12  # are listed at most
 
@@ -169,8 +169,9 @@ def open_cameras(
 
 
 def report_notices(notices: Mapping[str, int]) -> None:
-    """One line each on stderr: the remark and for how many cameras, where it is for several."""
-    for notice, count in notices.items():
+    """One line each on stderr: the remark and for how many cameras, where it is for several; of
+    many alike the first few."""
+    for notice, count in few_of(notices).items():
         typer.echo(f"note: {notice}" + (f" ({count} cameras)" if count > 1 else ""), err=True)
 
 

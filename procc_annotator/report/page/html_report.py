@@ -27,6 +27,7 @@ from procc_annotator.report.sheet.definitions import definitions
 from procc_annotator.report.sheet.figures import FN, FP, JAC, TP
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.resources import resources_dir
+from procc_annotator.words import few_of
 
 if TYPE_CHECKING:
     from jinja2 import Template
@@ -82,7 +83,7 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
     notices = [
         (source.name, text, count)
         for source in report.sources
-        for text, count in source.notices.items()
+        for text, count in few_of(source.notices).items()
     ]
     tables = [comparison_table(report), fits_table(report), frames_table(report)]
     tables.append(errors_table(report))
