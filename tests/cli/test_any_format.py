@@ -190,6 +190,13 @@ def test_annotations_instead_of_cameras_are_told_by_their_format(
         assert done.exit_code == 2
         assert f"it holds annotations ({title}" in done.stderr
         assert f"procc-annotator calibrate {place}" in done.stderr
+        for command in (
+            ("compare", f"a={place}", f"b={dataset.cameras}", dataset.root),
+            ("annotate", dataset.root, tmp_path / "out", "--cameras", place),
+        ):
+            done = cli(*command)
+            assert done.exit_code == 2
+            assert f"no camera in {place}; it holds annotations ({title}" in done.stderr, command
     (tmp_path / "notes.md").write_text("no cameras")
     done = cli("evaluate", dataset.annotations, tmp_path / "notes.md")
     assert "cameras are looked for in files of .homographymatrix, .json" in done.stderr
