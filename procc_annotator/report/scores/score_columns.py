@@ -6,8 +6,8 @@ from typing import Any
 
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.report.sheet.figure import values_of
-from procc_annotator.report.sheet.figures import FN, FP, JAC, OF_FRAME, TP
-from procc_annotator.report.sheet.sheet import Column, Kind, Value, of, whole
+from procc_annotator.report.sheet.figures import ANNOTATED, FN, FP, JAC, OF_FRAME, SPREAD, TP
+from procc_annotator.report.sheet.sheet import Column, Kind, Value, counted, of, whole
 
 Row = tuple[Any, ...]  # one value a column
 
@@ -41,6 +41,7 @@ _KEY_COLUMNS = (
 COLUMNS = (
     *_KEY_COLUMNS, _required("counted", "yes_no"), Column("model"), *FRAME_COLUMNS,
     whole("points"), Column("camera"), Column("error"), _required("version"), FITTED_COLUMN,
+    counted(ANNOTATED), of(SPREAD),
 )  # fmt: skip
 NAMES = tuple(column.key for column in COLUMNS)
 KEYS = len(_KEY_COLUMNS)  # they come first

@@ -19,6 +19,8 @@ from procc_annotator.report.scores.score_columns import COLUMNS, KEYS, Row, fram
 from procc_annotator.report.scores.score_table_reading import read_csv_rows, read_parquet_rows
 from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
 from procc_annotator.report.sheet.as_parquet import parquet_bytes
+from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.figures import OF_ANNOTATION
 from procc_annotator.session.runs.evaluation_run import FrameResult
 from procc_annotator.version import __version__
 
@@ -29,15 +31,15 @@ def figures_of(result: FrameResult, thresholds: Sequence[float]) -> tuple[Figure
     """A frame's part of its rows, one a threshold."""
     camera, error, name = _text(result.camera), _text(result.error), _text(result.name)
     model = result.model or None
+    annotated = values_of(OF_ANNOTATION, result.clicked)
     rows: list[Figures] = []
     for threshold in thresholds:
         score = result.scores.get(threshold)
         figures = [None if v != v else v for v in frame_values(score)]  # NaN is undefined
         said = error or "no camera" if score is None else error
         points = None if score is None else len(score.labelling.all_distances)
-        rows.append(
-            (name, threshold, result.counted, model, *figures, points, camera, said, result.fitted)
-        )
+        scored = name, threshold, result.counted, model, *figures, points, camera, said
+        rows.append((*scored, result.fitted, *annotated))
     return tuple(rows)
 
 
@@ -52,8 +54,8 @@ def whole_rows(
     )  # fmt: skip
     names = _text(set_name), _text(method)
     return [
-        (*names, frame, threshold, *terms, *rest, __version__, fitted)
-        for frame, threshold, *rest, fitted in figures
+        (*names, frame, threshold, *terms, *rest, __version__, fitted, elements, spread)
+        for frame, threshold, *rest, fitted, elements, spread in figures
     ]
 
 

@@ -341,7 +341,7 @@ P_CORRECTED = Figure(
 BEST_IN = Figure(
     "best_in", "best in", "%", digits=1,
     definition="The share of the sets drawn in which the source has the highest mean JaC, on the"
-    " frames all sources have.",
+    " frames all sources have; none where these are fewer than two clusters.",
 )  # fmt: skip
 LEAST_DIFFERENCE = Figure(
     "least_difference", "least difference found", "%", digits=2,

@@ -161,7 +161,8 @@ class Certainty:
     @cached_property
     def chances_of_being_best(self) -> dict[float, list[float | None]]:
         """Threshold -> in which share of the sets drawn each source that is ranked has the highest
-        mean JaC, on the frames that all of these have."""
+        mean JaC, on the frames that all of these have; None where these frames are of fewer than
+        two clusters, since every set drawn is the same then, or empty."""
         ranked = [self.sources[at] for at in self.methods]
         found: dict[float, list[float | None]] = {
             tau: [None] * len(self.sources) for tau in self.thresholds
@@ -169,6 +170,8 @@ class Certainty:
         if not ranked:
             return found
         everywhere = np.logical_and.reduce([source.with_camera for source in ranked])
+        if len(np.unique(self.clusters.numbers[everywhere])) < 2:
+            return found
         ratios = [source.ratios("mean_jac").of(everywhere) for source in ranked]
         drawn = sample(Ratios.beside(ratios), self.clusters.numbers, self.draws).drawn
         count = len(self.thresholds)

@@ -13,6 +13,7 @@ import pytest
 from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.exclusive import exclusive
+from procc_annotator.metric.clicked import Clicked
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.score_columns import KEYS, NAMES, Row
 from procc_annotator.report.scores.score_table import (
@@ -36,7 +37,7 @@ def row(frame: str = "1", threshold: float = 5.0, jac: float | None = 0.1, **cha
         "jac": jac, "tp": 1, "fp": 2, "fn": 3, "mirrored": False, "precision": 1 / 3,
         "recall": None, "mean_reprojection_error": 2.5e-17, "mean_error": 1.5, "points": 11,
         "camera": 'a, "b"\nc.json', "error": None, "version": "0.1.0",
-        "fitted_on_these_clicks": False,
+        "fitted_on_these_clicks": False, "annotated_elements": 7, "spread": 0.25,
     } | changes  # fmt: skip
     assert list(values) == list(NAMES)
     return tuple(values.values())
@@ -79,7 +80,7 @@ def test_the_same_key_replaces_and_all_else_stays(path: Path) -> None:
     [
         ("name,jac\n1,2\n", "line 1: is no table of scores"),
         ("", "line 1: is no table of scores"),
-        ("{HEAD}\n{ROW},more\n", "line 2: has 27 cells, expected 26"),
+        ("{HEAD}\n{ROW},more\n", "line 2: has 29 cells, expected 28"),
         ("{HEAD}\n{ROW}\na,b\n", "line 3: has 2 cells"),
         ("{HEAD}\n{ROW}\n".replace("{ROW}", "{960}"), "line 2: width is 'wide', expected a whole"),
         ("{HEAD}\n{jac}\n", "line 2: jac is 'nan', expected a number"),
@@ -181,6 +182,18 @@ def test_a_frame_without_scores_has_empty_figures() -> None:
     assert entries["counted"] is False
     assert entries["error"] == "a.json: is damaged"
     assert [entries[k] for k in ("jac", "tp", "mirrored", "points", "model")] == [None] * 5
+    assert [entries[k] for k in ("annotated_elements", "spread")] == [None, None]
     (made,) = whole_rows("s", "m", SETUP, figures_of(FrameResult("1", None, None, (), {}), (5.0,)))
     assert dict(zip(NAMES, made, strict=True))["error"] == "no camera"
     assert not any(isinstance(value, float) and math.isnan(value) for value in made)
+
+
+def test_rows_say_how_much_is_annotated_and_tables_without_it_grow_on(tmp_path: Path) -> None:
+    told = FrameResult("1", None, None, (), {}, clicked=Clicked(7, 0.25))
+    (made,) = whole_rows("s", "m", SETUP, figures_of(told, (5.0,)))
+    assert made[-2:] == (7, 0.25)
+    path = tmp_path / "board.csv"
+    lines = table_csv([row(camera="c.json")]).decode().splitlines()
+    path.write_text("".join(line.rsplit(",", 2)[0] + "\n" for line in lines), "utf-8")
+    append_rows(path, [row("2")])
+    assert read(path) == [row(camera="c.json", annotated_elements=None, spread=None), row("2")]

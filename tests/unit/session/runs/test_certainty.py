@@ -107,6 +107,21 @@ def test_best_and_ranks_only_where_the_data_can_tell(three) -> None:
     assert found.chances_of_being_best[5.0][1] > 0.99
 
 
+def test_no_source_is_best_in_sets_that_are_all_the_same_or_empty(three) -> None:
+    plain, better, _ = three
+    nothing = [None, None]
+    first = source("first", [plain.frames[0].figures[1, 0], *nothing])
+    second = source("second", [better.frames[0].figures[1, 0], *nothing])
+    assert certain((first, second)).chances_of_being_best[5.0] == [None, None]  # one frame
+    apart = source("apart", [None, 0.5, 0.6])
+    assert certain((first, apart)).chances_of_being_best[5.0] == [None, None]  # none in common
+    half = [0.2, 0.4, 0.5, 0.1]
+    alike = dict.fromkeys(source("a", half).names, "one match")
+    pair = source("a", half), source("b", [jac + 0.1 for jac in half])
+    assert certain(pair, "match", alike).chances_of_being_best[5.0] == [None, None]
+    assert certain(pair).chances_of_being_best[5.0] == [0.0, 1.0]
+
+
 def test_intervals_hold_the_figures_and_no_share_leaves_its_range(three) -> None:
     found = certain(three).intervals[1]
     jac = found["mean_jac", 5.0]
