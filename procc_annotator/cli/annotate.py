@@ -29,6 +29,7 @@ from procc_annotator.session.dataset.dataset_folder import (
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
+from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
 from procc_annotator.session.runs.annotation_run import AnnotationRun
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import WORTH_WORKERS
@@ -135,6 +136,8 @@ def _with_camera(
     """
     found = [frame for frame in frames if frame.name in collection.frames]
     if not found:
+        if instead := instead_of_cameras(cameras):
+            raise UsageError(f"nothing to do: no camera in {cameras}{instead}")
         some = f", e.g. for {next(iter(collection.frames))}" if collection.frames else ""
         raise UsageError(
             f"nothing to do: {cameras} holds no camera of these frames (it holds"

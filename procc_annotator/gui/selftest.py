@@ -28,7 +28,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import read_annota
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 from procc_annotator.session.dataset.frames import list_frames
-from procc_annotator.session.dataset.picture_tree import pictures_in
+from procc_annotator.session.dataset.picture_tree import has_pictures
 
 _WAIT_MS = 30_000
 # The clicks, in widths and heights of the picture; and how far a whole screen pixel may put them.
@@ -88,10 +88,10 @@ def _copied(path: Path | None, folder: Path) -> str:
         cv2.line(picture, first, last, (235, 235, 235), 4, cv2.LINE_AA)
         write_atomic(folder / name, cv2.imencode(".png", picture)[1].tobytes())
         return name
-    if path.is_dir() and not pictures_in(path):
+    if path.is_dir() and not has_pictures(path):
         raise UsageError(f"nothing to do: no picture in {path}")
     root, frames, _ = list_frames(path)
-    for file in (root / frames[0].image_file, root / FIELD_FILE):
+    for file in (frames[0].image_folder / frames[0].image_file, root / FIELD_FILE):
         if file.is_file():
             try:
                 shutil.copyfile(file, folder / file.name)

@@ -33,6 +33,7 @@ from procc_annotator.session.dataset.picture_sizes import (
     picture_size,
     picture_tree,
 )
+from procc_annotator.session.dataset.what_lies_there import refuse_other_things
 from procc_annotator.session.dataset.workspace import Workspace
 
 Progress = Callable[[int, int], None]
@@ -73,6 +74,8 @@ def convert_annotations(
     folder = _annotation_folder(path)
     keep_apart(path, out)
     with open_source(folder) as source:
+        if fmt == "auto":
+            refuse_other_things(source)
         sizes = PictureSizes(picture_folders(path, folder), size, picture_tree(path))
         reader = SetReader(
             source, field, names,

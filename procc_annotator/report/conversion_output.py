@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import field as attribute
+from functools import partial
 from itertools import chain
 from pathlib import Path, PurePath
 from typing import Any
@@ -27,6 +28,7 @@ from procc_annotator.io.annotation_files.soccernet_classes import (
 )
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import read_file
+from procc_annotator.report.games import Game, games_of, write_game
 from procc_annotator.report.targets import Target, is_archive, open_target
 from procc_annotator.session.dataset.field_match import classes_in, mismatch_of
 
@@ -137,24 +139,54 @@ def write_converted(
         _require_classes(classes, field, target)
     if target.classes != "any" and not wanted.keep_optional:
         frames = official_frames(frames, field, writing.remarks)
-    if wanted.pictures:
-        frames = _with_pictures(frames, target, writing, picture_of)
     done = Converted(out, "", target.title, classes=classes)
     with suppress(_NothingWrittenError):
         if is_archive(out):
             with open_target(out) as archive:
                 writing.put = _into_archive(archive)
-                target.write(frames, writing)
+                _write(frames, target, writing, wanted, picture_of)
                 if not writing.frames:
                     raise _NothingWrittenError
         else:
             folder = out.parent if one_file else out
             with open_target(folder) as files:
                 writing.put = _into_folder(files, folder, writing, inputs, wanted.overwrite)
-                target.write(frames, writing)
+                _write(frames, target, writing, wanted, picture_of)
     done.frames, done.elements, done.points = writing.frames, writing.elements, writing.points
     done.problems, done.losses = writing.problems, writing.remarks.lines()
     return done
+
+
+def _write(
+    frames: Iterable[ExchangedFrame],
+    target: AnnotationFormat,
+    writing: Writing,
+    wanted: Wanted,
+    picture_of: Callable[[ExchangedFrame], Path | None],
+) -> None:
+    """Write the set, or each game of a tree by itself where that is what the format's file is."""
+    if not target.by_game or writing.file_name is not None or writing.into is not None:
+        if wanted.pictures:
+            frames = _with_pictures(frames, target, writing, picture_of)
+        target.write(frames, writing)
+        return
+    for game in games_of(frames, target.pictures or ""):
+        write_game(game, writing, partial(_write_game, game, target, wanted, picture_of))
+
+
+def _write_game(
+    game: Game,
+    target: AnnotationFormat,
+    wanted: Wanted,
+    picture_of: Callable[[ExchangedFrame], Path | None],
+    writing: Writing,
+) -> None:
+    frames: Iterable[ExchangedFrame] = game.frames
+    if wanted.pictures:
+        frames = _with_pictures(
+            frames, target, writing, lambda frame: picture_of(game.whole[frame.name])
+        )
+    target.write(frames, writing)
 
 
 def _is_one_file(out: Path, target: AnnotationFormat) -> bool:

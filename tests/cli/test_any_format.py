@@ -144,10 +144,16 @@ def test_cameras_instead_of_annotations_are_told_by_their_format(
     cli, dataset, tmp_path: Path
 ) -> None:
     cli("convert", dataset.cameras, tmp_path / "krt", "--to", "krt")
-    done = cli("check", tmp_path / "krt")
-    assert done.exit_code == 2
-    assert "it holds 5 files of cameras (K, R, t and distortion)" in done.stderr
-    assert "expected a point" not in done.stderr
+    labels = tmp_path / "labels.toml"
+    for command in (
+        ("check", tmp_path / "krt"),
+        ("convert", tmp_path / "krt", tmp_path / "out", "--to", "coco"),
+        ("propose-map", tmp_path / "krt", "--output", labels),
+    ):
+        done = cli(*command)
+        assert done.exit_code == 2, command
+        assert "it holds 5 files of cameras (K, R, t and distortion)" in done.stderr, command
+        assert "expected a point" not in done.stderr, command
     matrices = tmp_path / "matrices"
     matrices.mkdir()
     (matrices / "1.npy").write_bytes(b"whatever")
@@ -171,6 +177,8 @@ def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_pat
         assert done.exit_code == 2
         assert "it holds 5 files of YOLO pose, which is not read" in done.stderr
         assert "choose one" not in done.stderr
+    done = cli("convert", out, tmp_path / "back", "--to", "coco")
+    assert "it holds 5 files of YOLO pose, which is not read" in done.stderr
 
 
 def test_annotations_instead_of_cameras_are_told_by_their_format(
@@ -182,6 +190,13 @@ def test_annotations_instead_of_cameras_are_told_by_their_format(
         assert done.exit_code == 2
         assert f"it holds annotations ({title}" in done.stderr
         assert f"procc-annotator calibrate {place}" in done.stderr
+        for command in (
+            ("compare", f"a={place}", f"b={dataset.cameras}", dataset.root),
+            ("annotate", dataset.root, tmp_path / "out", "--cameras", place),
+        ):
+            done = cli(*command)
+            assert done.exit_code == 2
+            assert f"no camera in {place}; it holds annotations ({title}" in done.stderr, command
     (tmp_path / "notes.md").write_text("no cameras")
     done = cli("evaluate", dataset.annotations, tmp_path / "notes.md")
     assert "cameras are looked for in files of .homographymatrix, .json" in done.stderr

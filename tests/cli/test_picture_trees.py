@@ -87,7 +87,7 @@ def test_pictures_and_cameras_are_written_into_folders_as_they_lie(
     assert "holds a/img1/00001.png and 3 more" in done.stderr
 
 
-@pytest.mark.parametrize("fmt", ["soccernet", "labelme", "cvat", "coco"])
+@pytest.mark.parametrize("fmt", ["soccernet", "labelme", "cvat", "coco", "soccernet-gsr"])
 def test_other_formats_hold_a_tree_with_its_pictures(
     cli, tree: Tree, tmp_path: Path, fmt: str
 ) -> None:
@@ -274,3 +274,38 @@ def test_what_cvat_exports_is_a_tree_with_its_pictures(cli, tree: Tree, tmp_path
     done = cli("export", place, tmp_path / "out.zip")
     assert "4 annotations written" in done.stdout
     assert [frame.name for frame in list_frames(place)[1]] == NAMES
+
+
+@pytest.mark.parametrize(
+    ("fmt", "name"),
+    [("soccernet-gsr", "Labels-GameState.json"), ("soccernet-v3", "Labels-v3.json")],
+)
+def test_a_format_of_one_file_a_game_has_one_in_each_folder(
+    cli, tree: Tree, tmp_path: Path, fmt: str, name: str
+) -> None:
+    """Each names the pictures of its own game, as its loader joins them to its folder."""
+    out = tmp_path / "games"
+    done = cli("convert", tree.root, out, "--to", fmt)
+    assert done.exit_code == 0, done.stderr
+    folders = ("a", "b") if fmt == "soccernet-gsr" else MATCHES
+    assert sorted(p.relative_to(out).as_posix() for p in out.rglob("*.json")) == [
+        f"{folder}/{name}" for folder in folders
+    ]
+    for folder in folders:
+        content = json.loads((out / folder / name).read_text())
+        pictures = (
+            [image["file_name"] for image in content["images"]]
+            if fmt == "soccernet-gsr"
+            else list(content["actions"])
+        )
+        assert pictures == ["00001.jpg", "00002.jpg"]
+    archive = tmp_path / "games.zip"
+    assert cli("convert", tree.root, archive, "--to", fmt).exit_code == 0
+    with zipfile.ZipFile(archive) as written:
+        assert sorted(written.namelist()) == [f"{folder}/{name}" for folder in folders]
+    back = tmp_path / "back"
+    assert cli("convert", out, back, "--to", "soccernet").exit_code == 0
+    assert len(list(back.rglob("*.json"))) == 4
+    one = tmp_path / "one.json"
+    assert cli("convert", tree.root, one, "--to", fmt).exit_code == 0
+    assert "a/img1/00001.jpg" in one.read_text()

@@ -44,6 +44,16 @@ def test_the_window_annotates_a_copy_and_leaves_everything_as_it_was(
     assert not [p for p in home.rglob("*.ini") if p.is_file()]
 
 
+def test_pictures_in_folders_of_folders_will_do(sample_copy: Path, tmp_path: Path) -> None:
+    game = tmp_path / "tree" / "season" / "game"
+    for folder in (game, game.with_name("another")):
+        folder.mkdir(parents=True)
+        (folder / "7.jpg").write_bytes((sample_copy / "00001.jpg").read_bytes())
+    done = run(tmp_path, "-m", "procc_annotator", "open", str(tmp_path / "tree"), "--selftest")
+    assert done.returncode == 0, done.stderr
+    assert "annotated in a copy of 7.jpg, saved and read back" in done.stdout
+
+
 def test_without_the_sample_a_picture_is_drawn(tmp_path: Path) -> None:
     done = run(tmp_path, "-c", SABOTAGE, "as it is")
     assert done.returncode == 0, done.stderr

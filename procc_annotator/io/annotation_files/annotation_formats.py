@@ -63,6 +63,7 @@ class AnnotationFormat:
         pictures: the folder of the output that pictures go to when they are asked for, with the
             split's place in it; None for formats that go without.
         split: what is written when nobody names a split.
+        by_game: whether its one file is that of a game, so that a tree has one in each folder.
     """
 
     name: str
@@ -79,6 +80,7 @@ class AnnotationFormat:
     classes: Classes = "any"
     pictures: str | None = "{split}"
     split: str = ""
+    by_game: bool = False
 
 
 LABELME = "labelme"
@@ -97,7 +99,7 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "further keys of points; optional elements, unless they are asked for",
         soccernet_v3.write_many, soccernet_v3.read_many,
         sniff_json=soccernet_v3.sniff, decode_existing=soccernet_v3.decode_existing,
-        classes="soccernet", pictures="v3_frames",
+        classes="soccernet", pictures="v3_frames", by_game=True,
     ),
     AnnotationFormat(
         "soccernet-gsr", "SoccerNet game state (Labels-GameState.json)",
@@ -105,7 +107,7 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "everything", "optional elements, unless they are asked for",
         soccernet_gsr.write_many, soccernet_gsr.read_many,
         sniff_json=soccernet_gsr.sniff, decode_existing=soccernet_gsr.decode_existing,
-        classes="soccernet", pictures="img1",
+        classes="soccernet", pictures="img1", by_game=True,
     ),
     AnnotationFormat(
         LABELME, "labelme JSON", "", True,

@@ -57,6 +57,12 @@ class Remarks:
         """Note something for a frame, or for the whole set."""
         self._frames.setdefault(what, {})[frame] = None
 
+    def take(self, others: Remarks, called: Callable[[str], str]) -> None:
+        """Note what others hold, whose frames are called otherwise here."""
+        for what, frames in others._frames.items():
+            for frame in frames:
+                self.add(what, called(frame))
+
     def lines(self) -> list[str]:
         """One line a remark, naming the first few frames it holds for."""
         return [self._line(what, [f for f in frames if f]) for what, frames in self._frames.items()]

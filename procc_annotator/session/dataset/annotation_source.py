@@ -24,6 +24,7 @@ from procc_annotator.session.dataset.picture_sizes import (
     picture_folders,
     picture_tree,
 )
+from procc_annotator.session.dataset.what_lies_there import refuse_other_things
 from procc_annotator.words import count_of
 
 _SUFFIX = ".json"
@@ -74,6 +75,7 @@ def read_labels(path: Path, field: Field) -> ReadSet:
         UsageError, InputError: as of `open_annotations`.
     """
     with open_source(path) as source:
+        refuse_other_things(source)
         return _read(source, path, field, None)
 
 

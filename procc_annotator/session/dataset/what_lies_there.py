@@ -11,12 +11,13 @@ from procc_annotator.io.annotation_files.annotation_formats import PLAIN, told_f
 from procc_annotator.io.annotation_files.yolo_pose import is_pose_label
 from procc_annotator.io.camera_files.json_cameras import recognised_title
 from procc_annotator.io.camera_files.registry import suffixes_of
-from procc_annotator.io.collections import CAMERA_PREFIX
+from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.words import count_of
 
 # Suffixes that annotations, lists and notes have as well tell nothing of cameras.
 _NOT_CAMERAS_ALONE = frozenset({".json", ".xml", ".txt", ".yml", ".yaml"})
+_ANNOTATIONS = frozenset({".json", ".xml"})
 # So many files are read to tell what a set holds.
 _LOOKED_INTO = 3
 
@@ -64,13 +65,30 @@ def refuse_cameras(source: FileSource, names: Sequence[str]) -> None:
     """
     first = names[:_LOOKED_INTO]
     titles = [_camera_title(source, name) for name in first]
-    if not all(titles):
+    if not titles or not all(titles):
         return
     what = count_of(len(names), "file") if len(names) > 1 else "a file"
     raise UsageError(
         f"nothing to do: no annotation in {source.path}; it holds {what} of cameras ({titles[0]}):"
         " give the annotations"
     )
+
+
+def refuse_other_things(source: FileSource) -> None:
+    """Refuse a source without annotations of any format, where it can be told what it is instead.
+
+    Raises:
+        UsageError: it holds something else.
+    """
+    try:
+        names, files = source.tree(), list(list_annotations(source).values())
+    except InputError:  # told by the reader of the format, for which it may be no problem
+        return
+    refuse_cameras(source, files)
+    if any(_suffix(name) in _ANNOTATIONS for name in names):
+        return  # even if damaged: its reader says how
+    if instead := instead_of_annotations(source):
+        raise UsageError(f"nothing to do: no annotation in {source.path}{instead}")
 
 
 def instead_of_cameras(place: Path) -> str:

@@ -21,6 +21,7 @@ from procc_annotator.metric.disagreement import (
 from procc_annotator.metric.legacy import Average, LegacyMetrics, legacy_averages, legacy_metrics
 from procc_annotator.metric.spread import Spread
 from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
 from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.set_run import KeptOpen, SetRun
 
@@ -242,6 +243,9 @@ def _over_frames(spreads: Sequence[Spread]) -> Spread:
 
 
 def _nothing_in_common(a: CameraSet, b: CameraSet, wanted: Sequence[str], of_dataset: bool) -> str:
+    for source in (a, b):
+        if source.frames and (instead := instead_of_cameras(source.path)):
+            return f"nothing to do: no camera in {source.path}{instead}"
     examples = [
         f"those of {source.name} are named like {next(iter(source.frames))!r}"
         if source.frames
