@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QPoint
+from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -77,10 +77,11 @@ from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
 from procc_annotator.gui.window.palette_entries import PaletteEntries
+from procc_annotator.gui.window.rail import Rail
 from procc_annotator.gui.window.remembering import Remembering
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.gui.window.status_report import StatusReport
-from procc_annotator.gui.window.toolbar import MainToolBar
+from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
 
 
@@ -105,8 +106,10 @@ class MainWindow(QMainWindow):
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
         self.landmarks.add_actions(self.actions_["group_views"])
-        self.toolbar = MainToolBar(self.document, self.actions_)
-        self.addToolBar(self.toolbar)
+        self.top_bar = TopBar(self.document, self.actions_, self.actions_.menus["File/Field"])
+        self.addToolBar(self.top_bar)
+        self.rail = Rail(self.actions_)
+        self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.rail)
         self._add_panel_toggles()
         self._add_recent()
         self.field_choosing.fill(
@@ -269,7 +272,8 @@ class MainWindow(QMainWindow):
         self.review.left.connect(self.canvas.setFocus)
         self.landmarks.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
-        self.toolbar.lookChanged.connect(self.canvas.set_look)
+        self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
+        self.rail.lookChanged.connect(self.canvas.set_look)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
         self.ghost_tasks.accepting.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)
