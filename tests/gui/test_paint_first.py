@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.session.dataset import edits
-from tests.gui.conftest import MakeWindow, settle
+from tests.gui.conftest import MakeWindow, all_done, settle
 
 FRAME = 1  # of the sample, annotated and with a camera in every source
 
@@ -140,7 +140,7 @@ class Painted(QObject):
 
 
 def test_one_row_of_the_frames_is_painted_for_one_frame(audited: MainWindow, qtbot: QtBot) -> None:
-    settle(audited, qtbot)
+    all_done(qtbot)  # thumbnails, marks and the label check paint rows when they come
     check, rows = audited.document.label_check, audited.frames.list
     painted = Painted(rows.viewport())
     QApplication.processEvents()
