@@ -198,10 +198,12 @@ SWITCHES: dict[str, Setting[bool]] = {
 }
 
 # All that the dialog offers, group by group.
+# fmt: off
 OFFERED: tuple[Setting[Any], ...] = (
-    *(THEME, FONT_PERCENT, COLOUR_BY, AUTHOR, TAU, PROTOCOL, OFF_PLANE),
-    *(FIT_MODEL, JUDGE_FIT, GHOST_SUPPORT, *SWITCHES.values()),
+    THEME, FONT_PERCENT, COLOUR_BY, AUTHOR, TAU, PROTOCOL, OFF_PLANE, FIT_MODEL, JUDGE_FIT,
+    GHOST_SUPPORT, *SWITCHES.values(),
 )
+# fmt: on
 
 
 class Settings:
