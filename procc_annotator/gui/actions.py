@@ -105,6 +105,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("Edit", "cancel", "Cancel", "Esc", "canvas.key",
           "Drop the points just clicked, then let go of the selection", args=("Escape",),
           scope="canvas"),
+    _spec("Edit", "settings", "-Settings…", "Ctrl+,", "commands.show_settings",
+          "Theme, size of texts, and how the window draws, fits and judges"),
     _spec("Edit/Nudge point", "nudge_left", "Left 1 px", "Left", "canvas.key",
           "Move the selected point 1 px to the left", args=("Left",), scope="canvas", repeat=True),
     _spec("Edit/Nudge point", "nudge_right", "Right 1 px", "Right", "canvas.key",

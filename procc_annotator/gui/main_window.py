@@ -39,7 +39,7 @@ from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.plots.panel import PlotsPanel
-from procc_annotator.gui.settings import AUTHOR, RECENT, SECOND, Settings
+from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import UNSAVED, Told
 from procc_annotator.gui.state.state import State
@@ -76,6 +76,7 @@ from procc_annotator.gui.window.desk_switch import DeskSwitch
 from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
+from procc_annotator.gui.window.options import Options, dress
 from procc_annotator.gui.window.palette_entries import PaletteEntries
 from procc_annotator.gui.window.rail import Rail
 from procc_annotator.gui.window.remembering import Remembering
@@ -93,9 +94,12 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self.settings = Settings()
+        dress(self.settings)
         self.document = Document(parent=self)
-        self.document.set_author(self.settings.get(AUTHOR) or self.document.author)
         self.canvas = Canvas(self.document)
+        self.options = Options(
+            self.settings, self.document, self.canvas, lambda name: self.actions_[name]
+        )
         self._make_tasks()
         self._make_centre()
         self._make_panels()
@@ -125,6 +129,7 @@ class MainWindow(QMainWindow):
                 self.settings,
                 self.show_panel,
                 self.opening.open_path,
+                self.commands.show_settings,
             ).found,
             self.settings,
         )
@@ -134,9 +139,7 @@ class MainWindow(QMainWindow):
         self.status = StatusLine()
         self.setStatusBar(self.status)
         self._report = StatusReport(self.document, self.canvas, self.status, self)
-        self._remembering = Remembering(
-            self.settings, self, self.document, self.canvas, self.actions_, self._docks
-        )
+        self._remembering = Remembering(self.settings, self, self.options, self._docks)
         self._connect()
         self._remembering.take_up()
         self._refresh_frame()
@@ -179,7 +182,7 @@ class MainWindow(QMainWindow):
         self.versions = Versions(document, self)
         self.view_grouping = ViewGrouping(document, self)
         self.opening = OpeningTask(document, self.settings, self)
-        self.commands = Commands(document, self.canvas, self.settings, self)
+        self.commands = Commands(document, self.canvas, self.options, self)
 
     def _make_centre(self) -> None:
         self.message_bar, self.frame_bar = MessageBar(), FrameBar()
