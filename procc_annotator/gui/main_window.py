@@ -55,6 +55,7 @@ from procc_annotator.gui.tasks.field.view_grouping import ViewGrouping
 from procc_annotator.gui.tasks.files.exporting import Exporter
 from procc_annotator.gui.tasks.files.exporting_as import ExportAs
 from procc_annotator.gui.tasks.files.fit_saving import FitSaving
+from procc_annotator.gui.tasks.files.import_offer import ImportBar, ImportOffer
 from procc_annotator.gui.tasks.files.importing import AnnotationImporter
 from procc_annotator.gui.tasks.files.opening import OpeningTask, sample_folder
 from procc_annotator.gui.tasks.files.overlay_saving import OverlaySaving
@@ -202,8 +203,12 @@ class MainWindow(QMainWindow):
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
         self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip)
         column.addWidget(self.strip)
-        bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
-        self.bars = BarStack(bars, self.pages)
+        self.import_bar = ImportBar()
+        self.import_offer = ImportOffer(self.document, self.importer, self.import_bar)
+        self._bars = (
+            self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar, self.import_bar,
+        )  # fmt: skip
+        self.bars = BarStack(self._bars, self.pages)
         self.bars.heightChanged.connect(self.canvas.set_covered)
         self.setCentralWidget(centre)
 
@@ -435,7 +440,7 @@ class MainWindow(QMainWindow):
         if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
             self.document.outside.look()  # other programs had their turn
         if event.type() == QEvent.Type.PaletteChange:
-            for bar in (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar):
+            for bar in self._bars:
                 bar.follow_theme()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
