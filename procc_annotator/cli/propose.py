@@ -21,7 +21,7 @@ from procc_annotator.io.source import open_source
 from procc_annotator.report.proposals import (
     TABLE_FILE,
     UNSURE_FOLDER,
-    Proposals,
+    ProposedSet,
     doubtful_table,
     positions_words,
     propose_for_set,
@@ -250,7 +250,7 @@ def _stands_elsewhere(known: Path | None) -> str:
     )
 
 
-def _report(found: Proposals, wanted: _Wanted, out: Path) -> int:
+def _report(found: ProposedSet, wanted: _Wanted, out: Path) -> int:
     """Print what was found; returns the exit code."""
     console = stdout_console()
     console.print(states_table(found))

@@ -31,7 +31,7 @@ _ON_LINE_M = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
-class Painted:
+class PaintTerms:
     """See `Element`."""
 
     line_width: float
@@ -63,7 +63,7 @@ class PaintReader:
             self._one_of(f"{place}.measured", table.get("measured", "centre"), _MEASURED)
             self._look(place, LINE, 0.0, table, {})
 
-    def of(self, place: str, geometry: Geometry, entry: Mapping[str, Any]) -> Painted:
+    def of(self, place: str, geometry: Geometry, entry: Mapping[str, Any]) -> PaintTerms:
         """What an element's own table says, and what is said of all such elements.
 
         Raises:
@@ -82,7 +82,7 @@ class PaintReader:
             raise self._values.error(f"{place}.diameter", 'is of use only with seen_as = "bar"')
         elif width == 0:
             usual = {}  # nothing is painted: it looks as it likes
-        return Painted(width, inside, self._look(place, kind, width, entry, usual))
+        return PaintTerms(width, inside, self._look(place, kind, width, entry, usual))
 
     def _inside(
         self, place: str, geometry: Geometry, entry: Mapping[str, Any], usual: Mapping[str, Any]

@@ -138,7 +138,7 @@ def triangulate(
 
 
 @dataclass(frozen=True)
-class Agreement:
+class PlaceAgreement:
     """How clicks agree with a place that is known.
 
     Attributes:
@@ -158,7 +158,7 @@ def agreement_of_views(
     covariance: Covariance | None = None,
     *,
     estimate_noise: bool = True,
-) -> Agreement:
+) -> PlaceAgreement:
     """Compare a place that was surveyed with its clicks.
 
     Args:
@@ -185,7 +185,7 @@ def agreement_of_views(
             spread = spread + slopes[0] @ np.array(covariance) @ slopes[0].T
         if float(off @ np.linalg.solve(spread, off)) > _GATE**2:
             astray.append(view.name)
-    return Agreement(tuple(residuals), tuple(astray))
+    return PlaceAgreement(tuple(residuals), tuple(astray))
 
 
 def _too_few(views: Sequence[View], usable: Sequence[View]) -> str:

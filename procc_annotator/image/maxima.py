@@ -17,7 +17,7 @@ from procc_annotator.image.colour_step import fits
 from procc_annotator.image.cuts import STEP_PX, Patch, Values
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.profile import (
-    Band,
+    ProfileBand,
     band_at,
     curvature_kernel,
     edge_at,
@@ -57,7 +57,7 @@ _LOPSIDED, _STRONGER_BESIDE = 0.62, 1.0  # ... on the side to which most of a ba
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class PatchBand:
     """A band through a patch: its direction, and where across the position it is, px.
 
     ``merit``: how sharp and near it is; comparable within one patch. ``along``: where along the
@@ -157,12 +157,12 @@ class Maxima:
         along = self.along[self.stretch_of(row)]
         return along[len(along) // 2]
 
-    def best(self) -> Found | None:
+    def best(self) -> PatchBand | None:
         """The strongest and nearest band."""
         found = (self.band(row, column) for row, column, *_ in islice(self.ordered(), TRIED))
         return next((band for band in found if band is not None), None)
 
-    def band(self, row: int, column: int) -> Found | None:
+    def band(self, row: int, column: int) -> PatchBand | None:
         """The band at a maximum, if there is one that looks like what is sought."""
         at = column - self.near
         colour = self.curved[row, at]
@@ -184,7 +184,7 @@ class Maxima:
             return None
         along = self.along[self.stretch_of(row)]
         middle = sum(along[cut] for cut in shown) / len(shown)
-        return Found(self.angle_of(row), offset, 0.0, band.width_px, middle)
+        return PatchBand(self.angle_of(row), offset, 0.0, band.width_px, middle)
 
 
 @lru_cache(maxsize=8)
@@ -196,7 +196,7 @@ def _weights(directions: int, samples: int, reach_px: float) -> Values:
     return np.asarray(np.repeat(_SIDES, directions)[:, None] * near[None], dtype=np.float32)
 
 
-def _is_like(band: Band, sought: Sought) -> bool:
+def _is_like(band: ProfileBand, sought: Sought) -> bool:
     """Whether a band stands out, and is as wide as what is sought."""
     least, most = sought.width_px
     kind = sought.looks.kind
@@ -207,7 +207,7 @@ def _is_like(band: Band, sought: Sought) -> bool:
     return band.balance >= _BALANCED or not sought.is_wide  # else a part of it
 
 
-def _shown_in(band: Band, cuts: PixelArray, colour: Values, *, edge: bool) -> list[int]:
+def _shown_in(band: ProfileBand, cuts: PixelArray, colour: Values, *, edge: bool) -> list[int]:
     """The cuts across that show a band."""
     middle = round(band.centre)
     columns = np.array([band.left, middle - 1, middle, middle + 1, band.right])
@@ -217,7 +217,7 @@ def _shown_in(band: Band, cuts: PixelArray, colour: Values, *, edge: bool) -> li
     return [cut for cut, step in enumerate(steps.tolist()) if step > least]
 
 
-def _is_fringe(band: Band, profile: Sequence[float]) -> bool:
+def _is_fringe(band: ProfileBand, profile: Sequence[float]) -> bool:
     """Whether a band is what sharpening makes of the ground beside a stronger one."""
     half = round(band.width_px / 2 / STEP_PX)
     reach = round(_FRINGE_PX / STEP_PX)

@@ -20,7 +20,7 @@ from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, WHIT
 from procc_annotator.image.cuts import Patch
 from procc_annotator.image.following import REACH_PX as FOLLOWED_PX
 from procc_annotator.image.following import Course, follow
-from procc_annotator.image.maxima import BEYOND_PX, TRIED, Found, Maxima, foot_of
+from procc_annotator.image.maxima import BEYOND_PX, TRIED, Maxima, PatchBand, foot_of
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.sought import ANYTHING, Sought
 
@@ -133,7 +133,7 @@ def _snap_along(
 
     most_turn = _MOST_TURN_BENT if sought.bends else _MOST_TURN
 
-    def goes_on(found: Found) -> Found | None:
+    def goes_on(found: PatchBand) -> PatchBand | None:
         for course in follow(patch, found.angle, found.offset, found.width, sought):
             turn = abs(found.angle + course.turn - angle)
             if course.length_px >= _least_length(found, course, sought) and turn <= most_turn:
@@ -153,7 +153,7 @@ def _snap_along(
     return point[0] - across * math.sin(angle), point[1] + across * math.cos(angle)
 
 
-def _least_length(found: Found, course: Course, sought: Sought) -> float:
+def _least_length(found: PatchBand, course: Course, sought: Sought) -> float:
     """How far a band must go on to be the sought paint, px.
 
     One that may be lighter or darker than its ground, and is seen on one side only, could be a
@@ -216,7 +216,7 @@ def _snap_any_way(
     turn = math.pi / _DIRECTIONS
     angles = np.arange(_DIRECTIONS, dtype=np.float64) * turn
 
-    def place(found: Found) -> Found | None:
+    def place(found: PatchBand) -> PatchBand | None:
         # Seen from its own centre, a line tells its direction best.
         across = -math.sin(found.angle), math.cos(found.angle)
         x, y = (c + found.offset * a for c, a in zip(point, across, strict=True))
@@ -242,10 +242,10 @@ def _snap_any_way(
 
 
 def _convincing(
-    maxima: Maxima, confirmed: Callable[[Found], Found | None], *, unsure: bool
-) -> Found | None:
+    maxima: Maxima, confirmed: Callable[[PatchBand], PatchBand | None], *, unsure: bool
+) -> PatchBand | None:
     """The best band that is confirmed, unless another one does nearly as well."""
-    best: Found | None = None
+    best: PatchBand | None = None
     rival = _RIVAL_ANY if unsure else _RIVAL
     tried, failed = TRIED, list[tuple[int, float]]()
     for row, column, offset, merit in maxima.ordered():
@@ -271,7 +271,7 @@ def _convincing(
     return best
 
 
-def _is_seen_askew(band: Found, angle: float, offset: float, along_px: float) -> bool:
+def _is_seen_askew(band: PatchBand, angle: float, offset: float, along_px: float) -> bool:
     """Whether a maximum is what cuts across another direction show of a band.
 
     Args:

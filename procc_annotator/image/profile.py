@@ -21,7 +21,7 @@ _LOPSIDED = 0.5  # share of the larger step from the ground that the smaller one
 
 
 @dataclass(frozen=True, slots=True)
-class Band:
+class ProfileBand:
     """A band in a profile; indices are fractions of the profile's steps.
 
     Attributes:
@@ -43,7 +43,7 @@ class Band:
     level: float = 1.0
 
 
-def band_at(profile: Sequence[float], peak: int) -> Band | None:
+def band_at(profile: Sequence[float], peak: int) -> ProfileBand | None:
     """The band around a maximum of a profile, which is higher than both its sides.
 
     Args:
@@ -68,10 +68,10 @@ def band_at(profile: Sequence[float], peak: int) -> Band | None:
     middle = profile[min(max(round(centre), 0), len(profile) - 1)]
     level = 1.0 - (top - middle) / max(min(steps), 1.0)
     grounds = peak - left.index(low_left), peak + right.index(low_right)
-    return Band(centre, width, *grounds, min(steps), min(steps) / max(steps), level)
+    return ProfileBand(centre, width, *grounds, min(steps), min(steps) / max(steps), level)
 
 
-def edge_at(profile: Sequence[float], peak: int) -> Band | None:
+def edge_at(profile: Sequence[float], peak: int) -> ProfileBand | None:
     """The edge at a place where a profile rises from its left to its right."""
     near, far = round(_NEAR_EDGE_PX / STEP_PX), round(_FAR_EDGE_PX / STEP_PX)
     low, high = profile[max(0, peak - far) : peak - near + 1], profile[peak + near : peak + far + 1]
@@ -79,7 +79,7 @@ def edge_at(profile: Sequence[float], peak: int) -> Band | None:
         return None
     step = sum(high) / len(high) - sum(low) / len(low)
     middle = (near + far) // 2
-    return Band(float(peak), 0.0, peak - middle, peak + middle, step)
+    return ProfileBand(float(peak), 0.0, peak - middle, peak + middle, step)
 
 
 def _sides(

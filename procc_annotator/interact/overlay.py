@@ -46,8 +46,8 @@ from procc_annotator.interact.overlay_shapes import (
     Draft,
     Drawn,
     Labels,
-    Marks,
     Overlay,
+    PointMarks,
     Size,
     Strokes,
 )
@@ -179,7 +179,7 @@ class OverlayBuilder:
         yield from self._annotated(drawn, verdict, shown.field if by_class else None)
         yield from self._in_hand(shown.draft, (drawn, waiting), shown.field, shown.band)
 
-    def _marks(self, shown: ToDraw, verdict: Verdicts, by_class: bool) -> Iterator[Marks]:
+    def _marks(self, shown: ToDraw, verdict: Verdicts, by_class: bool) -> Iterator[PointMarks]:
         drawn, origins, colour_by = self._drawn, shown.origins, shown.colour_by
         by_origin = origins is not None and colour_by in ("origin", "annotator")
         yield from self._judged(drawn, NO_VERDICTS if by_origin else verdict)
@@ -231,7 +231,7 @@ def _strokes_in_hand(
 
 def _by_origin(
     annotation: FrameAnnotation, size: Size, origins: Origins | None, colour_by: ColourBy
-) -> tuple[Marks, ...]:
+) -> tuple[PointMarks, ...]:
     return (
         *origin_marks(annotation, size, origins if colour_by == "origin" else None),
         *author_marks(annotation, size, origins if colour_by == "annotator" else None),
@@ -241,24 +241,24 @@ def _by_origin(
 _NO_ORIGINS = _by_origin(_NOBODYS, (2, 2), None, "origin")
 
 
-def _unjudged_marks(waiting: Drawn, second: Drawn) -> tuple[Marks, ...]:
+def _unjudged_marks(waiting: Drawn, second: Drawn) -> tuple[PointMarks, ...]:
     return (
-        Marks(waiting.all_points, "ring", tones.UNCONFIRMED, tones.HANDLE_SIZE),
-        Marks(second.all_points, "ring", tones.SECOND, tones.HANDLE_SIZE - 2),
+        PointMarks(waiting.all_points, "ring", tones.UNCONFIRMED, tones.HANDLE_SIZE),
+        PointMarks(second.all_points, "ring", tones.SECOND, tones.HANDLE_SIZE - 2),
     )
 
 
-def _draft_marks(draft: Draft | None, field: Field) -> tuple[Marks, ...]:
+def _draft_marks(draft: Draft | None, field: Field) -> tuple[PointMarks, ...]:
     colour = draft_colour(draft, field)
     return (
-        Marks(draft_points(draft), "handle", colour, tones.HANDLE_SIZE),
-        Marks(landing(draft), "ring", tones.LANDING, tones.LANDING_SIZE),
+        PointMarks(draft_points(draft), "handle", colour, tones.HANDLE_SIZE),
+        PointMarks(landing(draft), "ring", tones.LANDING, tones.LANDING_SIZE),
     )
 
 
-def _chosen_marks(chosen: frozenset[PointRef], drawn: Drawn, waiting: Drawn) -> Marks:
+def _chosen_marks(chosen: frozenset[PointRef], drawn: Drawn, waiting: Drawn) -> PointMarks:
     points = chosen_points(chosen, drawn, waiting)
-    return Marks(points, "ring", tones.HALO, tones.SELECTED_POINT_SIZE)
+    return PointMarks(points, "ring", tones.HALO, tones.SELECTED_POINT_SIZE)
 
 
 def _distance_labels(verdict: Verdicts, selected: str | None) -> Labels:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay_shapes import FloatArray, Labels, Marks, Overlay, Strokes
+from procc_annotator.interact.overlay_shapes import FloatArray, Labels, Overlay, PointMarks, Strokes
 from procc_annotator.interact.verdicts import NO_POINTS
 
 Place = tuple[float, float]
@@ -29,11 +29,11 @@ def build_camera_hand(
     centre = NO_POINTS if under is None else np.array([under[0]])
     size = tones.PEG_SIZE + (2.0 if pressed else 6.0)
     marks = (
-        Marks(pegs, "ring", tones.RIM, tones.PEG_SIZE + 2.5),
-        Marks(pegs, "ring", tones.PEG, tones.PEG_SIZE),
-        Marks(pegs, "dot", tones.HAND, tones.PEG_SIZE / 2),
-        Marks(centre, "ring", tones.RIM, size + 3.0),
-        Marks(centre, "ring", tones.PEG, size),
+        PointMarks(pegs, "ring", tones.RIM, tones.PEG_SIZE + 2.5),
+        PointMarks(pegs, "ring", tones.PEG, tones.PEG_SIZE),
+        PointMarks(pegs, "dot", tones.HAND, tones.PEG_SIZE / 2),
+        PointMarks(centre, "ring", tones.RIM, size + 3.0),
+        PointMarks(centre, "ring", tones.PEG, size),
     )
     labels = () if under is None or pressed else (Labels(centre, (under[1],), tones.LABEL),)
     return Overlay(strokes, marks, labels)

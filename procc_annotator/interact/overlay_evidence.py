@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from procc_annotator.fit.labels.seen_paint import Paint, SeenPaint
+from procc_annotator.fit.labels.seen_paint import ElementPaint, Paint
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_shapes import FloatArray, Strokes
 from procc_annotator.interact.verdicts import joined
@@ -18,7 +18,7 @@ from procc_annotator.interact.verdicts import joined
 _ASIDE_PX = 7.0  # at 960 px width
 
 
-def evidence_strips(seen: Iterable[SeenPaint]) -> tuple[Strokes, ...]:
+def evidence_strips(seen: Iterable[ElementPaint]) -> tuple[Strokes, ...]:
     """The strips of some elements, the same groups whatever was seen.
 
     Args:
@@ -37,7 +37,7 @@ def evidence_strips(seen: Iterable[SeenPaint]) -> tuple[Strokes, ...]:
     return tuple(found)
 
 
-def _strip(seen: SeenPaint) -> tuple[FloatArray, np.ndarray]:
+def _strip(seen: ElementPaint) -> tuple[FloatArray, np.ndarray]:
     """(n, 4) picture px of the stretches, aside; (n,) what is seen along each."""
     places, half = seen.places_px, seen.lengths_px[:, None] / 2
     along = np.gradient(places, axis=0)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.interact.label_places import place_apart
-from procc_annotator.interact.overlay_shapes import Box, Labels, Marks, Overlay, Strokes
+from procc_annotator.interact.overlay_shapes import Box, Labels, Overlay, PointMarks, Strokes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -96,7 +96,7 @@ def _draw_strokes(axes: Any, strokes: Strokes, scale: float, point: float) -> No
     )  # fmt: skip
 
 
-def _draw_marks(axes: Any, marks: Marks, scale: float, point: float) -> None:
+def _draw_marks(axes: Any, marks: PointMarks, scale: float, point: float) -> None:
     at = (marks.centres + 0.5) * scale
     marker, size = _MARKERS.get(marks.shape, "o"), (marks.size * point) ** 2
     if marks.shape in ("cross", "ring"):

@@ -13,14 +13,14 @@ from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_shapes import (
     FloatArray,
     Labels,
-    Marks,
+    PointMarks,
     Size,
 )
 from procc_annotator.interact.verdicts import NO_POINTS
 from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _Place = tuple[str, int]
-_NO_RING = Marks(NO_POINTS, "ring", tones.FINDING, tones.BAD_POINT_SIZE)
+_NO_RING = PointMarks(NO_POINTS, "ring", tones.FINDING, tones.BAD_POINT_SIZE)
 _NO_LABELS = tuple(
     Labels(NO_POINTS, (), tones.LABEL, sign=severity.value, below=True) for severity in Severity
 )
@@ -32,7 +32,7 @@ def finding_signs(
     picture_size: Size,
     field: Field,
     looked_at: frozenset[str | None] = frozenset(),
-) -> tuple[Marks, tuple[Labels, ...]]:
+) -> tuple[PointMarks, tuple[Labels, ...]]:
     """A sign at every element that has a finding, below the point it stands at.
 
     An element bears the sign of its surest finding. Errors and warnings are named; hints only where
@@ -72,7 +72,7 @@ def finding_signs(
         positions = np.clip(positions, 0.0, np.array(picture_size) - 1.0)  # or nobody sees them
         labels.append(Labels(positions, texts, tones.LABEL, sign=severity.value, below=True))
     bad = _bad_points(found, annotation, picture_size)
-    ring = Marks(bad, "ring", tones.FINDING, tones.BAD_POINT_SIZE) if len(bad) else _NO_RING
+    ring = PointMarks(bad, "ring", tones.FINDING, tones.BAD_POINT_SIZE) if len(bad) else _NO_RING
     return ring, tuple(labels)
 
 

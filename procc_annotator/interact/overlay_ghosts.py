@@ -17,8 +17,8 @@ from procc_annotator.interact.overlay_shapes import (
     FilledArea,
     FloatArray,
     Labels,
-    Marks,
     Overlay,
+    PointMarks,
     Strokes,
 )
 from procc_annotator.interact.verdicts import NO_POINTS, joined
@@ -55,7 +55,7 @@ def build_ghosts(
     pieces = _thinned(current)
     patches += _bands(pieces, tones.CURRENT_GHOST_BAND, tone)
     strokes += _strokes(_segments(pieces), tones.CURRENT_GHOST_WIDTH, tone)
-    marks = Marks(points_px, "ring", tone, tones.GHOST_POINT_SIZE)
+    marks = PointMarks(points_px, "ring", tone, tones.GHOST_POINT_SIZE)
     labels = Labels(np.array([_middle(current)]), (label,), tones.LABEL)
     return Overlay(tuple(strokes), (marks,), (labels,), tuple(patches))
 
@@ -72,8 +72,8 @@ def with_next(
         size: (width, height) px of the picture.
     """
     centre = np.clip(np.array([at]), 0.0, np.array(size) - 1.0)
-    rim = Marks(centre, "ring", tones.GHOST_RIM, tones.NEXT_SIZE + 3.0)
-    ring = Marks(centre, "ring", tones.GHOST, tones.NEXT_SIZE)
+    rim = PointMarks(centre, "ring", tones.GHOST_RIM, tones.NEXT_SIZE + 3.0)
+    ring = PointMarks(centre, "ring", tones.GHOST, tones.NEXT_SIZE)
     said = Labels(centre, (label,), tones.LABEL)
     return replace(overlay, marks=(*overlay.marks, rim, ring), labels=(*overlay.labels, said))
 

@@ -16,7 +16,7 @@ from procc_annotator.interact.overlay_shapes import (
     Drawn,
     DrawnLine,
     FloatArray,
-    Marks,
+    PointMarks,
     Size,
     joined_points,
 )
@@ -25,18 +25,18 @@ from procc_annotator.session.dataset.edits import PointRef
 from procc_annotator.session.facts.origins import Origin, OriginKind, PointKey
 
 
-def judged_marks(drawn: Drawn, verdict: Verdicts) -> Iterable[Marks]:
+def judged_marks(drawn: Drawn, verdict: Verdicts) -> Iterable[PointMarks]:
     """Points by verdict: their shapes tell them apart without colour."""
     size = tones.HANDLE_SIZE
     missed = [drawn.points(n) for n in drawn.names() if verdict.status.get(n) == "missed"]
-    yield Marks(verdict.passing, "dot", tones.PASSES, size)
-    yield Marks(verdict.failing, "cross", tones.TOO_FAR, size + 2)
-    yield Marks(joined_points(missed), "ring", tones.MISSED, size)
+    yield PointMarks(verdict.passing, "dot", tones.PASSES, size)
+    yield PointMarks(verdict.failing, "cross", tones.TOO_FAR, size + 2)
+    yield PointMarks(joined_points(missed), "ring", tones.MISSED, size)
 
 
 def plain_marks(
     drawn: Drawn, verdict: Verdicts, field: Field, by_class: bool, *, hidden: bool
-) -> Iterable[Marks]:
+) -> Iterable[PointMarks]:
     """Points without a verdict, as handles in the colour of their lines."""
     rest = [] if hidden else [n for n in drawn.names() if n not in verdict.status]
     if by_class:
@@ -47,17 +47,17 @@ def plain_marks(
         yield from marks
         rest = [n for n in rest if n not in field.index]
     points = joined_points([drawn.points(n) for n in rest])
-    yield Marks(points, "handle", tones.UNKNOWN_CLASS, tones.HANDLE_SIZE)
+    yield PointMarks(points, "handle", tones.UNKNOWN_CLASS, tones.HANDLE_SIZE)
 
 
 @lru_cache(maxsize=256)  # the very same while other elements change
-def _class_marks(line: DrawnLine, colour: str) -> Marks:
-    return Marks(line.points, "handle", colour, tones.HANDLE_SIZE)
+def _class_marks(line: DrawnLine, colour: str) -> PointMarks:
+    return PointMarks(line.points, "handle", colour, tones.HANDLE_SIZE)
 
 
 def origin_marks(
     annotation: FrameAnnotation, size: Size, origins: Mapping[PointKey, Origin] | None
-) -> Iterable[Marks]:
+) -> Iterable[PointMarks]:
     """Points by how they came to be."""
     groups: dict[OriginKind, list[PointKey]] = {kind: [] for kind in OriginKind}
     for key in _keys(annotation) if origins is not None else ():
@@ -65,12 +65,12 @@ def origin_marks(
         groups[origin.kind if origin is not None else OriginKind.FILE].append(key)
     for kind, keys in groups.items():
         colour, shape = tones.ORIGINS[kind.value]
-        yield Marks(_places(keys, size), shape, colour, tones.HANDLE_SIZE)
+        yield PointMarks(_places(keys, size), shape, colour, tones.HANDLE_SIZE)
 
 
 def author_marks(
     annotation: FrameAnnotation, size: Size, origins: Mapping[PointKey, Origin] | None
-) -> Iterable[Marks]:
+) -> Iterable[PointMarks]:
     """Points by who put them there, in the order of the names; those of the file last."""
     known = origins if origins is not None else {}
     authors = sorted({origin.author for origin in known.values()})
@@ -83,8 +83,8 @@ def author_marks(
             chosen = groups[authors.index(origin.author) % len(tones.AUTHORS)]
         chosen.append(key)
     for (colour, shape), keys in zip(tones.AUTHORS, groups, strict=True):
-        yield Marks(_places(keys, size), shape, colour, tones.HANDLE_SIZE)
-    yield Marks(_places(unknown, size), "handle", tones.UNKNOWN_CLASS, tones.HANDLE_SIZE)
+        yield PointMarks(_places(keys, size), shape, colour, tones.HANDLE_SIZE)
+    yield PointMarks(_places(unknown, size), "handle", tones.UNKNOWN_CLASS, tones.HANDLE_SIZE)
 
 
 def landing(draft: Draft | None) -> FloatArray:

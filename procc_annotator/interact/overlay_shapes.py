@@ -40,7 +40,7 @@ class Strokes:
 
 
 @dataclass(frozen=True, eq=False)
-class Marks:
+class PointMarks:
     """Points of one look: (N, 2) picture px; shape ``dot``, ``cross``, ``ring`` or ``handle``."""
 
     centres: FloatArray
@@ -83,7 +83,7 @@ class Overlay:
     """What is painted over a picture, first to last: patches, strokes, marks, labels."""
 
     strokes: tuple[Strokes, ...]
-    marks: tuple[Marks, ...]
+    marks: tuple[PointMarks, ...]
     labels: tuple[Labels, ...]
     patches: tuple[FilledArea, ...] = ()
 
@@ -93,7 +93,7 @@ class Overlay:
         return tuple([s for s in self.strokes if s.box is not None])
 
     @cached_property
-    def seen_marks(self) -> tuple[Marks, ...]:
+    def seen_marks(self) -> tuple[PointMarks, ...]:
         """Those that are not empty."""
         return tuple([m for m in self.marks if m.box is not None])
 

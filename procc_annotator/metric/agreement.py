@@ -121,7 +121,7 @@ class FrameAgreement:
 
 
 @dataclass(frozen=True, eq=False)
-class Clicked:
+class ClickedCourse:
     """One element as somebody clicked it: (n, 2) px, and the course through them."""
 
     points: FloatArray
@@ -165,18 +165,20 @@ def compare_annotations(
     return replace(plain, mirrored_hint=any(found.jac(tau) >= to_beat for found in turned))
 
 
-def traces(annotation: FrameAnnotation, field: Field, size: tuple[int, int]) -> dict[str, Clicked]:
+def traces(
+    annotation: FrameAnnotation, field: Field, size: tuple[int, int]
+) -> dict[str, ClickedCourse]:
     """The courses of the elements that the field knows, by class name; size as (width, height)."""
     found = {}
     for polyline in annotation:
         element = field.element(polyline.class_name)
         if element is not None and polyline.points:
             points = points_px(polyline, size)
-            found[polyline.class_name] = Clicked(points, trace_of(points, element))
+            found[polyline.class_name] = ClickedCourse(points, trace_of(points, element))
     return found
 
 
-def _compare(a: Mapping[str, Clicked], b: Mapping[str, Clicked]) -> FrameAgreement:
+def _compare(a: Mapping[str, ClickedCourse], b: Mapping[str, ClickedCourse]) -> FrameAgreement:
     return FrameAgreement(
         {name: _compare_class(name, a[name], b[name]) for name in a if name in b},
         tuple(name for name in a if name not in b),
@@ -184,7 +186,7 @@ def _compare(a: Mapping[str, Clicked], b: Mapping[str, Clicked]) -> FrameAgreeme
     )
 
 
-def _compare_class(name: str, a: Clicked, b: Clicked) -> ClassAgreement:
+def _compare_class(name: str, a: ClickedCourse, b: ClickedCourse) -> ClassAgreement:
     of_a, of_b = b.trace.distances(a.points), a.trace.distances(b.points)
     # Whoever tells less of the course is measured by the other, not the reverse.
     told = [

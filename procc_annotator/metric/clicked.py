@@ -12,7 +12,7 @@ from procc_annotator.field.model import Field
 
 
 @dataclass(frozen=True, slots=True)
-class Clicked:
+class AnnotatedExtent:
     """What is annotated of a field in one frame.
 
     Attributes:
@@ -24,7 +24,7 @@ class Clicked:
     spread: float | None
 
 
-def clicked(annotation: FrameAnnotation, field: Field) -> Clicked:
+def clicked(annotation: FrameAnnotation, field: Field) -> AnnotatedExtent:
     """Number of elements and spread of their points.
 
     The spread is the area of the convex hull of all points, over that of the picture; points
@@ -38,6 +38,6 @@ def clicked(annotation: FrameAnnotation, field: Field) -> Clicked:
             for point in polyline.points:
                 flat += point[:2]
     if not flat:
-        return Clicked(0, None)
+        return AnnotatedExtent(0, None)
     points = np.clip(np.array(flat, dtype=np.float32).reshape(-1, 2), 0.0, 1.0)
-    return Clicked(count, float(cv2.contourArea(cv2.convexHull(points))))
+    return AnnotatedExtent(count, float(cv2.contourArea(cv2.convexHull(points))))

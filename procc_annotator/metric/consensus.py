@@ -19,7 +19,7 @@ from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Element, Field
 from procc_annotator.metric.agreement import (
     LEAST_OVERLAP,
-    Clicked,
+    ClickedCourse,
     FrameAgreement,
     compare_annotations,
     traces,
@@ -81,9 +81,9 @@ class _Overlaps:
     """How much two courses run along each other, each two looked at once."""
 
     def __init__(self) -> None:
-        self._known: dict[frozenset[Clicked], float] = {}
+        self._known: dict[frozenset[ClickedCourse], float] = {}
 
-    def of(self, a: Clicked, b: Clicked) -> float:
+    def of(self, a: ClickedCourse, b: ClickedCourse) -> float:
         key = frozenset((a, b))
         if key not in self._known:
             self._known[key] = overlap(a.trace, a.points, b.trace, b.points)
@@ -91,7 +91,7 @@ class _Overlaps:
 
 
 def _consensus(
-    several: Sequence[Mapping[str, Clicked]],
+    several: Sequence[Mapping[str, ClickedCourse]],
     field: Field,
     size: tuple[int, int],
     overlaps: _Overlaps,
@@ -113,7 +113,9 @@ def _consensus(
     return Consensus(FrameAnnotation(tuple(agreed)), tuple(undecided))
 
 
-def _middle(votes: Sequence[Clicked], element: Element, overlaps: _Overlaps) -> FloatArray | None:
+def _middle(
+    votes: Sequence[ClickedCourse], element: Element, overlaps: _Overlaps
+) -> FloatArray | None:
     """(n, 2) px along the middle of courses; None where more than half share no stretch."""
     if len(votes) == 1:
         return votes[0].points
@@ -130,7 +132,7 @@ def _middle(votes: Sequence[Clicked], element: Element, overlaps: _Overlaps) -> 
     return _where_clicked(Trace(course, closed), told, count)
 
 
-def _where_clicked(course: Trace, told: Sequence[Clicked], count: int) -> FloatArray:
+def _where_clicked(course: Trace, told: Sequence[ClickedCourse], count: int) -> FloatArray:
     """(n, 2) px: at most so many places on a course, as clicks are spread along it. Between clicks
     that are far apart, as where a circle leaves the picture, nobody knows where it runs."""
     lengths = lengths_along(course.vertices)
@@ -142,7 +144,7 @@ def _where_clicked(course: Trace, told: Sequence[Clicked], count: int) -> FloatA
     return places_at(course.vertices, np.unique(chosen), lengths)
 
 
-def _telling(votes: Sequence[Clicked]) -> list[Clicked]:
+def _telling(votes: Sequence[ClickedCourse]) -> list[ClickedCourse]:
     """Those whose course is known well, or coarsely where they are no more than half; none where
     most know only a place."""
     for rank in (2, 1):
@@ -153,7 +155,7 @@ def _telling(votes: Sequence[Clicked]) -> list[Clicked]:
 
 
 def _walk(
-    told: Sequence[Clicked], voters: int, overlaps: _Overlaps
+    told: Sequence[ClickedCourse], voters: int, overlaps: _Overlaps
 ) -> tuple[FloatArray, bool] | None:
     """The middle of courses along the one that shares most with the others, the longest stretch on
     which more than half of the voters run; and whether that goes all round."""
@@ -200,11 +202,11 @@ def _medians(table: FloatArray) -> FloatArray:
     return np.asarray((ascending[last // 2, columns] + ascending[(last + 1) // 2, columns]) / 2)
 
 
-def _length(clicked: Clicked) -> float:
+def _length(clicked: ClickedCourse) -> float:
     return clicked.extent[1] - clicked.extent[0]
 
 
-def _offsets(vote: Clicked, places: FloatArray, across: FloatArray) -> FloatArray:
+def _offsets(vote: ClickedCourse, places: FloatArray, across: FloatArray) -> FloatArray:
     """(n,) px from places to a course along the directions across; NaN where it does not run."""
     lengths = lengths_along(vote.trace.vertices)
     at = feet(vote.trace, places)

@@ -26,7 +26,7 @@ from procc_annotator.report.conversion_output import (
     write_converted,
 )
 from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.session.dataset.picture_names import PictureNames
+from procc_annotator.session.dataset.picture_names import PicturesByName
 from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
     picture_folders,
@@ -158,7 +158,7 @@ def read_annotations(
             fmt=fmt,
             size_of=lambda name: _size_in(workspace, name),
             pictures=sorted(frame.picture for frame in workspace.frames),
-            called=PictureNames(workspace.index).called,
+            called=PicturesByName(workspace.index).called,
             progress=progress,
         )
 

@@ -40,7 +40,7 @@ Progress = Callable[[Iterable[Proposed], int, str], Iterable[Proposed]]
 
 
 @dataclass
-class Proposals:
+class ProposedSet:
     """What became of a set of pictures.
 
     Attributes:
@@ -62,7 +62,7 @@ class Proposals:
         return Counter(one.proposal.state for one in self.frames if one.proposal is not None)
 
 
-def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposals:
+def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> ProposedSet:
     """Look at all pictures of a set, once more at those without a sure camera where the others
     agree where it stands, and write cameras and table.
 
@@ -103,7 +103,7 @@ def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposal
     _remove_older(out, run.names, written)
     table = Sheet("proposals", "", _COLUMNS, tuple(map(_row, frames)))
     write_atomic(out / TABLE_FILE, csv_bytes(table))
-    return Proposals(frames, positions)
+    return ProposedSet(frames, positions)
 
 
 def _has_camera(one: Proposed) -> bool:
@@ -154,7 +154,7 @@ def _row(one: Proposed) -> Row:
     )  # fmt: skip
 
 
-def states_table(found: Proposals) -> Sheet:
+def states_table(found: ProposedSet) -> Sheet:
     """How many frames are in each state, and how they are, median."""
     looked_at = len(found.frames) - len(found.errors)
     told = (COVERAGE, EXPLAINED, RESIDUAL, MARGIN)
@@ -174,7 +174,7 @@ def _median(values: Sequence[float | None]) -> float | None:
     return float(np.median(known)) if known else None
 
 
-def doubtful_table(found: Proposals) -> Sheet:
+def doubtful_table(found: ProposedSet) -> Sheet:
     """The frames without a sure camera and why, the first ones of many."""
     doubtful = [(one.name, p.state, p.reason) for one in found.frames
                 if (p := one.proposal) is not None and not one.is_sure]  # fmt: skip
@@ -185,13 +185,13 @@ def doubtful_table(found: Proposals) -> Sheet:
     return Sheet("doubtful", title, columns, tuple(doubtful[:_SHOWN]), notes=notes)
 
 
-def summary_words(found: Proposals) -> str:
+def summary_words(found: ProposedSet) -> str:
     """``112 sure, 9 unsure, 5 none``."""
     states = found.states
     return ", ".join(f"{states[state]} {state}" for state in (SURE, UNSURE, NONE))
 
 
-def positions_words(found: Proposals) -> str:
+def positions_words(found: ProposedSet) -> str:
     """Where frames agree that cameras stand, and what came of it; empty where they do not."""
     if not found.positions:
         return ""

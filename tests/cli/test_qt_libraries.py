@@ -104,7 +104,7 @@ def test_the_table_knows_what_the_shipped_plugins_need() -> None:
     """Directly, that is; what those need in turn comes with their packages."""
     for plugin in ("libqxcb.so", "libqwayland.so"):
         file = QT / "plugins" / "platforms" / plugin
-        assert missing_libraries(file) == []
+        assert {stem_of(name) for name in missing_libraries(file)} <= PACKAGES.keys()
         text = file.read_bytes()
         own = {p.name.encode() for p in (QT / "lib").iterdir()}
         strings = {s for s in text.split(b"\0") if s.startswith(b"lib") and b".so." in s}

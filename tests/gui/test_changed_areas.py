@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QPointF
 
 from procc_annotator.gui.picture.overlay_item import changed_areas
-from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay, Strokes
+from procc_annotator.interact.overlay_shapes import Labels, Overlay, PointMarks, Strokes
 
 
 def lines(*rows: tuple[float, float, float, float], colour: str = "#ffffff") -> Strokes:
@@ -14,10 +14,10 @@ def lines(*rows: tuple[float, float, float, float], colour: str = "#ffffff") -> 
 
 
 STILL = lines((500, 500, 600, 600))
-DOT = Marks(np.array([[900.0, 50.0]]), "dot", "#00ff00", 6.0)
+DOT = PointMarks(np.array([[900.0, 50.0]]), "dot", "#00ff00", 6.0)
 
 
-def overlay(moving: Strokes, mark: Marks = DOT, *texts: str) -> Overlay:
+def overlay(moving: Strokes, mark: PointMarks = DOT, *texts: str) -> Overlay:
     at = np.array([[300.0, 700.0 + 200 * i] for i in range(len(texts))]).reshape(-1, 2)
     return Overlay((STILL, moving), (mark,), (Labels(at, texts, "#ffffff"),))
 
@@ -30,7 +30,7 @@ def test_nothing_is_painted_where_nothing_differs() -> None:
 
 
 def test_places_far_apart_are_painted_apart() -> None:
-    moved = Marks(np.array([[905.0, 50.0]]), "dot", "#00ff00", 6.0)
+    moved = PointMarks(np.array([[905.0, 50.0]]), "dot", "#00ff00", 6.0)
     areas = changed_areas(
         overlay(lines((0, 0, 10, 10))), overlay(lines((0, 0, 20, 10)), moved), 1.0
     )

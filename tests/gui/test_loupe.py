@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.picture.loupe import Loupe, magnify, place_beside, position_text
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay, Strokes
+from procc_annotator.interact.overlay_shapes import Labels, Overlay, PointMarks, Strokes
 
 NOTHING = Overlay((), (), ())
 
@@ -90,7 +90,7 @@ def test_the_overlay_is_drawn_where_it_belongs_without_labels(viewport: _Eye) ->
     loupe = Loupe(viewport)
     overlay = Overlay(
         (Strokes(np.array([[60.0, 40.0, 100.0, 40.0]]), "#ff0000", 2.0),),
-        (Marks(np.array([[85.0, 50.0]]), "handle", "#00ff00", 6.0),),
+        (PointMarks(np.array([[85.0, 50.0]]), "handle", "#00ff00", 6.0),),
         (Labels(np.array([[80.0, 45.0]]), ("A label",), "#ffffff"),),
     )
     black = np.zeros((90, 160, 4), dtype=np.uint8)

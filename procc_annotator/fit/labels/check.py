@@ -14,7 +14,7 @@ from procc_annotator.fit.labels.clicked import ClickedFrame
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.labels.mistakes import camera_findings
 from procc_annotator.fit.labels.overlap import overlap_findings
-from procc_annotator.fit.labels.seen_paint import SeenPaint
+from procc_annotator.fit.labels.seen_paint import ElementPaint
 from procc_annotator.fit.labels.shape import shape_findings
 from procc_annotator.fit.labels.short import short_findings
 from procc_annotator.fit.labels.sides import side_findings
@@ -84,7 +84,7 @@ def with_paint(
     *,
     size: tuple[int, int],
     fit: FitResult,
-    paint: Mapping[str, SeenPaint],
+    paint: Mapping[str, ElementPaint],
 ) -> tuple[Finding, ...]:
     """What is known once the picture was looked at: the surest first.
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.field.model import Element, Field
-from procc_annotator.fit.labels.seen_paint import SeenPaint
+from procc_annotator.fit.labels.seen_paint import ElementPaint
 from procc_annotator.fit.result import ElementResidual, FitResult, PosedCamera
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
@@ -111,7 +111,7 @@ class ClickedFrame:
     frame: PictureFrame
     fit: FitResult
     go_on: Callable[[], None] = lambda: None
-    paint: Mapping[str, SeenPaint] = dataclasses.field(default_factory=dict)
+    paint: Mapping[str, ElementPaint] = dataclasses.field(default_factory=dict)
 
     @cached_property
     def clicked(self) -> tuple[Clicked, ...]:

@@ -33,7 +33,7 @@ class Paint(IntEnum):
 
 
 @dataclass(frozen=True, eq=False)
-class SeenPaint:
+class ElementPaint:
     """Evidence along one element.
 
     Attributes:

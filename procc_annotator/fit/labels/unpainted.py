@@ -17,7 +17,7 @@ from procc_annotator.fit.labels.finding import (
     Severity,
     surely_wrong,
 )
-from procc_annotator.fit.labels.seen_paint import Paint, SeenPaint
+from procc_annotator.fit.labels.seen_paint import ElementPaint, Paint
 
 # Players hide shorter stretches, worn lines smaller shares, px at 960 px width.
 _LONG_PX, _LEAST_SHARE = 40.0, 0.5
@@ -57,7 +57,7 @@ def paint_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterato
                 yield told
 
 
-def _beside(one: Clicked, seen: SeenPaint) -> Finding | None:
+def _beside(one: Clicked, seen: ElementPaint) -> Finding | None:
     """Paint that is seen, but beside the element or beside one of its ends."""
     if bent := _bent_px(one, seen):
         reason = (
@@ -76,7 +76,7 @@ def _beside(one: Clicked, seen: SeenPaint) -> Finding | None:
     return None
 
 
-def _without(one: Clicked, seen: SeenPaint, *, is_missed: bool) -> Finding | None:
+def _without(one: Clicked, seen: ElementPaint, *, is_missed: bool) -> Finding | None:
     """No paint under much of the element, or towards one of its ends."""
     if is_missed:
         share, length = seen.share_without, seen.longest_without_px
@@ -100,17 +100,17 @@ def _is_judged(one: Clicked) -> bool:
     return known and one.element.appearance.tone == LIGHTER
 
 
-def _is_unpainted(one: Clicked, seen: SeenPaint) -> bool:
+def _is_unpainted(one: Clicked, seen: ElementPaint) -> bool:
     least_px = _LONG_OF_BAR_PX if one.element.appearance.kind == BAR else _LONG_PX
     return seen.share_without >= _LEAST_SHARE and _without_px(seen) >= least_px
 
 
-def _without_px(seen: SeenPaint) -> float:
+def _without_px(seen: ElementPaint) -> float:
     """Length without paint, px at 960 px width."""
     return seen.share_without * float(seen.lengths_px.sum()) * seen.scale
 
 
-def _bent_px(one: Clicked, seen: SeenPaint) -> float:
+def _bent_px(one: Clicked, seen: ElementPaint) -> float:
     """How far the paint runs beside the middle of a straight element, px of the picture; 0 where
     it does not, or nobody can say."""
     if not one.element.is_straight:
@@ -127,7 +127,7 @@ def _bent_px(one: Clicked, seen: SeenPaint) -> float:
     return most if most_px >= _BENT_PX and at_ends.max() <= _AT_ENDS * most_px else 0.0
 
 
-def _astray_end(one: Clicked, seen: SeenPaint) -> tuple[int, float] | None:
+def _astray_end(one: Clicked, seen: ElementPaint) -> tuple[int, float] | None:
     """Which end of a straight element lies beside its paint, 0 or -1, and how far, px of the
     picture: from the click before it the paint steadily leaves the line."""
     if not one.element.is_straight:
@@ -155,7 +155,7 @@ def _astray_end(one: Clicked, seen: SeenPaint) -> tuple[int, float] | None:
     return None
 
 
-def _unseen_end(one: Clicked, seen: SeenPaint) -> int | None:
+def _unseen_end(one: Clicked, seen: ElementPaint) -> int | None:
     """Which end of a straight element has no paint between it and the click before it, 0 or -1,
     though all else has."""
     if not one.element.is_straight:

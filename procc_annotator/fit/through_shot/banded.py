@@ -36,7 +36,7 @@ class Normal:
 
 
 @dataclass(frozen=True, eq=False)
-class Solution:
+class BandedSolution:
     """What solves them.
 
     Attributes:
@@ -54,7 +54,7 @@ class Solution:
     follow: FloatArray
 
 
-def solve_normal(normal: Normal) -> Solution:
+def solve_normal(normal: Normal) -> BandedSolution:
     """Solve normal equations, and tell how surely."""
     count, own, sides = normal.own_pull.shape
     right = np.concatenate([normal.own_pull, normal.border], axis=2)
@@ -78,7 +78,7 @@ def solve_normal(normal: Normal) -> Solution:
     pull = normal.shared_pull - np.einsum("kns,knr->sr", normal.border, found[:, :, :sides])
     covariance = np.linalg.inv(reduced)
     step = covariance @ pull
-    return Solution(
+    return BandedSolution(
         found[:, :, :sides] + follow @ step,
         step,
         spread + follow @ covariance @ follow.transpose(0, 2, 1),

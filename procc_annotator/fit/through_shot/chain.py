@@ -12,7 +12,7 @@ from procc_annotator.fit.through_shot.turning import Turn
 
 
 @dataclass(frozen=True, eq=False)
-class Chain:
+class FrameChain:
     """K frames of one shot.
 
     Attributes:
@@ -28,7 +28,7 @@ class Chain:
     given: Mapping[int, Belief]
 
 
-def chain_of(runs: Sequence[Followed], given: Mapping[int, Belief]) -> Chain:
+def chain_of(runs: Sequence[Followed], given: Mapping[int, Belief]) -> FrameChain:
     """The chain of frames that were followed, in either direction, from frames they share or up to
     frames beside each other.
 
@@ -49,7 +49,7 @@ def chain_of(runs: Sequence[Followed], given: Mapping[int, Belief]) -> Chain:
             else:
                 turns[number] = None if step.turn is None else step.turn.backwards()
     numbers = tuple(sorted(steps))
-    return Chain(
+    return FrameChain(
         numbers,
         tuple(steps[n] for n in numbers),
         tuple(turns.get(n) for n in numbers[:-1]),

@@ -20,7 +20,7 @@ from procc_annotator.fit.on_paint.result import fit_result
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import X, Z
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.fit.through_shot.chain import Chain, chain_of
+from procc_annotator.fit.through_shot.chain import FrameChain, chain_of
 from procc_annotator.fit.through_shot.following import Followed, follow
 from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
 from procc_annotator.fit.through_shot.smoothing import Smoothed, smoothed
@@ -278,7 +278,7 @@ class _Work:
         self.on_frame(self.found[number])
 
 
-def _beliefs(chain: Chain, numbers: Iterable[int]) -> dict[int, Belief]:
+def _beliefs(chain: FrameChain, numbers: Iterable[int]) -> dict[int, Belief]:
     """What is believed of the cameras of those frames that a chain has got to."""
     steps = dict(zip(chain.numbers, chain.steps, strict=True))
     return {number: steps[number].belief for number in numbers if number in steps}

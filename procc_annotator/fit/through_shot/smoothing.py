@@ -17,8 +17,8 @@ from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, LOG_FOCAL, X, Z
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
-from procc_annotator.fit.through_shot.banded import Normal, Solution, solve_normal
-from procc_annotator.fit.through_shot.chain import Chain
+from procc_annotator.fit.through_shot.banded import BandedSolution, Normal, solve_normal
+from procc_annotator.fit.through_shot.chain import FrameChain
 from procc_annotator.fit.through_shot.stand import TRIPOD, Stand, lens_change
 from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.turning import OWN, Turn
@@ -64,7 +64,7 @@ class Smoothed:
         explained: how many frames' worth of marks its cameras explain.
     """
 
-    chain: Chain
+    chain: FrameChain
     beside_px: float
     explained: float
 
@@ -73,7 +73,9 @@ class Smoothed:
         return np.array([step.coverage for step in self.chain.steps])
 
 
-def smoothed(chain: Chain, field: Field, frame: PictureFrame, stand: Stand = TRIPOD) -> Smoothed:
+def smoothed(
+    chain: FrameChain, field: Field, frame: PictureFrame, stand: Stand = TRIPOD
+) -> Smoothed:
     """The same frames, each with the camera that is best for all of them together."""
     data = _data_of(chain.steps)
     vectors = np.array([step.belief.vector for step in chain.steps])
@@ -125,7 +127,7 @@ def _data_of(steps: tuple[Stepped, ...]) -> _Data:
 
 
 def _normal(
-    chain: Chain,
+    chain: FrameChain,
     data: _Data,
     vectors: FloatArray,
     before: Belief,
@@ -252,7 +254,7 @@ def _held(
     return shares, residuals
 
 
-def _covariances(found: Solution, beside: FloatArray, stand: Stand) -> FloatArray:
+def _covariances(found: BandedSolution, beside: FloatArray, stand: Stand) -> FloatArray:
     """(K, 8, 8) of each frame's parameters: of the marks' noise, and of what elements do."""
     own, shared = stand.own, stand.shared
     full = beside @ beside.transpose(0, 2, 1)

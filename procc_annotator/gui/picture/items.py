@@ -21,7 +21,14 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygon
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.interact.label_places import place_apart
-from procc_annotator.interact.overlay_shapes import Box, FilledArea, Labels, Marks, Overlay, Strokes
+from procc_annotator.interact.overlay_shapes import (
+    Box,
+    FilledArea,
+    Labels,
+    Overlay,
+    PointMarks,
+    Strokes,
+)
 
 Array = NDArray[np.float64]
 
@@ -263,7 +270,7 @@ def cut_dashes(
     return np.concatenate(pieces)
 
 
-def _paint_marks(painter: QPainter, marks: Marks, view: _View, near: Box) -> None:
+def _paint_marks(painter: QPainter, marks: PointMarks, view: _View, near: Box) -> None:
     unit, half = view.unit, marks.size * view.unit / 2
     places = [(x, y) for _, x, y in view.places(marks.centres, near)]
     if marks.shape == "cross":

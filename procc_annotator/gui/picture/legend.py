@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.interact.legend import LegendEntry
-from procc_annotator.interact.overlay_shapes import Marks, Overlay, Strokes
+from procc_annotator.interact.overlay_shapes import Overlay, PointMarks, Strokes
 
 _BACKGROUND, _TEXT = QColor("#202020"), QColor("#ffffff")
 # In points.
@@ -93,7 +93,9 @@ class LegendBand:
             strokes += [Strokes(sample, s.colour, s.width, s.dash) for s in entry.lines]
             if entry.mark is not None:
                 centre = np.array([[x + _SAMPLE * unit / 2, y]])
-                marks.append(Marks(centre, entry.mark.shape, entry.mark.colour, entry.mark.size))
+                marks.append(
+                    PointMarks(centre, entry.mark.shape, entry.mark.colour, entry.mark.size)
+                )
         overlay = Overlay(tuple(strokes), tuple(marks), ())
         # The painter of overlays puts whole numbers on pixel centres; here they are edges.
         paint_overlay(painter, overlay, scale=1.0, offset=(-0.5, -0.5), unit=unit, clip=area)

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.still import StillOverlay
-from procc_annotator.interact.overlay_shapes import NOTHING, Labels, Marks, Overlay, Strokes
+from procc_annotator.interact.overlay_shapes import NOTHING, Labels, Overlay, PointMarks, Strokes
 
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
 _LETTER = 8.5  # points: generous bounds of a label's letter, and of how high and low it stands
@@ -191,17 +191,17 @@ def _add(areas: list[QRectF], area: QRectF) -> None:
     areas.append(area)
 
 
-def _seen(group: Strokes | Marks | None) -> bool:
+def _seen(group: Strokes | PointMarks | None) -> bool:
     return group is not None and group.box is not None
 
 
-def _look(group: Strokes | Marks | None) -> tuple[object, ...]:
+def _look(group: Strokes | PointMarks | None) -> tuple[object, ...]:
     if isinstance(group, Strokes):
         return group.colour, group.width, group.dash
     return () if group is None else (group.colour, group.size, group.shape)
 
 
-def _rows(group: Strokes | Marks | None) -> Positions:
+def _rows(group: Strokes | PointMarks | None) -> Positions:
     if group is None:
         return _NO_ROWS
     return group.segments if isinstance(group, Strokes) else group.centres

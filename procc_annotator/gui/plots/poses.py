@@ -15,7 +15,7 @@ from procc_annotator.session.runs.audit_figures import (
     POSE_QUANTITIES,
     POSE_UNITS,
     FloatArray,
-    Poses,
+    SetPoses,
     Table,
     poses,
 )
@@ -27,7 +27,7 @@ _MOST_JUMPS = 3000  # rings that are painted
 class PosePlot:
     """Per source: its poses."""
 
-    poses: tuple[Poses, ...]
+    poses: tuple[SetPoses, ...]
 
 
 class PosesPage(PlotPage[PosePlot]):
@@ -116,7 +116,7 @@ class PosesPage(PlotPage[PosePlot]):
         if row:
             plot.setXLink(self.plots[0])
 
-    def _draw_line(self, items: Items, source: PlottedSource, found: Poses, column: int) -> None:
+    def _draw_line(self, items: Items, source: PlottedSource, found: SetPoses, column: int) -> None:
         if not found.with_pose:
             return
         line = items.take("line", source.number, self.pg.PlotDataItem)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.seen_paint import SeenPaint
+from procc_annotator.fit.labels.seen_paint import ElementPaint
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
@@ -14,7 +14,7 @@ from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.strokes.paint_evidence import paint_evidence
 
-Evidence = Mapping[Polyline, SeenPaint]
+Evidence = Mapping[Polyline, ElementPaint]
 _STAYED_MS = 150  # a frame that is left sooner was only passed
 _KEPT = 8
 

@@ -17,7 +17,7 @@ from procc_annotator.words import count_of
 HOW = "calibrate --held-out"
 
 
-class Fitted(Protocol):
+class WithHeldOut(Protocol):
     """A source some of whose cameras may have been fitted to the clicks they are judged by."""
 
     @property
@@ -27,7 +27,7 @@ class Fitted(Protocol):
 
 
 def held_out_sheet(
-    sources: Sequence[tuple[str, Fitted]], thresholds: Sequence[float], described: str
+    sources: Sequence[tuple[str, WithHeldOut]], thresholds: Sequence[float], described: str
 ) -> Sheet | None:
     """The fits among the sources, each with the share of elements that are correct left out, and in
     sample; of fits without such figures the notes say how to get them. None without fits.
@@ -60,7 +60,7 @@ def held_out_sheet(
     return Sheet("held_out", title, tuple(columns), tuple(rows), described, tuple(notes))
 
 
-def held_out_entry(source: Fitted, thresholds: Sequence[float]) -> dict[str, Any]:
+def held_out_entry(source: WithHeldOut, thresholds: Sequence[float]) -> dict[str, Any]:
     """As files of figures hold it; nothing of a source that is no fit."""
     if not source.fitted:
         return {}
@@ -79,7 +79,7 @@ def held_out_entry(source: Fitted, thresholds: Sequence[float]) -> dict[str, Any
     return {"held_out": told}
 
 
-def _why_none(source: Fitted) -> str:
+def _why_none(source: WithHeldOut) -> str:
     """Why some cameras have no such figures; empty where all have."""
     figures = source.held_out
     if figures.frames >= source.fitted:

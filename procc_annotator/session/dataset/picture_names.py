@@ -8,7 +8,7 @@ from collections.abc import Mapping
 PICTURE_FOLDERS = ("", "images", "images/default", "img1", "v3_frames")
 
 
-class PictureNames:
+class PicturesByName:
     """Names of the frames that have a picture, to find those that files tell otherwise: they leave
     out the folder that only keeps pictures (``game/img1/000001`` is game/000001 to game state), or
     all folders."""

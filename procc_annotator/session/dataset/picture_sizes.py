@@ -13,7 +13,7 @@ from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.session.dataset.dataset_folder import is_known_dataset, lies_below
-from procc_annotator.session.dataset.picture_names import PICTURE_FOLDERS, PictureNames
+from procc_annotator.session.dataset.picture_names import PICTURE_FOLDERS, PicturesByName
 from procc_annotator.session.dataset.picture_tree import find_pictures
 
 
@@ -32,7 +32,7 @@ class PictureSizes:
                 annotations lie at its top.
         """
         self._paths = ByFrame[Path]()
-        self._names = PictureNames(self._paths)
+        self._names = PicturesByName(self._paths)
         self._otherwise = otherwise
         for folder in folders:
             for inner in PICTURE_FOLDERS:

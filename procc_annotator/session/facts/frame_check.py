@@ -13,7 +13,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_by_eye, check_labels, with_paint
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.seen_paint import SeenPaint
+from procc_annotator.fit.labels.seen_paint import ElementPaint
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.which_side import OnOtherSide, Stand, other_side_finding, stand_of
 
@@ -136,7 +136,7 @@ def check_frame(
     *,
     size: tuple[int, int],
     model: str = "R",
-    paint: Mapping[str, SeenPaint] | None = None,
+    paint: Mapping[str, ElementPaint] | None = None,
 ) -> FrameCheck:
     """Fit a camera to a frame's annotation and check its labels; safe from any thread.
 
@@ -159,7 +159,7 @@ def check_without_fit(
     field: Field,
     *,
     size: tuple[int, int],
-    paint: Mapping[str, SeenPaint] | None = None,
+    paint: Mapping[str, ElementPaint] | None = None,
 ) -> FrameCheck:
     """Check a frame's labels by the rules that need no camera; no camera is fitted, so that what is
     found may be shown where a camera may not. Safe from any thread."""

@@ -105,7 +105,7 @@ def wrong(place: int, problem: str) -> UsageError:
 
 
 @dataclass(frozen=True, slots=True)
-class Interval:
+class NumberRange:
     """The numbers a condition allows."""
 
     low: float = -inf
@@ -119,7 +119,7 @@ class Interval:
         return above and (value < self.high if self.high_open else value <= self.high)
 
 
-def read_interval(part: Part, *, whole: bool, example: str) -> Interval | str:
+def read_interval(part: Part, *, whole: bool, example: str) -> NumberRange | str:
     """``<0.8``, ``>=2``, ``0.5``, ``0.2..0.8`` (both ends belong to it) as numbers.
 
     Args:
@@ -142,20 +142,20 @@ def read_interval(part: Part, *, whole: bool, example: str) -> Interval | str:
         return f"a number is missing, as in {example}"
     value = _number(rest, part.place, whole, example)
     if operator.startswith("<"):
-        return Interval(high=value, high_open=operator == "<")
+        return NumberRange(high=value, high_open=operator == "<")
     if operator.startswith(">"):
-        return Interval(low=value, low_open=operator == ">")
+        return NumberRange(low=value, low_open=operator == ">")
     half = 0.0 if whole else 0.5 * 10.0 ** -max(2, len(rest.partition(".")[2]))
-    return Interval(value - half, value + half)
+    return NumberRange(value - half, value + half)
 
 
-def _range(low: str, high: str, place: int, whole: bool, example: str) -> Interval | str:
+def _range(low: str, high: str, place: int, whole: bool, example: str) -> NumberRange | str:
     first = _number(low or "0", place, whole, example)  # neither JaC nor counts are below 0
     if _begun(high):
         return f"the end of the range that begins with {first:g} is missing"
     last = _number(high, place, whole, example)
     if last >= first:
-        return Interval(first, last)
+        return NumberRange(first, last)
     # 0.8..0 may become 0.8..0.9 and 8..1 may become 8..12 when more is typed
     if whole or float(high + ("9" * 9 if "." in high else ".999999999")) >= first:
         return f"the range {first:g}..{last:g} ends before it begins"

@@ -241,7 +241,7 @@ def timeline(frames: Sequence[str], audits: Mapping[str, FrameAudit], tau: float
 
 
 @dataclass(frozen=True, eq=False)
-class Poses:
+class SetPoses:
     """Where a source's camera is over the frames.
 
     Attributes:
@@ -257,7 +257,7 @@ class Poses:
     without: int
 
 
-def poses(frames: Sequence[str], audits: Mapping[str, FrameAudit]) -> Poses:
+def poses(frames: Sequence[str], audits: Mapping[str, FrameAudit]) -> SetPoses:
     """The camera over the frames; the height is positive above the ground."""
     values = np.full((len(frames), len(POSE_QUANTITIES)), np.nan)
     without = 0
@@ -274,7 +274,7 @@ def poses(frames: Sequence[str], audits: Mapping[str, FrameAudit]) -> Poses:
     there = np.isfinite(values[:, 0])
     for column in range(3):
         values[there, column] = np.rad2deg(np.unwrap(np.deg2rad(values[there, column])))
-    return Poses(values, jumps(values), int(np.count_nonzero(there)), without)
+    return SetPoses(values, jumps(values), int(np.count_nonzero(there)), without)
 
 
 def jumps(values: FloatArray) -> NDArray[np.bool_]:
@@ -284,7 +284,7 @@ def jumps(values: FloatArray) -> NDArray[np.bool_]:
     less than half a degree, half a metre or ten px.
 
     Args:
-        values: (F, 7) as in `Poses`.
+        values: (F, 7) as in `SetPoses`.
     """
     found = np.zeros(values.shape, dtype=bool)
     if len(values) < 3:

@@ -9,7 +9,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
-from procc_annotator.fit.labels.seen_paint import SeenPaint
+from procc_annotator.fit.labels.seen_paint import ElementPaint
 from procc_annotator.fit.which_side import frames_on_other_side
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.fit_sizes import FitSizes, SizesUsed
@@ -95,7 +95,7 @@ class CheckFiles(AnnotationTask):
 
     def _paint(
         self, name: str, annotation: FrameAnnotation, field: Field
-    ) -> Mapping[str, SeenPaint] | None:
+    ) -> Mapping[str, ElementPaint] | None:
         path = self.sizes.picture_of(name)
         if path is None:
             return None

@@ -16,7 +16,7 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.io.camera_files.held_out_table import HeldOut
-from procc_annotator.metric.clicked import Clicked, clicked
+from procc_annotator.metric.clicked import AnnotatedExtent, clicked
 from procc_annotator.metric.measure import Measurement, measure_frames
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
@@ -53,7 +53,7 @@ class FrameResult:
     model: str = ""
     groups: tuple[str | None, ...] = ()
     fitted: bool = False
-    clicked: Clicked | None = None
+    clicked: AnnotatedExtent | None = None
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -157,7 +157,7 @@ class _Read(NamedTuple):
     fitted: bool = False
     held_out: HeldOut | None = None
     error: str | None = None
-    clicked: Clicked | None = None
+    clicked: AnnotatedExtent | None = None
 
 
 def _read(frame: FrameFiles, task: ScoreChunk[Any]) -> _Read:

@@ -11,7 +11,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
 from procc_annotator.field.appearance import NOTHING
 from procc_annotator.field.geometry import Chain
 from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.seen_paint import SeenPaint
+from procc_annotator.fit.labels.seen_paint import ElementPaint
 from procc_annotator.fit.line_ends import steps_to_edge
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
 from procc_annotator.image.decode import PixelArray
@@ -30,9 +30,9 @@ def paint_evidence(
     annotation: FrameAnnotation,
     picture: PixelArray,
     field: Field,
-    known: Mapping[Polyline, SeenPaint] | None = None,
+    known: Mapping[Polyline, ElementPaint] | None = None,
     go_on: Callable[[], None] = lambda: None,
-) -> dict[Polyline, SeenPaint]:
+) -> dict[Polyline, ElementPaint]:
     """What the picture shows along each element; safe from any thread.
 
     Args:
@@ -63,22 +63,22 @@ def paint_evidence(
 
 def paint_by_class(
     annotation: FrameAnnotation, picture: PixelArray, field: Field
-) -> dict[str, SeenPaint]:
+) -> dict[str, ElementPaint]:
     """The same of the confirmed elements, by class."""
     confirmed = replace(annotation, unconfirmed=())
     return of_confirmed(annotation, paint_evidence(confirmed, picture, field))
 
 
 def of_confirmed(
-    annotation: FrameAnnotation, evidence: Mapping[Polyline, SeenPaint]
-) -> dict[str, SeenPaint]:
+    annotation: FrameAnnotation, evidence: Mapping[Polyline, ElementPaint]
+) -> dict[str, ElementPaint]:
     """Class -> what is seen along the confirmed element."""
     return {p.class_name: evidence[p] for p in annotation.polylines if p in evidence}
 
 
 def _along(
     polyline: Polyline, picture: PixelArray, sought: Sought, *, smooth: bool
-) -> SeenPaint | None:
+) -> ElementPaint | None:
     size = (picture.shape[1], picture.shape[0])
     per_px = 1 / PictureFrame(size).scale
     limits = np.array(size) - 1.0
@@ -108,7 +108,7 @@ def _along(
         distances = np.arange(_EVERY_PX * per_px / 2, most, _EVERY_PX * per_px / 2)
         beyond = end + distances[:, None] * step
         ahead.append((distances, offsets(beyond, np.tile(step, (len(distances), 1)))))
-    return SeenPaint(
+    return ElementPaint(
         size, places, offsets(places, along), segments[inside], lengths, (ahead[0], ahead[1])
     )
 

@@ -13,7 +13,7 @@ import pytest
 from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.exclusive import exclusive
-from procc_annotator.metric.clicked import Clicked
+from procc_annotator.metric.clicked import AnnotatedExtent
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.score_columns import KEYS, NAMES, Row
 from procc_annotator.report.scores.score_table import (
@@ -189,7 +189,7 @@ def test_a_frame_without_scores_has_empty_figures() -> None:
 
 
 def test_rows_say_how_much_is_annotated_and_tables_without_it_grow_on(tmp_path: Path) -> None:
-    told = FrameResult("1", None, None, (), {}, clicked=Clicked(7, 0.25))
+    told = FrameResult("1", None, None, (), {}, clicked=AnnotatedExtent(7, 0.25))
     (made,) = whole_rows("s", "m", SETUP, figures_of(told, (5.0,)))
     assert made[-2:] == (7, 0.25)
     path = tmp_path / "board.csv"

@@ -10,7 +10,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.fit.labels.check import check_by_eye, with_paint
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.seen_paint import Paint, SeenPaint
+from procc_annotator.fit.labels.seen_paint import ElementPaint, Paint
 from procc_annotator.fit.result import FitResult
 
 SIZE = (960, 540)
@@ -24,25 +24,25 @@ def line(name: str, *places: tuple[float, float]) -> Polyline:
     return Polyline(name, tuple(point_from_px(x, y, SIZE) for x, y in places))
 
 
-def seen(*offsets: float, length: float = 200.0) -> SeenPaint:
+def seen(*offsets: float, length: float = 200.0) -> ElementPaint:
     count = len(offsets)
     places = np.column_stack([np.linspace(100, 100 + length, count), np.full(count, 200.0)])
     each = np.full(count, length / count)
     zeros = np.zeros(count, dtype=np.intp)
-    return SeenPaint(SIZE, places, np.array(offsets), zeros, each, (NOTHING, NOTHING))
+    return ElementPaint(SIZE, places, np.array(offsets), zeros, each, (NOTHING, NOTHING))
 
 
 GOOD = seen(*[0.1] * 12)
 
 
-def findings(field, paint: dict[str, SeenPaint]) -> list[Finding]:
+def findings(field, paint: dict[str, ElementPaint]) -> list[Finding]:
     polylines = [line(n, (100, 100 + 80 * k), (300, 100 + 80 * k)) for k, n in enumerate(NAMES)]
     annotation = FrameAnnotation(tuple(polylines))
     told = with_paint((), annotation, field, size=SIZE, fit=NO_FIT, paint=paint)
     return [f for f in told if f.elements[0] == NAMES[0]]
 
 
-def found(field, paint: dict[str, SeenPaint]) -> list[tuple[Rule, Severity, str]]:
+def found(field, paint: dict[str, ElementPaint]) -> list[tuple[Rule, Severity, str]]:
     return [(f.rule, f.severity, f.reason) for f in findings(field, paint)]
 
 
