@@ -19,7 +19,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import vector_from_camera
 from procc_annotator.fit.solving.observations import PictureFrame
 from procc_annotator.fit.through_shot.banded import Normal, solve_normal
-from procc_annotator.fit.through_shot.chain import Chain
+from procc_annotator.fit.through_shot.chain import FrameChain
 from procc_annotator.fit.through_shot.following import follow
 from procc_annotator.fit.through_shot.following_shot import track
 from procc_annotator.fit.through_shot.reading import glimpses
@@ -282,7 +282,7 @@ def test_coverage_is_that_of_the_camera_that_is_handed_back() -> None:
     beside = np.arange(len(marks)) % 3 == 0
     steps[3] = replace(steps[3], marks=replace(marks, across=marks.across + 6.0 * beside))
     turns = tuple(step.turn for step in steps[1:])
-    chain = Chain(tuple(range(6)), tuple(steps), turns, {0: start})
+    chain = FrameChain(tuple(range(6)), tuple(steps), turns, {0: start})
     found = smoothed(chain, FIELD, frame).chain.steps
     shares = [after.coverage / before.coverage for after, before in zip(found, steps, strict=True)]
     assert shares[3] == pytest.approx(2 / 3, abs=0.05)
