@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDialog, QMessageBox, QWidget
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.settings import AUTHOR, KEYS
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.state import Mode
 from procc_annotator.gui.window.key_sheet import KeySheet
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.options import Options
@@ -32,9 +33,14 @@ class Commands:
 
     # --- stepping and choosing ------------------------------------------------------------
 
+    def take_tool(self, mode: Mode) -> None:
+        """Draw or edit from now on, with the hand that moves the picture put away."""
+        self._canvas.set_pan(False)
+        self._document.set_mode(mode)
+
     def switch_mode(self) -> None:
         """From drawing to editing and back."""
-        self._document.set_mode("edit" if self._document.mode == "draw" else "draw")
+        self.take_tool("edit" if self._document.mode == "draw" else "draw")
 
     def step_element(self, step: int) -> None:
         """Choose the next class of the field (1) or the one before (-1)."""
