@@ -10,6 +10,10 @@ import typer
 from typer.core import TyperCommand
 from typer.main import get_command
 
+_NEW_OBJECTS = (
+    20_000  # before garbage is looked for: of arrays and frozen values there is hardly any
+)
+
 
 class LazyCommand(TyperCommand):
     """A command by its name and first sentence; all else about it is in its module.
@@ -37,6 +41,8 @@ class LazyCommand(TyperCommand):
         try:
             return self._imported()
         finally:
+            gc.freeze()  # nor later
+            gc.set_threshold(_NEW_OBJECTS)
             gc.enable()
 
     def _imported(self) -> Any:
