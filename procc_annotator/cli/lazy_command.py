@@ -10,9 +10,7 @@ import typer
 from typer.core import TyperCommand
 from typer.main import get_command
 
-_NEW_OBJECTS = (
-    20_000  # before garbage is looked for: of arrays and frozen values there is hardly any
-)
+_NEW_OBJECTS = 20_000  # before garbage is looked for: arrays and frozen values make hardly any
 
 
 class LazyCommand(TyperCommand):
