@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QPoint
+from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -39,7 +39,7 @@ from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.plots.panel import PlotsPanel
-from procc_annotator.gui.settings import AUTHOR, RECENT, SECOND, Settings
+from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import UNSAVED, Told
 from procc_annotator.gui.state.state import State
@@ -55,6 +55,7 @@ from procc_annotator.gui.tasks.field.view_grouping import ViewGrouping
 from procc_annotator.gui.tasks.files.exporting import Exporter
 from procc_annotator.gui.tasks.files.exporting_as import ExportAs
 from procc_annotator.gui.tasks.files.fit_saving import FitSaving
+from procc_annotator.gui.tasks.files.import_offer import ImportBar, ImportOffer
 from procc_annotator.gui.tasks.files.importing import AnnotationImporter
 from procc_annotator.gui.tasks.files.opening import OpeningTask, sample_folder
 from procc_annotator.gui.tasks.files.overlay_saving import OverlaySaving
@@ -76,11 +77,13 @@ from procc_annotator.gui.window.desk_switch import DeskSwitch
 from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
+from procc_annotator.gui.window.options import Options, dress
 from procc_annotator.gui.window.palette_entries import PaletteEntries
+from procc_annotator.gui.window.rail import Rail
 from procc_annotator.gui.window.remembering import Remembering
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.gui.window.status_report import StatusReport
-from procc_annotator.gui.window.toolbar import MainToolBar
+from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
 
 
@@ -92,9 +95,12 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self.settings = Settings()
+        dress(self.settings)
         self.document = Document(parent=self)
-        self.document.set_author(self.settings.get(AUTHOR) or self.document.author)
         self.canvas = Canvas(self.document)
+        self.options = Options(
+            self.settings, self.document, self.canvas, lambda name: self.actions_[name]
+        )
         self._make_tasks()
         self._make_centre()
         self._make_panels()
@@ -105,8 +111,10 @@ class MainWindow(QMainWindow):
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
         self.landmarks.add_actions(self.actions_["group_views"])
-        self.toolbar = MainToolBar(self.document, self.actions_)
-        self.addToolBar(self.toolbar)
+        self.top_bar = TopBar(self.document, self.actions_, self.actions_.menus["File/Field"])
+        self.addToolBar(self.top_bar)
+        self.rail = Rail(self.actions_)
+        self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.rail)
         self._add_panel_toggles()
         self._add_recent()
         self.field_choosing.fill(
@@ -122,6 +130,7 @@ class MainWindow(QMainWindow):
                 self.settings,
                 self.show_panel,
                 self.opening.open_path,
+                self.commands.show_settings,
             ).found,
             self.settings,
         )
@@ -131,9 +140,7 @@ class MainWindow(QMainWindow):
         self.status = StatusLine()
         self.setStatusBar(self.status)
         self._report = StatusReport(self.document, self.canvas, self.status, self)
-        self._remembering = Remembering(
-            self.settings, self, self.document, self.canvas, self.actions_, self._docks
-        )
+        self._remembering = Remembering(self.settings, self, self.options, self._docks)
         self._connect()
         self._remembering.take_up()
         self._refresh_frame()
@@ -176,7 +183,7 @@ class MainWindow(QMainWindow):
         self.versions = Versions(document, self)
         self.view_grouping = ViewGrouping(document, self)
         self.opening = OpeningTask(document, self.settings, self)
-        self.commands = Commands(document, self.canvas, self.settings, self)
+        self.commands = Commands(document, self.canvas, self.options, self)
 
     def _make_centre(self) -> None:
         self.message_bar, self.frame_bar = MessageBar(), FrameBar()
@@ -196,8 +203,12 @@ class MainWindow(QMainWindow):
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
         self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip)
         column.addWidget(self.strip)
-        bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
-        self.bars = BarStack(bars, self.pages)
+        self.import_bar = ImportBar()
+        self.import_offer = ImportOffer(self.document, self.importer, self.import_bar)
+        self._bars = (
+            self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar, self.import_bar,
+        )  # fmt: skip
+        self.bars = BarStack(self._bars, self.pages)
         self.bars.heightChanged.connect(self.canvas.set_covered)
         self.setCentralWidget(centre)
 
@@ -269,7 +280,8 @@ class MainWindow(QMainWindow):
         self.review.left.connect(self.canvas.setFocus)
         self.landmarks.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
-        self.toolbar.lookChanged.connect(self.canvas.set_look)
+        self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
+        self.rail.lookChanged.connect(self.canvas.set_look)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
         self.ghost_tasks.accepting.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)
@@ -427,7 +439,7 @@ class MainWindow(QMainWindow):
         if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
             self.document.outside.look()  # other programs had their turn
         if event.type() == QEvent.Type.PaletteChange:
-            for bar in (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar):
+            for bar in self._bars:
                 bar.follow_theme()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:

@@ -37,6 +37,27 @@ class Kind(Generic[T]):
 
 
 @dataclass(frozen=True, slots=True)
+class Shown:
+    """How a setting is offered to be changed.
+
+    Attributes:
+        group: what it is listed with.
+        title: its name there.
+        choices: (value, words) of a setting that is one of a few.
+        limits: least, largest and step of a number, as it is shown.
+        unit: what stands behind a number.
+        times: how often the number is shown of what is kept, 100 for a share in percent.
+    """
+
+    group: str
+    title: str
+    choices: tuple[tuple[str, str], ...] = ()
+    limits: tuple[float, float, float] = (0.0, 100.0, 1.0)
+    unit: str = ""
+    times: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
 class Setting(Generic[T]):
     """One row of the table.
 
@@ -47,6 +68,7 @@ class Setting(Generic[T]):
         text: what it is.
         scope: the window's, or of each dataset its own.
         most: values, or datasets, that are kept; those used longest ago go.
+        shown: how the dialog of settings offers it; None for what is remembered only.
     """
 
     key: str
@@ -55,6 +77,7 @@ class Setting(Generic[T]):
     text: str
     scope: Literal["window", "dataset"] = "window"
     most: int = 1
+    shown: Shown | None = None
 
 
 def _number(kept: Any) -> float | None:
@@ -102,23 +125,49 @@ ENTRIES = Kind(_entries, json.dumps)
 BYTES = Kind(lambda kept: kept if isinstance(kept, QByteArray) else None)
 
 _HOME = str(Path.home())
+THEMES = ("system", "light", "dark")
+_FIT = "Fit and ghosts"
 
 # fmt: off
 GEOMETRY = Setting("geometry", BYTES, QByteArray(), "Where the window is and how large")
 LAYOUT = Setting("state", BYTES, QByteArray(), "How the panels are arranged")
 DESKS = Setting("desks", ENTRIES, {}, "How the panels of each kind of work are arranged")
-AUTHOR = Setting("author", TEXT, "", "Whose name points, comments and versions bear")
-TAU = Setting("tau", NUMBER, DEFAULT_TAU, "The threshold, px")
+THEME = Setting("theme", _one_of(*THEMES), "system", "Light, dark, or as the system has it",
+                shown=Shown("Appearance", "Theme", (("system", "As the system"),
+                                                    ("light", "Light"), ("dark", "Dark"))))
+FONT_PERCENT = Setting("font_percent", NUMBER, 100.0,
+                       "How large texts are, of what the system says; from the next start"
+                       " on", shown=Shown("Appearance", "Size of texts", limits=(75, 200, 25),
+                                          unit=" %"))
+AUTHOR = Setting("author", TEXT, "", "Whose name points, comments and versions bear; empty: that of"
+                 " the system's user", shown=Shown("Annotating", "Your name"))
+TAU = Setting("tau", NUMBER, DEFAULT_TAU, "How far an annotated point may be from its element,"
+              " px of the evaluation size",
+              shown=Shown("Judging", "Threshold", limits=(0.5, 100, 0.5), unit=" px"))
 PROTOCOL = Setting("protocol", _one_of("soccernet", "procc"), "soccernet",
-                   "The protocol of the evaluation")
+                   "How cameras are judged: as the official evaluation does, quirks included, or by"
+                   " the paper's definition",
+                   shown=Shown("Judging", "Protocol", (("soccernet", "soccernet (official)"),
+                                                       ("procc", "procc (the paper's)"))))
 OFF_PLANE = Setting("off_plane", _one_of("missed", "left_out"), "missed",
-                    "How elements count that a homography cannot project")
+                    "How elements count that a homography cannot project: goals, baskets, nets",
+                    shown=Shown("Judging", "Elements off the ground",
+                                (("missed", "Count as missed"), ("left_out", "Leave out"))))
 COLOUR_BY = Setting("colour_by", _one_of("criterion", "class", "origin", "annotator"), "criterion",
-                    "What colours say")
-FIT_MODEL = Setting("fit_model", _one_of(*MODELS), DEFAULT_MODEL, "The model of the live fit")
-JUDGE_FIT = Setting("judge_fit", FLAG, False, "Whether the fit is judged where nothing else is")
+                    "What the colours over the picture say",
+                    shown=Shown("Appearance", "Colour by",
+                                (("criterion", "Criterion"), ("class", "Class"),
+                                 ("origin", "Provenance"), ("annotator", "Annotator"))))
+FIT_MODEL = Setting("fit_model", _one_of(*MODELS), DEFAULT_MODEL,
+                    "The camera that is fitted to the clicks; auto: the simplest that they support",
+                    shown=Shown(_FIT, "Model of the live fit",
+                                tuple((name, name) for name in MODELS)))
+JUDGE_FIT = Setting("judge_fit", FLAG, False, "Whether the fit is judged where nothing else is",
+                    shown=Shown(_FIT, "Judge the fit"))
 GHOST_SUPPORT = Setting("ghost_support", NUMBER, LEAST_SUPPORT,
-                        "The share of a ghost's line that must be seen to accept it with all")
+                        "How much of a ghost's line must be seen to accept it with all others",
+                        shown=Shown(_FIT, "Line seen to accept all", limits=(0, 100, 5),
+                                    unit=" %", times=100))
 FOLDER = Setting("folder", TEXT, _HOME, "Where pictures were opened last")
 SECOND = Setting("second", TEXT, _HOME, "The second annotator's folder that was opened last")
 CAMERAS = Setting("cameras", TEXT, _HOME, "Where cameras were loaded last")
@@ -132,12 +181,29 @@ SOURCES = Setting("sources", ENTRIES, {}, "The camera sources of a dataset",
                   scope="dataset", most=40)
 # fmt: on
 
+# Menu of an action that is remembered -> what it is listed with.
+_GROUPS = {"Element": "Annotating", "Element/Ghosts": _FIT, "Camera": _FIT, "View": "Picture"}
+
 # Every action that is marked so in the table of actions: on or off, as it was left.
-SWITCHES = {
-    spec.name: Setting(spec.name, FLAG, spec.checked, spec.tip)
+SWITCHES: dict[str, Setting[bool]] = {
+    spec.name: Setting(
+        spec.name,
+        FLAG,
+        spec.checked,
+        spec.tip,
+        shown=Shown(_GROUPS.get(spec.menu, "Judging"), spec.text.lstrip("-")),
+    )
     for spec in ACTIONS
     if spec.remembered
 }
+
+# All that the dialog offers, group by group.
+# fmt: off
+OFFERED: tuple[Setting[Any], ...] = (
+    THEME, FONT_PERCENT, COLOUR_BY, AUTHOR, TAU, PROTOCOL, OFF_PLANE, FIT_MODEL, JUDGE_FIT,
+    GHOST_SUPPORT, *SWITCHES.values(),
+)
+# fmt: on
 
 
 class Settings:

@@ -60,6 +60,8 @@ _TEXT_ROLES = (
 # (background, text) of lines that want attention; both pairs have a contrast above 7:1.
 _ALARM = {False: ("#fde3d6", "#6b2200"), True: ("#5a2408", "#ffe3d3")}
 
+_THEME, _USUAL_SIZE = "theme", "usualTextSize"  # properties of the application
+
 
 def palette(dark: bool) -> QPalette:
     """The colours of the window, light or dark."""
@@ -103,12 +105,34 @@ def follow_system(application: QApplication) -> None:
     """Give the application its looks now and whenever the system switches to light or dark."""
     application.setStyle("Fusion")
     hints = QGuiApplication.styleHints()
+    hints.colorSchemeChanged.connect(lambda _: set_theme(application, _theme(application)))
+    set_theme(application, _theme(application))
 
-    def apply(scheme: Qt.ColorScheme) -> None:
-        wear(application, scheme == Qt.ColorScheme.Dark)
 
-    apply(hints.colorScheme())
-    hints.colorSchemeChanged.connect(apply)
+def set_theme(application: QApplication, theme: str) -> None:
+    """Wear the colours of a theme: "light", "dark", or "system" for those of the system."""
+    application.setProperty(_THEME, theme)
+    system = QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
+    dark = theme == "dark" or (theme == "system" and system)
+    if dark != is_dark(application.palette()) or theme == "system":
+        wear(application, dark)
+
+
+def _theme(application: QApplication) -> str:
+    return str(application.property(_THEME) or "system")
+
+
+def set_text_size(application: QApplication, percent: float) -> None:
+    """Have texts be so large, of what the system says."""
+    font = application.font()
+    usual = application.property(_USUAL_SIZE)
+    if usual is None:
+        usual = font.pointSizeF()
+        application.setProperty(_USUAL_SIZE, usual)
+    size = float(usual) * percent / 100
+    if size > 0 and size != font.pointSizeF():  # one in pixels is the system's own affair
+        font.setPointSizeF(size)
+        application.setFont(font)
 
 
 def fixed_width(widget_font: QFont, times: float = 1.0, *, bold: bool = False) -> QFont:

@@ -104,7 +104,7 @@ def decode_strict(
         raise _too_deep(path, error) from problem
     except ValueError as problem:  # an integer of thousands of digits
         raise error(
-            path, f"holds a number that cannot be read: {problem}", advice="correct it"
+            path, "holds an integer of thousands of digits, which is not read", advice="correct it"
         ) from problem
     if _is_deep(content):
         raise _too_deep(path, error)

@@ -347,11 +347,18 @@ def _entries(folder: Path) -> tuple[list[str], list[str]]:
             for entry in entries:
                 if entry.name[0] == "." or entry.name == _RESOURCE_FORKS:
                     continue
-                is_folder = entry.is_dir() and not _named_like_file(entry.name)
+                is_folder = _is_folder(entry) and not _named_like_file(entry.name)
                 (folders if is_folder else names).append(entry.name)
     except OSError as error:
         raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
     return names, folders
+
+
+def _is_folder(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_dir()
+    except OSError:  # a link in a circle is one file that cannot be read, not the end of the rest
+        return False
 
 
 def _named_like_file(name: str) -> bool:

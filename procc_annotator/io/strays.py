@@ -25,12 +25,15 @@ _NUMBER = re.compile(r"\d+")
 _ALIKE = 20
 _MOST_READ = 200
 _SHOWN = 3
+# What the files of a whole game are always called.
+_SETS = frozenset({"Labels-v3.json", "Labels-GameState.json"})
 
 
 def strays_among(source: FileSource, files: Mapping[str, str]) -> tuple[str, ...]:
     """The frames of a listing whose files are JSON of another kind.
 
     Only files whose names are unlike those of the others are read, the rarest kinds of names first.
+    Files of whole sets of another program are other files where single frames lie beside them.
 
     Args:
         source: where the files are.
@@ -41,7 +44,16 @@ def strays_among(source: FileSource, files: Mapping[str, str]) -> tuple[str, ...
     odd = [frame for frame in files if alike[kinds[frame]] <= _ALIKE]
     if len(odd) > _MOST_READ:
         odd = sorted(odd, key=lambda frame: alike[kinds[frame]])[:_MOST_READ]
-    found = {frame for frame in odd if _is_stray(source, files[frame])}
+    sets = {frame for frame, file in files.items() if file.rpartition("/")[2] in _SETS}
+    found = set[str]()
+    for frame in odd:
+        content = _content(source, files[frame])
+        if is_other_json(content):
+            found.add(frame)
+        elif _is_set(content):
+            sets.add(frame)
+    if len(found | sets) < len(files):
+        found |= sets
     return tuple(frame for frame in files if frame in found)
 
 
@@ -87,9 +99,19 @@ def _could_be_points(value: Any) -> bool:
     )
 
 
-def _is_stray(source: FileSource, file: str) -> bool:
+def _is_set(content: Any) -> bool:
+    """Whether it is one file of many pictures, as COCO and game state write it, or CVAT's list of
+    labels."""
+    if type(content) is list:
+        return bool(content) and all(type(e) is dict and not {"x", "y"} & set(e) for e in content)
+    return type(content) is dict and all(
+        type(content.get(key)) is list for key in ("images", "annotations")
+    )
+
+
+def _content(source: FileSource, file: str) -> Any:
+    """What JSON holds; None where it is damaged: whoever reads the set says so."""
     try:
-        content = msgspec.json.decode(without_bom(source.read(file)))
+        return msgspec.json.decode(without_bom(source.read(file)))
     except (InputError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
-        return False  # damaged: whoever reads the set says so
-    return is_other_json(content)
+        return None

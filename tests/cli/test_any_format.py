@@ -177,6 +177,9 @@ def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_pat
         assert done.exit_code == 2
         assert "it holds 5 files of YOLO pose, which is not read" in done.stderr
         assert "choose one" not in done.stderr
+    done = cli("evaluate", dataset.annotations, out)
+    assert done.exit_code == 2
+    assert "it holds annotations (5 files of YOLO pose, not read)" in done.stderr
     done = cli("convert", out, tmp_path / "back", "--to", "coco")
     assert "it holds 5 files of YOLO pose, which is not read" in done.stderr
 
@@ -200,3 +203,22 @@ def test_annotations_instead_of_cameras_are_told_by_their_format(
     (tmp_path / "notes.md").write_text("no cameras")
     done = cli("evaluate", dataset.annotations, tmp_path / "notes.md")
     assert "cameras are looked for in files of .homographymatrix, .json" in done.stderr
+
+
+@pytest.mark.parametrize("fmt", ["cvat", "coco", "soccernet-v3", "soccernet-gsr"])
+def test_what_was_taken_in_stands_for_the_file_it_came_from(
+    cli, dataset, tmp_path: Path, fmt: str
+) -> None:
+    """After an import the frames' own files lie beside the file of the other program."""
+    both = tmp_path / "both"
+    assert cli("convert", dataset.root, both, "--to", fmt).exit_code == 0
+    assert cli("convert", dataset.root, tmp_path / "own", "--to", "soccernet").exit_code == 0
+    inner = both / "annotations" if (both / "annotations").is_dir() else both
+    own = sorted((tmp_path / "own").glob("*.json"))
+    for file in own:
+        (inner / file.name).write_bytes(file.read_bytes())
+    out = tmp_path / "out"
+    for args in (("check", both, "--no-paint"), ("convert", both, out, "--to", "soccernet")):
+        done = cli(*args)
+        assert done.exit_code == 0, done.output
+        assert f"{len(own)} frames" in done.output

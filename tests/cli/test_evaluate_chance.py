@@ -122,6 +122,27 @@ def test_parts_of_a_set_have_every_figure_at_every_threshold(cli, methods) -> No
     assert (last["mean_jac_frames"], last["final_score_frames"]) == (2, 3)
 
 
+@pytest.mark.parametrize("tag", ["zoom", "elements", "shot"])
+def test_a_tag_called_like_what_is_told_from_cameras_is_the_one_that_counts(
+    cli, methods, tag
+) -> None:
+    (methods / "own.csv").write_text(f"frame,{tag}\n1,x\n2,x\n3,y\n10,y\n11,y\n")
+    done = cli("evaluate", *BOTH, "--by", tag, "--tags", "own.csv", "--intervals", "-o", "out.json")
+    assert done.exit_code == 0, done.output
+    rows = chance(methods / "out.json")[f"by_{tag}"]["rows"]
+    assert {(row["value"], row["frames"]) for row in rows} == {("x", 2), ("y", 3)}
+
+
+def test_a_tag_of_shots_clusters_where_names_tell_none(cli, methods) -> None:
+    (methods / "own.csv").write_text("frame,shot\n1,x\n2,x\n3,y\n10,y\n11,z\n")
+    done = cli(
+        "evaluate", *BOTH, "--intervals", "--tags", "own.csv", "--cluster", "shot", "-o", "out.json"
+    )
+    assert done.exit_code == 0, done.output
+    (note,) = chance(methods / "out.json")["intervals"]["notes"]
+    assert "3 clusters by shot" in note
+
+
 def test_several_sets_are_told_apart(cli, methods) -> None:
     done = cli(
         "evaluate", "--set", "one=annotations", "--set", "two=annotations", "--cameras", "A=good",

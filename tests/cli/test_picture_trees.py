@@ -309,3 +309,17 @@ def test_a_format_of_one_file_a_game_has_one_in_each_folder(
     one = tmp_path / "one.json"
     assert cli("convert", tree.root, one, "--to", fmt).exit_code == 0
     assert "a/img1/00001.jpg" in one.read_text()
+
+
+def test_pictures_of_soccernet_v3_that_are_still_packed_are_told(cli, tmp_path: Path) -> None:
+    game = tmp_path / "league" / "season" / "game"
+    game.mkdir(parents=True)
+    lines = [{"class": "Middle line", "points": [1, 2, 3, 4]}]
+    image = {"imageMetadata": {"width": 1920, "height": 1080}, "lines": lines}
+    (game / "Labels-v3.json").write_text(
+        json.dumps({"GameMetadata": {}, "actions": {"0.png": image}, "replays": {}})
+    )
+    (game / "Frames-v3.zip").write_bytes(b"")
+    done = cli("render", tmp_path, tmp_path / "out")
+    assert done.exit_code == 2
+    assert "unpack each Frames-v3.zip into a folder v3_frames beside it" in done.stderr

@@ -80,8 +80,8 @@ class Look:
     folder: Path
     qtbot: QtBot
 
-    def toolbar(self) -> object:
-        return re.search(r"\d", self.window.toolbar.jac.text())
+    def bar(self) -> object:
+        return re.search(r"\d", self.window.top_bar.camera_bar.jac.text())
 
     def status_line(self) -> object:
         canvas = self.window.canvas

@@ -115,7 +115,7 @@ def test_annotate_correct_judge_and_export_the_sample(
     )
 
     # A larger tau accepts it.
-    window.toolbar.tau.spin.setValue(30.0)
+    window.top_bar.camera_bar.tau.spin.setValue(30.0)
     assert document.tau == 30.0
     assert document.score.tp == expected.tp + 1
 

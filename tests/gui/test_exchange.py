@@ -396,3 +396,35 @@ def test_the_words_about_every_format_have_room(window: MainWindow, qtbot: QtBot
             lowest = dialog.close_button
             assert lowest.mapTo(dialog, lowest.rect().bottomLeft()).y() < dialog.height()
     dialog.close_button.click()
+
+
+def test_annotations_of_another_program_in_the_dataset_are_offered(
+    make_window: MakeWindow, qtbot: QtBot, tmp_path: Path, striped: list[bytes]
+) -> None:
+    """labelme's files lie where this program's would: both stay apart."""
+    folder = tmp_path / "labelme_set"
+    folder.mkdir()
+    for name, picture in zip(("a", "b"), striped, strict=False):
+        (folder / f"{name}.png").write_bytes(picture)
+        (folder / f"{name}.json").write_text(labelme(name, 100))
+    window = make_window(folder)
+    bar = window.import_bar
+    qtbot.waitUntil(bar.isVisible)
+    assert "labelme JSON" in bar.label.text()
+    assert not window.frame_bar.isVisible()  # the frame can be edited
+    bar.import_button.click()
+    dialog = window.importer.dialog
+    assert dialog is not None
+    assert dialog.path.text() == str(folder)
+    dialog.start_button.click()
+    qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()) and not dialog.bar.isVisible())
+    assert "2 of 2 frames imported" in dialog.report.toPlainText()
+    dialog.close_button.click()
+    assert not bar.isVisible()
+    assert LINE in on_disk(folder / "annotations", "a")
+    assert (folder / "a.json").read_text() == labelme("a", 100)
+
+
+def test_own_annotations_are_not_offered(window: MainWindow, qtbot: QtBot) -> None:
+    qtbot.waitUntil(lambda: not window.import_offer.looking)
+    assert not window.import_bar.isVisible()

@@ -64,7 +64,7 @@ class TestDiskTroubles:
         with monkeypatch.context() as broken:
             failing_writes(broken, code)
             hand.draw(TOP, (100, 50), (200, 50))
-            assert "NOT SAVED" in window.status.saved.text()
+            assert "NOT SAVED" in window.top_bar.saved.text()
             assert os.strerror(code) in window.message_bar.label.text()
             assert classes(dataset / "frame_0.json") == [MIDDLE]
             window.document.next_frame()
@@ -82,7 +82,7 @@ class TestDiskTroubles:
         away = dataset.with_name("unplugged")
         dataset.rename(away)
         hand.draw(TOP, (100, 50), (200, 50))
-        assert "NOT SAVED" in window.status.saved.text()
+        assert "NOT SAVED" in window.top_bar.saved.text()
         window.document.next_frame()
         window.document.presence.beat()
         window.document.presence.look()
@@ -189,7 +189,7 @@ ANNOTATES = """
         point = Point((step % 97) / 97, (step % 89) / 89)
         edited = edits.append_points(document.annotation, "Middle line", [point])
         document.commit_edit("click", edited)
-        while not window.status.saved.text().startswith("saved "):
+        while not window.top_bar.saved.text().startswith("saved "):
             application().processEvents()
         print(step, document.frame_index, len(edited.get("Middle line").points), flush=True)
 """

@@ -311,7 +311,7 @@ class TestSource:
         )
         document.set_active_camera(0)
         assert document.score.jac > 0.9
-        assert fitted.toolbar.jac.text().endswith("of the fit")
+        assert fitted.top_bar.camera_bar.jac.text().endswith("of the fit")
 
     def test_it_says_that_it_is_of_these_clicks(
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot

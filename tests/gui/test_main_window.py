@@ -23,6 +23,7 @@ from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import LAYOUT, Settings
 from procc_annotator.gui.theme import alarm_colours, palette
+from procc_annotator.gui.window.icon_button import IconButton
 from procc_annotator.gui.window.key_sheet import KeySheet
 from procc_annotator.gui.window.status import MESSAGE_END
 from procc_annotator.gui.window.welcome import RecentMenu
@@ -166,17 +167,17 @@ class TestCameras:
         largest = next(e.max_distance for e in score.elements if e.name == MIDDLE)
         assert 2.5 < largest < 5.0
         assert score.tp == 1
-        jac = window.toolbar.jac.text()
+        jac = window.top_bar.camera_bar.jac.text()
         for _ in range(6):
             QTest.keyClick(window.canvas, Qt.Key.Key_Minus)
         assert window.document.tau == 2.0
-        assert window.toolbar.tau.spin.value() == 2.0
-        assert window.toolbar.tau.slider.value() == 20
+        assert window.top_bar.camera_bar.tau.spin.value() == 2.0
+        assert window.top_bar.camera_bar.tau.slider.value() == 20
         assert window.document.score.tp == 0
-        assert window.toolbar.jac.text() != jac
+        assert window.top_bar.camera_bar.jac.text() != jac
         QTest.keyClick(window.canvas, Qt.Key.Key_Plus)
         assert window.document.tau == 2.5
-        window.toolbar.tau.slider.setValue(300)
+        window.top_bar.camera_bar.tau.slider.setValue(300)
         assert window.document.tau == 30.0
         assert window.document.score.tp == 1
 
@@ -184,9 +185,9 @@ class TestCameras:
         self, window: MainWindow, cameras: Path
     ) -> None:
         window.document.load_cameras(cameras)
-        assert window.toolbar.terms.text() == "soccernet, 960x540"
+        assert window.top_bar.camera_bar.terms.text() == "soccernet, 960x540"
         window.actions_["protocol_procc"].trigger()
-        assert window.toolbar.terms.text() == "procc, 960x540"
+        assert window.top_bar.camera_bar.terms.text() == "procc, 960x540"
 
     def test_the_cursor_is_shown_in_metres_on_the_field(
         self, window: MainWindow, hand: Hand, cameras: Path
@@ -217,7 +218,7 @@ class TestCameras:
     def test_a_frame_without_camera_says_so(self, window: MainWindow, cameras: Path) -> None:
         window.document.load_cameras(cameras)
         window.document.go_to(2)
-        assert "no camera" in window.toolbar.jac.text()
+        assert "no camera" in window.top_bar.camera_bar.jac.text()
         assert window.document.score is None
 
     def test_a_file_that_is_no_camera_is_told_in_a_bar(
@@ -250,7 +251,7 @@ class TestBlindMode:
         hand.key(Qt.Key.Key_B)
         assert strokes(window) < shown
         assert window.document.measurement is None
-        assert "JaC 0" not in window.toolbar.jac.text()
+        assert "JaC 0" not in window.top_bar.camera_bar.jac.text()
         assert "frame_0" not in window.document.frame_scores
         hand.key(Qt.Key.Key_Return, CTRL)
         assert strokes(window) == shown
@@ -280,7 +281,7 @@ class TestWindow:
         window = make_window()
         assert window.welcome.isVisible()
         assert not window.canvas.isVisible()
-        assert window.status.saved.text() == ""
+        assert window.top_bar.saved.text() == ""
 
     def test_bars_follow_a_change_of_theme(
         self, window: MainWindow, qapp: QApplication, qtbot: QtBot
@@ -358,7 +359,7 @@ class TestWindow:
         assert window.canvas.isVisible()
         assert len(window.document.workspace.frames) == 3
         assert window.document.active_camera.name == "cameras"
-        assert window.toolbar.cameras.currentText() == "cameras"
+        assert window.top_bar.camera_bar.cameras.currentText() == "cameras"
 
     def test_one_key_hides_all_panels_and_brings_them_back(self, window: MainWindow) -> None:
         docks = window.findChildren(QDockWidget)
@@ -393,16 +394,21 @@ class TestWindow:
         assert not window.frame_bar.isVisible()
 
     @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
-    def test_nothing_of_the_toolbar_is_cut_off(
+    def test_nothing_of_the_bars_is_cut_off(
         self, make_window: MakeWindow, dataset: Path, cameras: Path, size: tuple[int, int]
     ) -> None:
         window = make_window(dataset, size=size, cameras=cameras)
         assert window.size().toTuple() == size
-        for widget in (window.toolbar.tau, window.toolbar.cameras, window.toolbar.terms):
+        bar = window.top_bar
+        judged = bar.camera_bar
+        for widget in (judged.tau, judged.cameras, judged.terms, bar.chip, bar.saved, bar.search):
             assert widget.isVisible()
-            right = widget.mapTo(window.toolbar, QPoint(widget.width(), 0)).x()
-            assert right <= window.toolbar.width()
+            right = widget.mapTo(bar, QPoint(widget.width(), 0)).x()
+            assert right <= bar.width()
             assert widget.width() >= widget.minimumSizeHint().width()
+        for button in window.rail.findChildren(IconButton):
+            assert button.isVisible()
+            assert button.mapTo(window, QPoint(0, button.height())).y() <= window.height()
 
 
 class TestExport:
@@ -519,7 +525,7 @@ def test_long_titles_of_elements_are_cut_in_their_middle(window: MainWindow) -> 
     others = [e for e in field.elements if e.name != far.name]
     document.set_field(replace(field, elements=(*others, far)))
     document.select_class(far.name)
-    figures = [status.pixels.geometry(), status.metres.geometry(), status.saved.geometry()]
+    figures = [status.pixels.geometry(), status.metres.geometry()]
     for name in (title, "Near touchline"):
         status.tell(f"removed point 2 of {name}, 3 are left")
         QApplication.processEvents()
@@ -531,7 +537,7 @@ def test_long_titles_of_elements_are_cut_in_their_middle(window: MainWindow) -> 
         assert ", number 20  •  click begins it  •  Enter" in hint
         assert title not in shown
         assert title in status.hint.toolTip()
-    assert [status.pixels.geometry(), status.metres.geometry(), status.saved.geometry()] == figures
+    assert [status.pixels.geometry(), status.metres.geometry()] == figures
 
 
 def test_a_long_title_does_not_hide_how_to_go_on(window: MainWindow) -> None:
@@ -555,7 +561,7 @@ def test_a_panel_behind_another_tab_waits_until_it_is_looked_at(
     qtbot.waitUntil(lambda: protocol.currentData() == "soccernet")
     window.show_panel("elements")
     window.document.set_protocol("procc")
-    qtbot.waitUntil(lambda: "procc" in window.toolbar.terms.text())
+    qtbot.waitUntil(lambda: "procc" in window.top_bar.camera_bar.terms.text())
     QApplication.processEvents()
     assert protocol.currentData() == "soccernet"  # nobody sees it
     window.show_panel("cameras")

@@ -82,7 +82,7 @@ def test_a_file_without_elements_counts_as_it_does_for_evaluate(
     assert evaluated(annotated)["00003"] == 0.0
     assert shown(window) == pytest.approx(evaluated(annotated), abs=1e-6)
     window.document.go_to(2)
-    assert "0.000" in window.toolbar.jac.text()
+    assert "0.000" in window.top_bar.camera_bar.jac.text()
 
 
 def change(path: Path, keep: int) -> None:
@@ -102,14 +102,14 @@ def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visite
     settle(audited, qtbot)
     let_work_end(qtbot)
     expected = evaluated(annotated)
-    assert f"{expected['00006']:.3f}" in audited.toolbar.jac.text()
+    assert f"{expected['00006']:.3f}" in audited.top_bar.camera_bar.jac.text()
     assert shown(audited) == pytest.approx(expected, abs=1e-6)
     assert shown(audited, "bad") == pytest.approx(evaluated(annotated, "bad"), abs=1e-6)
     assert row(audited, 5).count == 3
     (annotated / "00006.json").unlink()
     document.look_at_frame()
     assert not document.annotation.annotated
-    assert "nothing annotated" in audited.toolbar.jac.text()
+    assert "nothing annotated" in audited.top_bar.camera_bar.jac.text()
     change(annotated / "00002.json", 2)  # it was on screen already
     document.go_to(1)
     assert len(document.annotation.annotated) == 2
@@ -207,21 +207,21 @@ def test_cameras_written_anew_are_judged(
 def test_a_frame_that_no_figure_counts_has_no_score(
     audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
 ) -> None:
-    document, toolbar = audited.document, audited.toolbar
+    document, judged = audited.document, audited.top_bar.camera_bar
     audited.show_panel("scores")
     document.go_to(4)
     assert document.score is not None  # its projection is drawn all the same
-    assert "–" in toolbar.jac.text()
-    assert "nothing annotated yet" in toolbar.jac.text()
+    assert "–" in judged.jac.text()
+    assert "nothing annotated yet" in judged.jac.text()
     scores = audited.scores
     qtbot.waitUntil(lambda: "nothing annotated yet" in scores.empty.text())
     assert scores.empty.isVisible()
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
-    assert "–" not in toolbar.jac.text()
+    assert "–" not in judged.jac.text()
     qtbot.waitUntil(lambda: not scores.empty.isVisible())
     (annotated / "00003.json").write_text("{")
     document.go_to(2)
-    assert "annotation cannot be read" in toolbar.jac.text()
+    assert "annotation cannot be read" in judged.jac.text()
     qtbot.waitUntil(lambda: "annotation cannot be read" in scores.empty.text())
 
 

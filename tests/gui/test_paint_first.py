@@ -38,9 +38,9 @@ def test_an_edit_is_shown_before_it_is_saved_and_judged(audited: MainWindow, qtb
     document.sourceAuditsChanged.connect(lambda _: order.append("judged"))
     document.commit_edit("nudge", nudged(document.annotation))
     assert order == ["shown"]
-    assert audited.status.saved.text() == "saving..."
+    assert audited.top_bar.saved.text() == "saving..."
     qtbot.waitUntil(lambda: {"saved", "judged"} <= set(order))
-    assert audited.status.saved.text().startswith("saved ")
+    assert audited.top_bar.saved.text().startswith("saved ")
 
 
 def test_leaving_right_after_an_edit_judges_what_was_left(
@@ -108,21 +108,21 @@ class Layouts(QObject):
 
 def test_a_text_in_a_bar_does_not_lay_out_the_window(audited: MainWindow, qtbot: QtBot) -> None:
     settle(audited, qtbot)
-    status, layouts = audited.status, Layouts(audited)
-    status.set_saved("saving...", alarm=False)
+    status, saved, layouts = audited.status, audited.top_bar.saved, Layouts(audited)
+    saved.set_saved("saving...", alarm=False)
     status.set_work("scoring 1 / 2,000")
     status.tell("a line that is longer than the one before it")
-    audited.toolbar.jac.setText("<b>JaC 0.123</b>")
+    audited.top_bar.camera_bar.jac.setText("<b>JaC 0.123</b>")
     QApplication.processEvents()
     layouts.count = 0  # the score may need other room than the one before it
-    audited.toolbar.jac.setText("<b>JaC 0.456</b>")
-    status.set_saved("NOT SAVED: 2 frames", alarm=True)
+    audited.top_bar.camera_bar.jac.setText("<b>JaC 0.456</b>")
+    saved.set_saved("NOT SAVED: 2 frames", alarm=True)
     status.set_work("")
     status.tell("short")
     QApplication.processEvents()
     assert layouts.count == 0
-    assert status.saved.width() >= status.saved.sizeHint().width(), "nothing of it is cut"
-    status.set_saved("saved 12:34:56", alarm=False)
+    assert saved.width() >= saved.sizeHint().width(), "nothing of it is cut"
+    saved.set_saved("saved 12:34:56", alarm=False)
 
 
 class Painted(QObject):

@@ -61,7 +61,7 @@ class TestStatus:
         assert status(window) is Status.IN_PROGRESS
         hand.key(Qt.Key.Key_Return, CTRL)
         assert status(window) is Status.DONE
-        assert window.toolbar.status.text() == "done"
+        assert window.top_bar.status.text() == "done"
 
     def test_shift_d_goes_on_to_what_is_not_done(self, window: MainWindow, hand: Hand) -> None:
         window.document.go_to(1)

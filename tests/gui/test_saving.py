@@ -47,10 +47,10 @@ def disk(monkeypatch: pytest.MonkeyPatch) -> Disk:
 def test_a_finished_edit_is_on_disk_before_anything_else_happens(
     window: MainWindow, hand: Hand, saved: ReadPoints
 ) -> None:
-    assert window.status.saved.text() == "no changes"
+    assert window.top_bar.saved.text() == "no changes"
     hand.draw(MIDDLE, (100, 50), (120, 200))
     assert len(saved()) == 2
-    assert window.status.saved.text().startswith("saved ")
+    assert window.top_bar.saved.text().startswith("saved ")
     assert not window.isWindowModified()
 
 
@@ -66,7 +66,7 @@ def test_a_failed_save_is_visible_told_once_and_tried_again(
     window.document.message.connect(lambda text, level: told.append(text))
     hand.draw(MIDDLE, (100, 50), (120, 200))
     assert window.isWindowModified()
-    assert "NOT SAVED" in window.status.saved.text()
+    assert "NOT SAVED" in window.top_bar.saved.text()
     assert window.message_bar.isVisible()
     assert "No space left" in window.message_bar.label.text()
     window.document.saver.retry_timer.setInterval(1)
@@ -227,14 +227,14 @@ def test_undo_to_what_was_saved_last_decides_no_conflict(
     window.document.undo()
     assert window.document.annotation.annotated == (MIDDLE,)
     assert window.conflict_bar.isVisible()  # the file is another one
-    assert "NOT SAVED" in window.status.saved.text()
+    assert "NOT SAVED" in window.top_bar.saved.text()
     window.document.redo()
     until_kept()
     file.write_bytes(mine)  # whoever changed it took that back
     window.document.undo()
     until_kept()
     assert not window.conflict_bar.isVisible()
-    assert window.status.saved.text().startswith("saved ")
+    assert window.top_bar.saved.text().startswith("saved ")
 
 
 def test_a_newer_file_that_is_read_leaves_no_conflict_behind(

@@ -86,7 +86,7 @@ def points_on_disk(dataset: Path, frame: int = 0) -> dict[str, int]:
 
 
 def reads_saved(window: MainWindow) -> bool:
-    return window.status.saved.text().startswith("saved ")
+    return window.top_bar.saved.text().startswith("saved ")
 
 
 def test_it_is_said_to_be_saved_once_it_is(
@@ -94,7 +94,7 @@ def test_it_is_said_to_be_saved_once_it_is(
 ) -> None:
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    assert window.status.saved.text() == "saving..."
+    assert window.top_bar.saved.text() == "saving..."
     assert not (dataset / "frame_0.json").exists()
     assert not window.isWindowModified()  # nothing failed
     disk.let_go()
@@ -127,7 +127,7 @@ def test_an_undo_meanwhile_is_saved_too(
     click(window, TOP)
     qtbot.waitUntil(disk.asked.is_set)
     window.document.undo()  # to what the file holds, if only it were left alone
-    assert window.status.saved.text() == "saving..."
+    assert window.top_bar.saved.text() == "saving..."
     disk.let_go()
     qtbot.waitUntil(lambda: reads_saved(window))
     assert points_on_disk(dataset) == {MIDDLE: 1}
@@ -157,7 +157,7 @@ def test_what_the_disk_refuses_is_told_kept_and_tried_again(
     qtbot.waitUntil(disk.asked.is_set)
     click(window, TOP)
     disk.let_go()
-    qtbot.waitUntil(lambda: "NOT SAVED" in window.status.saved.text())
+    qtbot.waitUntil(lambda: "NOT SAVED" in window.top_bar.saved.text())
     qtbot.waitUntil(lambda: not window.document.saver.under_way)
     assert problem in window.message_bar.label.text()
     assert window.isWindowModified()
@@ -224,7 +224,7 @@ def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
     qtbot.waitUntil(disk.asked.is_set)
     window.document.undo()
     disk.let_go()
-    qtbot.waitUntil(lambda: "NOT SAVED" in window.status.saved.text())
+    qtbot.waitUntil(lambda: "NOT SAVED" in window.top_bar.saved.text())
     assert window.isWindowModified()
     assert points_on_disk(dataset) == {MIDDLE: clicks_before + 1}
     disk.problem_after = ""
@@ -244,7 +244,7 @@ def test_a_folder_that_goes_while_it_is_written_into(
     disk.before = lambda: dataset.rename(away) if dataset.exists() else None
     click(window)
     disk.let_go()
-    qtbot.waitUntil(lambda: "NOT SAVED" in window.status.saved.text())
+    qtbot.waitUntil(lambda: "NOT SAVED" in window.top_bar.saved.text())
     assert not dataset.exists()  # nothing was made in its place
     disk.before = lambda: None
     away.rename(dataset)

@@ -25,6 +25,8 @@ KEPT = {
     "fit_model",
     "judge_fit",
     "ghost_support",
+    "theme",
+    "font_percent",
     "folder",
     "second",
     "cameras",

@@ -174,7 +174,7 @@ class TestRows:
         at = row.jac.mapTo(row, row.jac.rect().center())
         QTest.mouseClick(row, Qt.MouseButton.LeftButton, pos=at)
         assert audited.document.active_source.name == "bad"
-        assert audited.toolbar.cameras.currentText() == "bad"
+        assert audited.top_bar.camera_bar.cameras.currentText() == "bad"
 
     def test_a_double_click_lets_the_name_be_typed(self, audited: MainWindow, qtbot: QtBot) -> None:
         audited.show_panel("cameras")
@@ -365,14 +365,14 @@ class TestUnreadable:
         assert "00002, 00003" in matched.toolTip()
         assert child(damaged, QLabel, "cameras_matched_0").text() == "6 of 6 (100 %)"
 
-    def test_toolbar_and_list_say_it(self, damaged: MainWindow) -> None:
-        assert "camera unreadable" in damaged.toolbar.jac.text()
-        assert "00002" in damaged.toolbar.jac.toolTip()
+    def test_bar_and_list_say_it(self, damaged: MainWindow) -> None:
+        assert "camera unreadable" in damaged.top_bar.camera_bar.jac.text()
+        assert "00002" in damaged.top_bar.camera_bar.jac.toolTip()
         model = damaged.frames.model
         assert "00002" in model.info(1).camera_problem
         assert model.info(0).camera_problem == ""
         damaged.document.set_active_camera(0)
-        assert "JaC" in damaged.toolbar.jac.text()
+        assert "JaC" in damaged.top_bar.camera_bar.jac.text()
         assert model.info(1).camera_problem == ""
 
     def test_the_names_over_the_picture_say_it(self, damaged: MainWindow) -> None:

@@ -27,12 +27,16 @@ from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.adjust import Look
 from procc_annotator.interact.gesture import Modifiers
+from procc_annotator.interact.hints import SEPARATOR
 from procc_annotator.interact.overlay import ColourBy
 from procc_annotator.interact.overlay_shapes import NOTHING
 
 _EXPLANATION_MS = 12_000
 _SCREEN_FRAME_MS = 16
 _NO_MODIFIERS = Modifiers()
+_PAN_HINT = SEPARATOR.join(
+    ["PAN", "drag moves the picture", "click and Enter do nothing", "Esc takes the tool again"]
+)
 
 
 class Canvas(PictureView):
@@ -41,6 +45,7 @@ class Canvas(PictureView):
     cursorMoved = Signal(object)  # (x, y) in picture px, or None
     hintChanged = Signal(str)
     menuWanted = Signal(QPoint)  # on the screen
+    panChanged = Signal(bool)  # whether the left button moves the picture
 
     def __init__(self, document: Document) -> None:
         super().__init__()
@@ -223,7 +228,7 @@ class Canvas(PictureView):
         self.comparison.other_side.set_ghosts(beside, self.view_scale)
 
     def _say_hint(self) -> None:
-        hint = self.camera_hand.hint or self.editor.hint()
+        hint = self.camera_hand.hint or (_PAN_HINT if self.pan_tool else self.editor.hint())
         if hint != self.hint:
             self.hint = hint
             self.hintChanged.emit(hint)
@@ -268,6 +273,14 @@ class Canvas(PictureView):
         """Whether place and zoom stay when the frame changes."""
         self.keep_zoom = keep
 
+    def set_pan(self, on: bool) -> None:
+        """Whether the left button moves the picture instead of using the tool in hand."""
+        if on != self.pan_tool:
+            self.pan_tool = on
+            self.update_cursor()
+            self._say_hint()
+            self.panChanged.emit(on)
+
     def set_overlays_hidden(self, hidden: bool) -> None:
         """Show the bare picture."""
         self._hidden_by_action = hidden
@@ -297,6 +310,9 @@ class Canvas(PictureView):
 
     def key(self, name: str, shift: bool = False) -> None:
         """What the tool in hand does on Enter, Backspace, Escape, Delete or an arrow."""
+        if name == "Escape" and self.pan_tool:
+            self.set_pan(False)
+            return
         self.editor.key(name, shift=shift)
 
     def delete_element(self) -> None:

@@ -70,6 +70,7 @@ class PictureView(QGraphicsView):
         self._fitted = True
         self._covered = self._left_free = 0
         self._space_held = False
+        self.pan_tool = False  # whether the left button moves the picture
         self._pan_from: QPoint | None = None
 
     # --- where things are -----------------------------------------------------------------
@@ -218,8 +219,9 @@ class PictureView(QGraphicsView):
         return self._pan_from is not None
 
     def _wants_pan(self, event: QMouseEvent) -> bool:
-        left_with_space = event.button() == Qt.MouseButton.LeftButton and self._space_held
-        return event.button() == Qt.MouseButton.MiddleButton or left_with_space
+        moves = self._space_held or self.pan_tool
+        left = event.button() == Qt.MouseButton.LeftButton and moves
+        return event.button() == Qt.MouseButton.MiddleButton or left
 
     def _scroll_by(self, delta: QPointF) -> None:
         across, down = self.horizontalScrollBar(), self.verticalScrollBar()
@@ -248,7 +250,8 @@ class PictureView(QGraphicsView):
 
     def update_cursor(self) -> None:
         """Show what the mouse would do."""
-        shape = Qt.CursorShape.OpenHandCursor if self._space_held else self.tool_cursor()
+        moves = self._space_held or self.pan_tool
+        shape = Qt.CursorShape.OpenHandCursor if moves else self.tool_cursor()
         self.viewport().setCursor(shape)
 
     def tool_cursor(self) -> Qt.CursorShape:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDialog, QInputDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QDialog, QMessageBox, QWidget
 
 from procc_annotator.gui.picture.canvas import Canvas
-from procc_annotator.gui.settings import AUTHOR, KEYS, Settings
+from procc_annotator.gui.settings import AUTHOR, KEYS
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.state import Mode
 from procc_annotator.gui.window.key_sheet import KeySheet
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
+from procc_annotator.gui.window.options import Options
+from procc_annotator.gui.window.settings_dialog import SettingsDialog
 from procc_annotator.version import __version__
 
 _TAU_STEP = 0.5
@@ -19,19 +22,25 @@ class Commands:
     """Slots of the action table, by name."""
 
     def __init__(
-        self, document: Document, canvas: Canvas, settings: Settings, window: QWidget
+        self, document: Document, canvas: Canvas, options: Options, window: QWidget
     ) -> None:
         self._document = document
         self._canvas = canvas
-        self._settings = settings
+        self._options = options
+        self._dialog: SettingsDialog | None = None
         self._window = window
         self._sheet: KeySheet | None = None
 
     # --- stepping and choosing ------------------------------------------------------------
 
+    def take_tool(self, mode: Mode) -> None:
+        """Draw or edit from now on, with the hand that moves the picture put away."""
+        self._canvas.set_pan(False)
+        self._document.set_mode(mode)
+
     def switch_mode(self) -> None:
         """From drawing to editing and back."""
-        self._document.set_mode("edit" if self._document.mode == "draw" else "draw")
+        self.take_tool("edit" if self._document.mode == "draw" else "draw")
 
     def step_element(self, step: int) -> None:
         """Choose the next class of the field (1) or the one before (-1)."""
@@ -85,18 +94,16 @@ class Commands:
 
     # --- the program ----------------------------------------------------------------------
 
+    def show_settings(self, key: str = "") -> None:
+        """Open the dialog of settings, at one of them if it is named."""
+        if self._dialog is None:
+            self._dialog = SettingsDialog(self._options, self._window)
+            self._dialog.keysWanted.connect(self.change_keys)
+        self._dialog.open_at(key)
+
     def ask_author(self) -> None:
-        """Ask for the name that points, comments and versions bear."""
-        document = self._document
-        name, given = QInputDialog.getText(
-            self._window,
-            "Your name",
-            "Points, comments and versions bear it:",
-            text=document.author,
-        )
-        if given and name.strip():
-            self._settings.set(AUTHOR, name.strip())
-            document.set_author(name.strip())
+        """Show where the name is entered that points, comments and versions bear."""
+        self.show_settings(AUTHOR.key)
 
     def show_keys(self) -> None:
         """Open the sheet of keys."""
@@ -114,8 +121,7 @@ class Commands:
         document = self._document
         dialog = KeymapDialog(document.field, document.state.keymap, self._window)
         if dialog.exec() == QDialog.DialogCode.Accepted:
-            self._settings.set(KEYS, dialog.keymap)
-            document.store.set(keymap=dialog.keymap)
+            self._options.change(KEYS, dialog.keymap)
         dialog.deleteLater()
 
     def _call(self, name: str) -> None:

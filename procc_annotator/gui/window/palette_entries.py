@@ -12,7 +12,7 @@ from PySide6.QtGui import QAction, QKeySequence
 
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.element_keys import key_text
-from procc_annotator.gui.settings import RECENT, Settings
+from procc_annotator.gui.settings import OFFERED, RECENT, SWITCHES, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.live_fit import MODELS
 from procc_annotator.gui.window.docks import TITLES
@@ -60,12 +60,14 @@ class PaletteEntries:
         settings: Settings,
         show_panel: Callable[[str], object],
         open_path: Callable[[Path], object],
+        show_setting: Callable[[str], object],
     ) -> None:
         self._document = document
         self._actions = actions
         self._settings = settings
         self._show_panel = show_panel
         self._open_path = open_path
+        self._show_setting = show_setting
 
     def found(self, text: str, called: Iterable[str] = ()) -> list[Entry]:
         """What fits a text, best first; for an empty one what was called last, then all actions.
@@ -146,6 +148,16 @@ class PaletteEntries:
                 "",
                 partial(self._show_panel, name),
             )
+        for setting in OFFERED:
+            if setting.shown is not None and setting.key not in SWITCHES:  # those are actions
+                yield Entry(
+                    f"setting:{setting.key}",
+                    "Setting",
+                    f"{setting.shown.title}…",
+                    setting.text,
+                    "",
+                    partial(self._show_setting, setting.key),
+                )
         for path in self._settings.get(RECENT):
             yield Entry("", "Open", described(path), str(path), "", partial(self._open_path, path))
 

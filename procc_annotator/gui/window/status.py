@@ -1,4 +1,4 @@
-"""The line at the bottom: what the next click does, where the cursor is, whether all is saved."""
+"""The line at the bottom: what the next click does, and where the cursor is."""
 
 from __future__ import annotations
 
@@ -6,10 +6,11 @@ import re
 from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import QSize, Qt, QTimer
-from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWidget
 
-from procc_annotator.gui.theme import alarm_colours, fixed_width
+from procc_annotator.gui.theme import fixed_width
+from procc_annotator.gui.window.apart import Apart
 from procc_annotator.interact.hints import SEPARATOR
 
 MESSAGE_END = "  ·  "  # what just happened stands before the hint
@@ -158,23 +159,8 @@ class SteadyLabel(QLabel):
         self.setFixedSize(wide + margins.left() + margins.right() + 2, metrics.height() + 2)
 
 
-class _Apart(QWidget):
-    """Gives a widget all its room: whatever that asks for, nothing around is laid out anew."""
-
-    def __init__(self, widget: QWidget) -> None:
-        super().__init__()
-        self._widget = widget
-        widget.setParent(self)
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(0, self.fontMetrics().height() + 2 * _PAD)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        self._widget.setGeometry(self.rect())
-
-
 class StatusLine(QStatusBar):
-    """Hint, cursor in picture pixels and field metres, saved state."""
+    """Hint, what goes on, cursor in picture pixels and field metres."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -183,9 +169,6 @@ class StatusLine(QStatusBar):
         self.hint.setObjectName("hint")
         self.pixels = Readout("cursorPixels", "-1234.5 -1234.5 px ")
         self.metres = Readout("cursorMetres", "-123.5 -123.5 m ")
-        self.saved = QLabel()
-        self.saved.setObjectName("savedState")
-        self.saved.setMargin(_PAD)
         self.pixels.setToolTip("Cursor in picture pixels; the centre of the top left pixel is 0 0")
         self.metres.setToolTip("Cursor on the ground of the field, in metres from its centre")
         self.apart = Readout("cursorDisagreement", "Δ 12345.67 m 1234.5 px ")
@@ -204,11 +187,11 @@ class StatusLine(QStatusBar):
         self.work.setObjectName("backgroundWork")
         line = QWidget()
         layout = QHBoxLayout(line)
-        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setContentsMargins(0, _PAD, _PAD, _PAD)
         layout.addWidget(self.hint, 1)
-        for part in (self.work, self.apart, self.good_to, self.pixels, self.metres, self.saved):
+        for part in (self.work, self.apart, self.good_to, self.pixels, self.metres):
             layout.addWidget(part)
-        self.addWidget(_Apart(line), 1)
+        self.addWidget(Apart(line), 1)
         self._hint = self._message = ""
         self._message_timer = QTimer(self)
         self._message_timer.setSingleShot(True)
@@ -264,19 +247,6 @@ class StatusLine(QStatusBar):
         """What goes on in the background; empty when nothing does."""
         self.work.setText(text)
         self.work.setToolTip(tip)
-
-    def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
-        """Whether everything is on disk."""
-        self.saved.setToolTip(tip)
-        background, colour = alarm_colours(self.palette())
-        style = (
-            f"background: {background}; color: {colour}; padding: 1px 6px; font-weight: bold;"
-            if alarm
-            else ""  # a style sheet, however small, would keep the colours of the other theme
-        )
-        if style != self.saved.styleSheet():  # setting one costs more than showing a frame's text
-            self.saved.setStyleSheet(style)
-        self.saved.setText(text)
 
     def _show_message(self) -> None:
         self.hint.show_line(self._message, self._hint)

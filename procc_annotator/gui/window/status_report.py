@@ -10,11 +10,10 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.status import StatusLine
-from procc_annotator.interact.hints import counted
 
 
 class StatusReport(QObject):
-    """Hint, cursor position, saved state."""
+    """Hint, cursor position, work under way."""
 
     def __init__(
         self, document: Document, canvas: Canvas, status: StatusLine, parent: QObject
@@ -26,20 +25,16 @@ class StatusReport(QObject):
         canvas.cursorMoved.connect(self.show_cursor)
         canvas.hintChanged.connect(status.set_hint)
         store = document.store
-        store.watch(lambda s: (s.workspace, s.frame_index, s.unsaved), self._show_saved)
         store.watch(lambda s: s.field, self._show_titles)
         store.watch(
             lambda s: (s.setup, s.projection_visible, s.active, s.cameras_of(s.active)),
             self._look_again,
         )
-        document.saver.begun.connect(self._show_saved)
-        document.saver.settled.connect(self._show_saved)
         document.disagreement.changed.connect(self._look_again)
         document.uncertainty.changed.connect(self._look_again)
         document.set_scores.progressed.connect(self.show_scoring)
         status.set_hint(canvas.hint)
         self._show_titles(document.field)
-        self._show_saved()
 
     def _show_titles(self, field: Field) -> None:
         """What elements are called, which hints and messages name."""
@@ -91,21 +86,3 @@ class StatusReport(QObject):
             return None
         metres = ground[0]
         return float(metres[0]), float(metres[1])
-
-    def _show_saved(self, *_: object) -> None:
-        """Whether everything is on disk, and since when."""
-        saver = self._document.saver
-        problems = saver.problems
-        if problems:
-            tip = "\n".join(str(p) for p in problems.values())
-            self._status.set_saved(
-                f"NOT SAVED: {counted(len(problems), 'frame')}", alarm=True, tip=tip
-            )
-        elif saver.under_way:
-            self._status.set_saved("saving...", alarm=False)
-        elif saver.saved_at is not None:
-            self._status.set_saved(f"saved {saver.saved_at:%H:%M:%S}", alarm=False)
-        elif self._document.frame is not None:
-            self._status.set_saved("no changes", alarm=False)
-        else:
-            self._status.set_saved("", alarm=False)

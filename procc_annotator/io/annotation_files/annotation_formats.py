@@ -204,7 +204,7 @@ def read_plain(data: bytes, path: str, field: Field) -> FrameAnnotation:
     try:
         return read_annotation(data, path=path, field=field)
     except AnnotationError as error:
-        told = _format_of(data, is_xml=False)
+        told = json_format(data)
         if told is None or told.name == PLAIN:
             raise
         raise AnnotationError(
@@ -229,6 +229,8 @@ def _told(source: FileSource, files: Sequence[str]) -> list[AnnotationFormat | N
 
 def _one_format(source: FileSource) -> AnnotationFormat:
     told = told_formats(source)
+    # What was taken in from a file of a whole set, frame by frame, stands for it from then on.
+    told = [known for known in told if known.name == PLAIN or not _taken_in(known, told)]
     if len(told) > 1:
         raise UsageError(
             f"{source.path}: holds annotations of several formats"
@@ -243,18 +245,23 @@ def _one_format(source: FileSource) -> AnnotationFormat:
     return format_named("cvat" if _is_xml(files[0]) else "soccernet")
 
 
+def _taken_in(known: AnnotationFormat, told: Sequence[AnnotationFormat]) -> bool:
+    return bool(known.one_file) and any(other.name == PLAIN for other in told)
+
+
 def _sniffed(source: FileSource, name: str) -> AnnotationFormat | None:
     """The format of one file; None where it cannot be told."""
     try:
         data = source.read(name)
     except InputError:
         return None
-    return _format_of(data, is_xml=_is_xml(name))
-
-
-def _format_of(data: bytes, *, is_xml: bool) -> AnnotationFormat | None:
-    if is_xml:
+    if _is_xml(name):
         return next((f for f in FORMATS if f.sniff is not None and f.sniff(data)), None)
+    return json_format(data)
+
+
+def json_format(data: bytes) -> AnnotationFormat | None:
+    """The format of JSON; None where it cannot be told."""
     content = _decoded(data)
     if is_other_json(content):
         return next(

@@ -31,7 +31,8 @@ KEYS = ("P", "projection_matrix", "projection", "proj", "camera_projection_matri
 def is_projection(content: object) -> bool:
     """Whether a decoded value is such a matrix, or an object with one and no K beside it."""
     if type(content) is dict:
-        return "K" not in content and any(_is_3x4(content[key]) for key in KEYS if key in content)
+        found = [content[key] for key in KEYS if key in content]
+        return "K" not in content and any(_is_3x4(value) or _are_twelve(value) for value in found)
     return _is_3x4(content)
 
 
@@ -84,6 +85,15 @@ def projection_matrix(camera: PinholeCamera) -> FloatArray:
     if not np.isfinite(matrix).all():
         raise ValueError("not a camera: a parameter is without bounds")
     return matrix
+
+
+def _are_twelve(content: object) -> bool:
+    """Whether it is such a matrix row by row in one list."""
+    return (
+        type(content) is list
+        and len(content) == 12
+        and not any(type(number) in (list, dict, str) for number in content)
+    )
 
 
 def _is_3x4(content: object) -> bool:

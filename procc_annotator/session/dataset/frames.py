@@ -10,8 +10,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
+from procc_annotator.io.annotation_files.annotation_formats import PLAIN, json_format
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, OWN_FILES
 from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.session.dataset.dataset_folder import (
@@ -20,6 +21,7 @@ from procc_annotator.session.dataset.dataset_folder import (
     json_stems,
     like_cameras,
 )
+from procc_annotator.session.dataset.pending_save import bytes_of
 from procc_annotator.session.dataset.picture_tree import PictureTree, find_pictures
 
 
@@ -87,7 +89,7 @@ def list_frames(
     notices = [*found.notices, *listing.notices]
     if remark := like_cameras(frame.image_file for frame in frames):
         notices.insert(0, remark)  # the window shows the first three
-    if annotations is None and not found.in_tree:
+    if annotations is None and not found.in_tree and not listing.beside_others:
         notices += _not_used(root, found.only_folder, frames)
     return root, frames, tuple(notices)
 
@@ -103,6 +105,9 @@ class _Listing:
         if annotations is None and found.in_tree:
             inner = root / ANNOTATIONS_FOLDER
             self._apart = inner if found.container or holds_annotations(inner) else None
+        self.beside_others = self._apart is None and _taken_by_others(root, found)
+        if self.beside_others:
+            self._apart = root / ANNOTATIONS_FOLDER
 
     def add(self, below: str, names: Iterable[str]) -> None:
         """Take down the pictures of a folder."""
@@ -143,6 +148,22 @@ def _folder_of(root: Path, below: str, names: Iterable[str], *, in_tree: bool) -
         return usual
     beside = annotation_folder(root / below)
     return beside if json_stems(beside) else root / ANNOTATIONS_FOLDER
+
+
+def _taken_by_others(root: Path, found: PictureTree) -> bool:
+    """Whether a file of another program has the name that an annotation beside its picture would
+    have, as labelme's have: those that are made here go to ``annotations/``. The first such file
+    tells."""
+    for below, names in found.folders:
+        folder = root / below
+        stems = {*json_stems(folder)} if annotation_folder(folder) == folder else set()
+        if first := next((s for s, _ in map(os.path.splitext, names) if s in stems), None):
+            try:
+                told = json_format(bytes_of(folder / f"{first}.json") or b"")
+            except InputError:  # is told where the frame is read
+                return False
+            return told is not None and told.name != PLAIN
+    return False
 
 
 def _not_used(root: Path, only_folder: str, frames: Sequence[Frame]) -> Iterator[str]:

@@ -18,6 +18,7 @@ from procc_annotator.words import count_of
 # Suffixes that annotations, lists and notes have as well tell nothing of cameras.
 _NOT_CAMERAS_ALONE = frozenset({".json", ".xml", ".txt", ".yml", ".yaml"})
 _ANNOTATIONS = frozenset({".json", ".xml"})
+_PACKED = "Frames-v3.zip"  # as SoccerNet-v3 is downloaded, one a game
 # So many files are read to tell what a set holds.
 _LOOKED_INTO = 3
 
@@ -98,6 +99,7 @@ def instead_of_cameras(place: Path) -> str:
         with open_source(place) as source:
             told = [known for known in told_formats(source) if known.name != PLAIN]
             files = source.tree()
+            labels = _pose_labels(source, files)
     except (InputError, UsageError):  # what cannot be opened is told where it is needed
         return ""
     if told:
@@ -106,6 +108,8 @@ def instead_of_cameras(place: Path) -> str:
             f"; it holds annotations ({titles}): procc-annotator calibrate {place} OUT fits cameras"
             " to them"
         )
+    if labels:
+        return f"; it holds annotations ({count_of(labels, 'file')} of YOLO pose, not read)"
     if any(_suffix(name) in suffixes_of() for name in files):
         return ""
     return f"; cameras are looked for in files of {', '.join(sorted(suffixes_of()))}"
@@ -134,11 +138,17 @@ def instead_of_pictures(place: Path) -> str:
     try:
         with open_source(place) as source:
             told = told_formats(source)
+            packed = [name for name in source.tree() if name.rpartition("/")[2] == _PACKED]
     except (InputError, UsageError):  # what cannot be opened is told where it is needed
         return ""
     if not told:
         return ""
     titles = " and ".join(known.title for known in told)
+    if packed:
+        return (
+            f", only annotations ({titles}); the pictures are still packed: unpack each {_PACKED}"
+            " into a folder v3_frames beside it"
+        )
     return (
         f", only annotations ({titles}): evaluate, check, calibrate, report and convert do without"
         " pictures"

@@ -47,7 +47,8 @@ def clusters_of(
     Args:
         frames: names.
         by: a tag, `SHOT`, `NONE`; None for shots if there are any to be found.
-        values: of the tag, by frame. A frame without one is a cluster of its own.
+        values: of the tag, by frame. A frame without one is a cluster of its own. A tag called
+            `SHOT` counts rather than table and names.
         order: the dataset's table of frames; without it names tell the shots.
 
     Raises:
@@ -55,7 +56,7 @@ def clusters_of(
     """
     if by == NONE:
         return _alone(frames, "every frame for itself")
-    if by not in (None, SHOT):
+    if by not in (None, SHOT) or (by == SHOT and values):
         if not any(values.get(frame) for frame in frames):
             raise UsageError(f"no frame has a value of {by!r} to cluster by")
         return _by_value(frames, [values.get(frame) for frame in frames], f"by {by}", by or "")

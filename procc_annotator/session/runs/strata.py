@@ -86,10 +86,11 @@ def values_of(
     """The value of each frame.
 
     Args:
-        by: one of `DERIVED`, `MODEL`, or a tag.
+        by: a tag, one of `DERIVED`, or `MODEL`. A tag that is called as one of `DERIVED` counts:
+            whoever gives it means it.
         sources: over the same frames; poses are the median of theirs.
         field: its size tells the sides.
-        tags: of the tag, by frame.
+        tags: of the tag, by frame; empty where `by` is none.
         order: the dataset's table of frames; without it names tell the shots.
 
     Raises:
@@ -97,7 +98,9 @@ def values_of(
     """
     names = sources[0].names
     found: list[str | None]
-    if by == ZOOM:
+    if tags:
+        found = [tags.get(name) for name in names]
+    elif by == ZOOM:
         focal = [_median(p.focal_px for p in poses) for poses in _poses(sources)]
         found = _thirds(focal, "focal {} to {} px")
     elif by == ELEMENTS:
@@ -114,7 +117,7 @@ def values_of(
         shot_of = {frame: s.name for s in shots_in(names, order) for frame in s.frames}
         found = [shot_of.get(name) for name in names]
     else:
-        found = [tags.get(name) for name in names]
+        found = []
     if not any(found):
         raise UsageError(f"cannot break down by {by!r}: it is known of no frame")
     return found

@@ -4,7 +4,7 @@ Clicks, keys and class choices count one each.
 
 Here: the elements of a frame are drawn one after the other. A class costs nothing when the element
 offered by itself is one of those still missing, else one choice. A straight element is its two ends
-(the second click finishes it: "2 clicks" in the toolbar), a curve is five clicks (all it has, if
+(the second click finishes it: "Two clicks" in the rail), a curve is five clicks (all it has, if
 fewer) and Enter; one key at the end of the frame regularises everything, which makes the points
 between.
 

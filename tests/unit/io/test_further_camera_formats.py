@@ -66,6 +66,7 @@ def test_a_projection_matrix(times: float) -> None:
         (npy(matrix), "1.npy"),
         (text, "1.txt"),
         (json.dumps({"P": matrix.tolist()}).encode(), "1.json"),
+        (json.dumps({"projection": matrix.ravel().tolist()}).encode(), "1.json"),
         (npz(P=matrix), "1.npz"),
     ):
         agree(read_camera_file(data, path=path), PLAIN)

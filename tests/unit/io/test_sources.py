@@ -153,3 +153,12 @@ def test_a_folder_in_place_of_a_file_and_a_damaged_member(tmp_path: Path) -> Non
     path.write_bytes(bytes(data))
     with open_source(path) as archive, pytest.raises(InputError, match="cannot be read"):
         archive.read("1.json")
+
+
+def test_a_link_in_a_circle_is_one_file_that_cannot_be_read(tmp_path: Path) -> None:
+    (tmp_path / "good.json").write_text("{}")
+    (tmp_path / "loop.json").symlink_to("loop.json")
+    with open_source(tmp_path) as folder:
+        assert list(list_annotations(folder)) == ["good", "loop"]
+        with pytest.raises(InputError, match="loop.json: cannot be read"):
+            folder.read("loop.json")

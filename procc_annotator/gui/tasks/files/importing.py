@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.state.document import Document
@@ -36,6 +37,8 @@ class AnnotationImporter(DialogTask):
     """Asks what to import, reads it in the background, asks what labels stand for that are no
     class, and saves it frame by frame."""
 
+    imported = Signal()  # frames were edited
+
     dialog: ImportDialog | None
     names: LabelDialog | None = None
 
@@ -47,8 +50,12 @@ class AnnotationImporter(DialogTask):
         self._edits.progressed.connect(self._advance)
         self._edits.finished.connect(self._finish)
 
-    def ask(self) -> None:
-        """Show the dialog."""
+    def ask(self, place: Path | None = None) -> None:
+        """Show the dialog.
+
+        Args:
+            place: filled in as what is to be imported; None: the user looks for it.
+        """
         from procc_annotator.gui.tasks.files.dialogs import ImportDialog
 
         workspace = self._document.workspace
@@ -58,6 +65,8 @@ class AnnotationImporter(DialogTask):
         self.dialog = dialog = ImportDialog(self._parent, str(workspace.folder))
         dialog.started.connect(lambda: self.start(Path(dialog.path.text().strip())))
         dialog.cancelled.connect(self.cancel)
+        if place is not None:
+            dialog.path.setText(str(place))
         dialog.open()
 
     def start(self, path: Path) -> None:
@@ -143,6 +152,8 @@ class AnnotationImporter(DialogTask):
         document = self._document
         done = f"{len(outcome.edited)} of {counted(outcome.total, 'frame')} imported"
         document.say(done)
+        if outcome.edited:
+            self.imported.emit()
         if self.dialog is None:
             return
         said = [f"{done} ({self._imported.title})."]

@@ -1,0 +1,100 @@
+"""The judged camera in the top bar: threshold, source, JaC and the terms it is computed with."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSignalBlocker
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
+
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.gui.panels.refresher import judged
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import fixed_width
+from procc_annotator.gui.window.status import ElidedLabel, SteadyLabel
+from procc_annotator.gui.window.tau_control import TauControl
+
+_NO_CAMERA = "no camera"
+_WIDEST_CAMERA = 14  # average letters
+_JAC_TIP = "Jaccard index of this frame at tau"
+
+
+class CameraBar(QWidget):
+    """Is there only where a camera is loaded or judged."""
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self.setObjectName("cameraBar")
+        self._document = document
+        self._listed: list[str] = []
+        self.tau = TauControl(document)
+        self.cameras = QComboBox()
+        self.cameras.setObjectName("cameraCombo")
+        self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.cameras.setToolTip("The camera set that is judged (C switches)")
+        self.cameras.activated.connect(lambda i: document.set_active_camera(i - 1))
+        self.jac = SteadyLabel()
+        self.jac.setObjectName("judgedJac")
+        self.jac.setFont(fixed_width(self.jac.font()))
+        self.jac.setToolTip(_JAC_TIP)
+        self.jac.setContentsMargins(6, 0, 2, 0)
+        self.terms = ElidedLabel()
+        self.terms.setObjectName("judgedTerms")
+        # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
+        self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        for widget in (self.tau, self.cameras, self.jac):
+            row.addWidget(widget)
+        row.addWidget(self.terms, 1)
+        store = document.store
+        store.watch(lambda s: (s.looks, s.active), self._show_cameras)
+        store.watch(judged, self._show_score)
+        self._show_cameras()
+
+    def _show_cameras(self, _: object = None) -> None:
+        """The loaded sets and the active one."""
+        document = self._document
+        names = [_NO_CAMERA, *(s.name for s in document.camera_sets)]
+        with QSignalBlocker(self.cameras):
+            if names != self._listed:
+                self._fill_cameras(names)
+            active = document.active_camera
+            chosen = -1 if active is None else document.camera_sets.index(active)
+            self.cameras.setCurrentIndex(chosen + 1)
+        self.cameras.setEnabled(bool(document.camera_sets))
+        loaded = any(s is not document.fit_source.source for s in document.sources)
+        self.setVisible(loaded or document.active_source is not None)
+        self._show_score()
+
+    def _fill_cameras(self, names: list[str]) -> None:
+        self._listed = names
+        self.cameras.clear()
+        self.cameras.addItems(names)
+        # Where room is short, the terms give way, not the camera's name.
+        widest = _WIDEST_CAMERA * self.fontMetrics().averageCharWidth() + 40
+        self.cameras.setMaximumWidth(widest)
+        self.cameras.setMinimumWidth(min(widest, self.cameras.sizeHint().width()))
+
+    def _show_score(self, _: object = None) -> None:
+        """JaC, or why there is none."""
+        document = self._document
+        score = document.score
+        if score is not None and (why := document.why_not_judged):
+            self.jac.setText(f"<b>JaC –</b> {why}")
+        elif score is not None:
+            own = document.active_source is document.fit_source.source
+            self.jac.setText(f"<b>JaC {score.jac:.3f}</b>{' of the fit' if own else ''}")
+        elif document.active_camera is None:
+            self.jac.setText("")
+        elif not document.projection_visible:
+            self.jac.setText("<b>blind</b>: commit to see JaC")
+        else:
+            words = "camera unreadable" if document.camera_error else "no camera here"
+            self.jac.setText(f"<b>{words}</b>")
+        hidden = not document.projection_visible
+        self.jac.setToolTip(_JAC_TIP if hidden else document.camera_error or _JAC_TIP)
+        camera = document.camera
+        ground_only = camera is not None and projects_only_ground(camera)
+        terms = document.setup.describe(ground_only=ground_only)
+        self.terms.set_text(terms)
+        self.terms.setToolTip(f"What the score is computed with: {terms}")

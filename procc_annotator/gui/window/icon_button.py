@@ -1,0 +1,126 @@
+"""Buttons that show an icon of the program, with the key that does the same."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QAction, QColor, QFont, QFontMetrics, QKeySequence, QPainter, QPaintEvent
+from PySide6.QtWidgets import QStyle, QStyleOptionToolButton, QToolButton, QWidget
+
+from procc_annotator.gui.icons import paint_icon
+from procc_annotator.gui.theme import blend
+
+_ICON = 1.45  # heights of a line of text
+_PAD = 5
+_KEY_FONT = 0.72
+_RADIUS = 4.0
+
+
+class IconButton(QToolButton):
+    """An icon, and below it a key, in the colours of the theme.
+
+    It is filled while it is on, with a bar at its left edge: colour is not the only sign.
+    """
+
+    def __init__(self, icon: str, parent: QWidget | None = None, *, with_key: bool = False) -> None:
+        super().__init__(parent)
+        self._icon, self._with_key, self._key = icon, with_key, ""
+        self.setAutoRaise(True)
+
+    def show_action(self, action: QAction, key_of: QAction | None = None, key: str = "") -> None:
+        """Do what an action does, and tell what it is called.
+
+        Args:
+            action: what a click triggers.
+            key_of: whose key is shown, if it has none of its own.
+            key: what is held for the same effect, where there is no such action either.
+        """
+        self.setDefaultAction(action)
+        self._of = (action, key_of or action)
+        self._held = key
+        for one in {action, key_of or action}:
+            one.changed.connect(self._take)
+        self._take()
+
+    def key_text(self) -> str:
+        """The key that is shown; "" where there is none."""
+        return self._key
+
+    def sizeHint(self) -> QSize:
+        side = self._icon_side() + 2 * _PAD
+        if not self._with_key:
+            return QSize(side, side)
+        metrics = QFontMetrics(self._key_font())
+        return QSize(
+            max(side, metrics.horizontalAdvance("Ctrl+Z") + 6),
+            self._icon_side() + metrics.height() + _PAD + 2,
+        )
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        area = QRectF(self.rect()).adjusted(1, 1, -1, -1)
+        ink = self._paint_ground(painter, area)
+        side = self._icon_side()
+        top = (self.height() - side) / 2
+        if self._with_key:
+            font = self._key_font()
+            height = QFontMetrics(font).height()
+            top = (self.height() - side - height) / 2
+            painter.setFont(font)
+            painter.setPen(ink)
+            line = QRectF(0, top + side, self.width(), height)
+            painter.drawText(line, Qt.AlignmentFlag.AlignCenter, self._key)
+        paint_icon(painter, self._icon, QRectF((self.width() - side) / 2, top, side, side), ink)
+        if self.hasFocus():
+            painter.setPen(ink)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRoundedRect(area.adjusted(1.5, 1.5, -1.5, -1.5), _RADIUS, _RADIUS)
+
+    # --- inside ---
+
+    def _take(self) -> None:
+        """Another key, or another step that is undone."""
+        action, other = self._of
+        keys = [
+            keys.toString(QKeySequence.SequenceFormat.NativeText)
+            for keys in action.shortcuts() or other.shortcuts()
+        ]
+        self._key = min(keys, key=len, default=self._held)
+        words = action.text().replace("&&", "&")
+        self.setAccessibleName(words)
+        self.setToolTip(f"{words}\n{action.toolTip()}")
+        self.update()
+
+    def _paint_ground(self, painter: QPainter, area: QRectF) -> QColor:
+        """Paint what is below the icon; the colour of the icon."""
+        option = QStyleOptionToolButton()
+        self.initStyleOption(option)
+        colours, state = self.palette(), option.state
+        ink = colours.color(colours.ColorRole.ButtonText)
+        ground = colours.color(colours.ColorRole.Window)
+        if self.isChecked():
+            fill = colours.color(colours.ColorRole.Highlight)
+            ink = colours.color(colours.ColorRole.HighlightedText)
+        elif state & (QStyle.StateFlag.State_MouseOver | QStyle.StateFlag.State_Sunken):
+            fill = blend(ground, ink, 0.22 if self.isDown() else 0.10)
+        else:
+            return ink
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(fill)
+        painter.drawRoundedRect(area, _RADIUS, _RADIUS)
+        if self.isChecked():
+            painter.setBrush(ink)
+            bar = QRectF(area.left() + 1.5, area.top() + 5, 2.5, area.height() - 10)
+            painter.drawRoundedRect(bar, 1.2, 1.2)
+        return ink
+
+    def _icon_side(self) -> int:
+        return round(self.fontMetrics().height() * _ICON)
+
+    def _key_font(self) -> QFont:
+        font = QFont(self.font())
+        font.setPointSizeF(font.pointSizeF() * _KEY_FONT)
+        return font

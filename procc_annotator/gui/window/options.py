@@ -1,0 +1,125 @@
+"""The settings of the table as a window has them now: what each is, and how it is changed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QApplication
+
+from procc_annotator.gui import settings as rows
+from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.settings import SWITCHES, Setting, Settings, T
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import set_text_size, set_theme
+from procc_annotator.session.facts.origins import default_author
+
+# Settings that an action each sets: its name begins so, and ends with the value.
+_CHOICES = {
+    rows.PROTOCOL.key: "protocol",
+    rows.OFF_PLANE.key: "off_plane",
+    rows.COLOUR_BY.key: "colour",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where a setting lives in the window; one that an action sets is not put by itself."""
+
+    get: Callable[[], Any]
+    put: Callable[[Any], object] = lambda value: None
+
+
+class Options:
+    """Reads and changes what the window does; what is kept nowhere else is kept in the file."""
+
+    def __init__(
+        self,
+        settings: Settings,
+        document: Document,
+        canvas: Canvas,
+        action: Callable[[str], QAction],
+    ) -> None:
+        self._settings, self._document = settings, document
+        self._action = action
+        self._places = _places(document, canvas)
+        # A locked dataset may hold what somebody chose for all of them.
+        self._chosen: Mapping[str, Callable[[], bool]] = {
+            "blind": lambda: document.blind_lock.wanted,
+            "live_fit": lambda: document.live_fit.chosen,
+        }
+
+    def value(self, setting: Setting[T]) -> T:
+        """What holds now."""
+        if setting.key in SWITCHES:
+            shown = self._action(setting.key).isChecked
+            return self._chosen.get(setting.key, shown)()  # type: ignore[return-value]
+        place = self._places.get(setting.key)
+        return place.get() if place is not None else self._settings.get(setting)
+
+    def change(self, setting: Setting[T], value: T) -> None:
+        """Have something else hold from now on, and remember it."""
+        self._settings.set(setting, value)
+        self.take_up(setting)
+
+    def take_up(self, setting: Setting[T]) -> None:
+        """Have hold what is remembered."""
+        value = self._settings.get(setting)
+        key = setting.key
+        if key in SWITCHES:
+            if value != self._action(key).isChecked():
+                self._action(key).trigger()
+        elif key in _CHOICES:
+            if value != self.value(setting):
+                self._action(f"{_CHOICES[key]}_{value}").trigger()
+        elif setting is rows.AUTHOR:
+            self._document.set_author(str(value) or default_author())
+        elif setting is rows.KEYS:
+            self._document.store.set(keymap=value)
+        elif setting is rows.THEME:
+            set_theme(_application(), str(value))
+        elif key in self._places:
+            self._places[key].put(value)
+
+    def take_up_all(self) -> None:
+        """Have hold all that is remembered; how the application looks does already."""
+        for setting in (rows.KEYS, *rows.OFFERED):
+            if setting is not rows.THEME:
+                self.take_up(setting)
+
+    def write_down(self) -> None:
+        """Remember all of them as they are."""
+        for setting in rows.OFFERED:
+            if setting.key in SWITCHES or setting.key in self._places:
+                self._settings.set(setting, self.value(setting))
+
+
+def dress(settings: Settings) -> None:
+    """Have the application look as it is remembered, before anything of it is made."""
+    if (theme := settings.get(rows.THEME)) != rows.THEME.default:
+        set_theme(_application(), theme)
+    set_text_size(_application(), settings.get(rows.FONT_PERCENT))
+
+
+def _application() -> QApplication:
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    return application
+
+
+def _places(document: Document, canvas: Canvas) -> dict[str, _Place]:
+    fit_source = document.fit_source
+
+    def prefer(fit: bool) -> None:
+        fit_source.preferred = fit
+
+    return {
+        rows.TAU.key: _Place(lambda: document.tau, document.set_tau),
+        rows.PROTOCOL.key: _Place(lambda: document.setup.protocol),
+        rows.OFF_PLANE.key: _Place(lambda: document.setup.off_plane),
+        rows.COLOUR_BY.key: _Place(lambda: canvas.colour_by),
+        rows.FIT_MODEL.key: _Place(lambda: document.live_fit.model, document.live_fit.set_model),
+        rows.JUDGE_FIT.key: _Place(lambda: fit_source.preferred, prefer),
+    }

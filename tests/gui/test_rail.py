@@ -1,0 +1,98 @@
+"""The rail of icons at the left edge, and the bar above."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.theme import is_dark, palette
+from procc_annotator.gui.window.icon_button import IconButton
+from procc_annotator.resources import resources_dir
+from tests.gui.conftest import Hand
+
+
+def press(button: IconButton) -> None:
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+def grey(image: QImage) -> np.ndarray:
+    image = image.convertToFormat(QImage.Format.Format_Grayscale8)
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
+    return rows[:, : image.width()].astype(int)
+
+
+def test_buttons_do_what_the_keys_do_and_say_which(window: MainWindow, hand: Hand) -> None:
+    buttons = window.rail.buttons
+    assert buttons["snapping"].key_text() == "S"
+    assert buttons["redo"].key_text() == "Ctrl+Y"
+    assert buttons["draw_mode"].isChecked()
+    press(buttons["edit_mode"])
+    assert window.document.mode == "edit"
+    hand.key(Qt.Key.Key_W)
+    assert buttons["draw_mode"].isChecked()
+    assert not buttons["edit_mode"].isChecked()
+    hand.draw("Middle line", (100, 50), (120, 200))
+    assert "Undo: " in buttons["undo"].toolTip()
+    press(buttons["undo"])
+    assert window.document.annotation.get("Middle line") is None
+
+
+def test_pan_moves_the_picture_until_esc(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
+    canvas, pan = window.canvas, window.rail.buttons["pan"]
+    canvas.set_scale(4.0)
+    window.document.select_class("Middle line")
+    press(pan)
+    assert window.status.hint.text().startswith("PAN")
+    before = hand.at(320, 180)
+    start, end = hand.picture(320, 180), hand.picture(330, 190)
+    hand.drag(start, end)
+    assert hand.at(320, 180) != before
+    assert not canvas.editor.drawing  # the press was no click
+    hand.key(Qt.Key.Key_Escape)
+    assert not pan.isChecked()
+    assert window.status.hint.text().startswith("DRAW")
+    press(pan)
+    press(window.rail.buttons["draw_mode"])  # a tool that is taken up ends it, too
+    assert not pan.isChecked()
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_icons_stand_out_in_both_themes(window: MainWindow, dark: bool) -> None:
+    before = is_dark(QApplication.palette())
+    window.setPalette(palette(dark))
+    try:
+        for button in window.rail.findChildren(IconButton):
+            shade = grey(button.grab().toImage())
+            assert np.ptp(shade) > 100, button.objectName()
+    finally:
+        window.setPalette(palette(before))
+
+
+def test_every_icon_is_drawn_in_one_style() -> None:
+    heads = {path.read_text().split("\n")[0] for path in (resources_dir() / "icons").glob("*.svg")}
+    assert len(heads) == 1
+
+
+def test_the_camera_has_room_only_once_there_is_one(window: MainWindow, tmp_path: Path) -> None:
+    bar = window.top_bar
+    assert not bar.camera_bar.isVisible()
+    assert bar.chip.words() == f"dataset · {window.document.field.title}"
+    assert bar.chip.menu() is window.actions_.menus["File/Field"]
+    (tmp_path / "cameras").mkdir()
+    np.save(tmp_path / "cameras" / "frame_0.npy", np.eye(3))
+    window.document.load_cameras(tmp_path / "cameras")
+    assert bar.camera_bar.isVisible()
+
+
+def test_search_opens_the_palette(window: MainWindow) -> None:
+    QTest.mouseClick(window.top_bar.search, Qt.MouseButton.LeftButton)
+    assert window.palette_.isVisible()
+    QTest.keyClick(window.palette_.search, Qt.Key.Key_Escape)

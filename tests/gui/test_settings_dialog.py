@@ -1,0 +1,171 @@
+"""The dialog of settings: everything in it can be found, changed, and put back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLineEdit
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui import settings as rows
+from procc_annotator.gui.decimal_box import DecimalBox
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.settings import OFFERED, Settings
+from procc_annotator.gui.theme import is_dark, set_theme
+from procc_annotator.gui.window.settings_dialog import SettingRow, SettingsDialog
+from tests.gui.conftest import MakeWindow
+
+# The offscreen platform has no window manager to pass these on to.
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+
+@pytest.fixture
+def dialog(window: MainWindow) -> Iterator[SettingsDialog]:
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    before = application.palette()
+    window.actions_["settings"].trigger()
+    found = window.findChild(SettingsDialog)
+    assert isinstance(found, SettingsDialog)
+    yield found
+    found.close()
+    set_theme(application, "system")
+    application.setPalette(before)
+
+
+def row(dialog: SettingsDialog, key: str) -> SettingRow:
+    return next(r for r in dialog.rows if r.setting.key == key)
+
+
+def test_what_is_changed_holds_at_once_and_is_remembered(
+    window: MainWindow, dialog: SettingsDialog
+) -> None:
+    box = row(dialog, "tau").editor
+    assert isinstance(box, DecimalBox)
+    box.setFocus()
+    box.selectAll()
+    QTest.keyClicks(box, "12,5")
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    assert window.document.tau == 12.5
+    assert Settings().get(rows.TAU) == 12.5
+
+    snapping = row(dialog, "snapping").editor
+    assert isinstance(snapping, QCheckBox)
+    snapping.setFocus()
+    QTest.keyClick(snapping, Qt.Key.Key_Space)
+    assert not window.document.state.options.snapping
+    assert not window.actions_["snapping"].isChecked()
+
+    protocol = row(dialog, "protocol").editor
+    assert isinstance(protocol, QComboBox)
+    QTest.keyClick(protocol, Qt.Key.Key_Down)
+    assert window.document.setup.protocol == "procc"
+    assert window.actions_["protocol_procc"].isChecked()
+
+    share = row(dialog, "ghost_support").editor
+    assert isinstance(share, DecimalBox)
+    share.stepUp()
+    assert Settings().get(rows.GHOST_SUPPORT) == pytest.approx(rows.GHOST_SUPPORT.default + 0.05)
+    assert window.ghost_tasks.accepting.least_support == Settings().get(rows.GHOST_SUPPORT)
+
+
+def test_a_setting_goes_back_to_its_default_and_all_do(
+    window: MainWindow, dialog: SettingsDialog
+) -> None:
+    window.document.set_tau(9)
+    window.actions_["pinned"].trigger()
+    window.actions_["off_plane_left_out"].trigger()
+    dialog.refresh()
+    changed = {r.setting.key for r in dialog.rows if r.back.isEnabled()}
+    assert changed == {"tau", "pinned", "off_plane"}
+    QTest.mouseClick(row(dialog, "tau").back, Qt.MouseButton.LeftButton)
+    assert window.document.tau == rows.TAU.default
+    assert not row(dialog, "tau").back.isEnabled()
+    QTest.mouseClick(dialog.all_back, Qt.MouseButton.LeftButton)
+    assert window.document.state.options.pinned
+    assert window.document.setup.off_plane == "missed"
+    assert not any(r.back.isEnabled() for r in dialog.rows)
+
+
+def test_the_theme_is_worn_at_once(
+    dialog: SettingsDialog, qapp: QApplication, qtbot: QtBot
+) -> None:
+    combo = row(dialog, "theme").editor
+    assert isinstance(combo, QComboBox)
+    combo.setCurrentIndex(combo.findData("light"))
+    combo.activated.emit(combo.currentIndex())
+    assert not is_dark(qapp.palette())
+    QTest.keyClick(combo, Qt.Key.Key_Down)
+    assert combo.currentData() == "dark"
+    assert is_dark(qapp.palette())
+    qtbot.waitUntil(lambda: QColor(dialog.grab().toImage().pixelColor(3, 3)).lightness() < 128)
+    assert Settings().get(rows.THEME) == "dark"
+
+
+def test_every_setting_is_found_by_its_words_alone(dialog: SettingsDialog) -> None:
+    for setting in OFFERED:
+        assert setting.shown is not None
+        dialog.search.setText(setting.shown.title)
+        shown = [r.setting.key for r in dialog.rows if not r.isHidden()]
+        assert setting.key in shown, setting.key
+        assert len(shown) < len(OFFERED) / 2
+    dialog.search.setText("no such thing at all")
+    assert all(r.isHidden() for r in dialog.rows)
+    assert dialog._nothing.isVisible()
+
+
+def test_every_setting_is_in_the_palette(window: MainWindow, qtbot: QtBot) -> None:
+    for setting in OFFERED:
+        assert setting.shown is not None
+        found = window.palette_._found(setting.shown.title, ())
+        keys = {f"setting:{setting.key}", f"action:{setting.key}"}
+        assert keys & {entry.key for entry in found[:4]}, setting.key
+    entry = window.palette_._found("size of texts", ())[0]
+    entry.run()
+    dialog = window.findChild(SettingsDialog)
+    assert isinstance(dialog, SettingsDialog)
+    qtbot.waitUntil(lambda: QApplication.focusWidget() is row(dialog, "font_percent").editor)
+    seen = row(dialog, "font_percent").visibleRegion().boundingRect()
+    assert seen.height() == row(dialog, "font_percent").height()
+    dialog.close()
+
+
+def test_a_name_of_ones_own_can_be_given_and_taken_back(
+    window: MainWindow, dialog: SettingsDialog
+) -> None:
+    before = window.document.author
+    line = row(dialog, "author").editor
+    assert isinstance(line, QLineEdit)
+    line.setFocus()
+    QTest.keyClicks(line, "Ada")
+    QTest.keyClick(line, Qt.Key.Key_Return)
+    assert window.document.author == "Ada"
+    QTest.mouseClick(row(dialog, "author").back, Qt.MouseButton.LeftButton)
+    assert window.document.author == before
+
+
+@pytest.mark.new_window
+def test_texts_half_as_large_again_come_with_the_next_start_and_fit(
+    make_window: MakeWindow, qapp: QApplication
+) -> None:
+    usual = qapp.font()
+    settings = Settings()
+    settings.set(rows.FONT_PERCENT, 150.0)
+    try:
+        window = make_window()
+        assert window.font().pointSizeF() == pytest.approx(1.5 * usual.pointSizeF())
+        assert window.width() <= 1280
+        assert window.height() <= 720
+        assert window.status.y() + window.status.height() <= 720
+        window.actions_["settings"].trigger()
+        dialog = window.findChild(SettingsDialog)
+        assert isinstance(dialog, SettingsDialog)
+        for r in dialog.rows:
+            assert r.editor.width() >= r.editor.minimumSizeHint().width()
+            assert r.width() <= dialog._area.viewport().width()
+    finally:
+        qapp.setFont(usual)
