@@ -432,6 +432,7 @@ class MainWindow(QMainWindow):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
+        self._docks.settle()
         self._docks.show_whole_tabs()
 
     def changeEvent(self, event: QEvent) -> None:

@@ -127,20 +127,56 @@ def test_points_that_are_not_finished_are_finished_first(
     assert window.document.selected_class == "Middle line"  # it is here, so it can be edited
 
 
-def test_a_new_dataset_shows_the_field_of_its_classes(
+def asked(window: MainWindow) -> bool:
+    bar = window.field_bar
+    return bar.isVisible() and bar.label.text().startswith("Is this Basketball (FIBA)?")
+
+
+def test_a_new_dataset_is_asked_about_by_its_classes(
     make_window, dataset: Path, qtbot: QtBot
 ) -> None:
     names = [e.name for e in load_field("basketball_fiba").elements[:4]]
     annotate(dataset, "frame_1", names)
     window = make_window(dataset)
-    qtbot.waitUntil(lambda: window.document.field.name == "basketball_fiba", timeout=20_000)
+    qtbot.waitUntil(lambda: asked(window), timeout=20_000)
+    assert window.document.field.name == "soccer"  # nobody said so yet
+    window.document.next_frame()
     let_work_end(qtbot)
+    assert asked(window)
+    window.field_bar.switch_button.click()
+    assert window.document.field.name == "basketball_fiba"
     assert window.field_bar.isHidden()
     window.document.open_path(dataset)
     assert window.document.field.name == "basketball_fiba"  # at once: it is remembered
 
 
-def test_a_guess_that_clashes_with_a_landmark_is_told(
+def test_a_no_is_remembered(make_window, dataset: Path, qtbot: QtBot) -> None:
+    names = [e.name for e in load_field("basketball_fiba").elements[:4]]
+    annotate(dataset, "frame_0", names)
+    window = make_window(dataset)
+    qtbot.waitUntil(lambda: asked(window), timeout=20_000)
+    assert window.field_bar.no_button.text() == "No, Soccer"
+    window.field_bar.no_button.click()
+    let_work_end(qtbot)
+    assert window.document.field.name == "soccer"
+    assert window.field_bar.isHidden()
+    window.document.open_path(dataset)
+    let_work_end(qtbot)
+    assert not asked(window)
+
+
+@pytest.mark.parametrize("classes", [[], ["Middle line", "Side line top"], ["bench", "dugout"]])
+def test_nothing_is_asked_where_soccer_fits_or_nothing_does(
+    make_window, dataset: Path, qtbot: QtBot, classes: list[str]
+) -> None:
+    annotate(dataset, "frame_1", classes)
+    window = make_window(dataset)
+    let_work_end(qtbot)
+    assert window.document.field_choice.question is None
+    assert window.field_bar.isHidden()
+
+
+def test_a_field_that_clashes_with_a_landmark_is_told(
     make_window, dataset: Path, qtbot: QtBot
 ) -> None:
     names = [e.name for e in load_field("basketball_fiba").elements[:5]]
@@ -148,13 +184,16 @@ def test_a_guess_that_clashes_with_a_landmark_is_told(
     path = dataset / "landmarks.json"
     path.write_text(json.dumps({"landmarks": [{"name": names[4], "position": [1, 2, -3]}]}))
     window = make_window(dataset)
-    qtbot.waitUntil(lambda: "has the name of a class" in window.message_bar.label.text())
-    assert "those of Basketball (FIBA), which cannot be used" in window.message_bar.label.text()
+    qtbot.waitUntil(lambda: asked(window), timeout=20_000)
+    window.field_bar.switch_button.click()
+    assert "has the name of a class" in window.message_bar.label.text()
     assert window.document.field.name == "soccer"
-    # Nothing was chosen: once the landmark is gone the classes tell again.
+    # Nothing was chosen: once the landmark is gone it can be.
     path.unlink()
     assert window.document.open_path(dataset)
-    qtbot.waitUntil(lambda: window.document.field.name == "basketball_fiba", timeout=20_000)
+    qtbot.waitUntil(lambda: asked(window), timeout=20_000)
+    window.field_bar.switch_button.click()
+    assert window.document.field.name == "basketball_fiba"
 
 
 def test_no_work_outlives_a_window_that_is_closed(

@@ -171,7 +171,7 @@ def _noting(original: Callable[..., Any], asked: set[int]) -> Callable[..., Any]
 
 def test_the_status_is_not_cut_for_the_number_of_elements() -> None:
     row = RowInfo("a", None, 12, "", False, None, status=Status.IN_PROGRESS)
-    assert row_words(row, False) == ["in progress · 12", "in progress"]
+    assert row_words(row, False) == ["in progress · 12", "in progress", "12"]
 
 
 def test_what_is_drawn_right_before_a_frame_is_left_is_counted(

@@ -47,6 +47,8 @@ class FieldChoice(QObject):
 
     Attributes:
         mismatch: what is to say of the classes of the frame on screen; None where the field fits.
+        question: the field whose classes a dataset has that does not say what it shows; somebody
+            is to say whether it is that one. None where there is nothing to ask.
         problem: why the dataset's own file cannot be used as it is; the last good field stays.
         own_files: descriptions of the user's own, which may fit where no shipped field does.
         preparing: what judge and widgets work out of a field and remember, done before it is shown.
@@ -59,6 +61,7 @@ class FieldChoice(QObject):
         self._store, self._review, self._terms = store, review, terms
         self._default = store.state.field
         self.mismatch: Mismatch | None = None
+        self.question: Field | None = None
         self.problem = ""
         self.own_files: Sequence[Path] = ()
         self.preparing: list[Callable[[Field], object]] = [sample_official]
@@ -87,6 +90,7 @@ class FieldChoice(QObject):
         until its file can be."""
         folder, settings = folder_of(workspace.root), database.settings()
         self.problem, self._left, self._asked, self.mismatch = "", set(), None, None
+        self.question = None
         self._cancel()
         try:
             found = field_of_settings(folder, settings)
@@ -131,7 +135,7 @@ class FieldChoice(QObject):
             return
         if (read := self._jobs.pop("read", None)) is not None:  # of the field before
             read.cancel()
-        self._chosen = True
+        self._chosen, self.question = True, None
         self._tell_own(field.described if field.own_terms else field.title)
         self.changed.emit()
 
@@ -184,15 +188,23 @@ class FieldChoice(QObject):
         self._start("read", work, self._take_read)
 
     def switch(self) -> None:
-        """Show the field that knows the classes of the frame on screen."""
-        if self.mismatch is not None and self.mismatch.better is not None:
+        """Show the field that is asked about, or that knows the classes of the frame on screen."""
+        if self.question is not None:
+            self.take(self.question)
+        elif self.mismatch is not None and self.mismatch.better is not None:
             self.choose(self.mismatch.better.name)
         else:
             say(self._store, "no other field knows the classes here better")
 
     def leave(self) -> None:
-        """Say nothing more of these classes."""
-        if self.mismatch is not None:
+        """It is not the field that is asked about, and that is kept; or say nothing more of these
+        classes."""
+        if self.question is not None:
+            if self.mismatch is not None:
+                self._left.add(frozenset(self.mismatch.unknown))
+                self._tell(None)
+            self.take(self._store.state.field)
+        elif self.mismatch is not None:
             self._left.add(frozenset(self.mismatch.unknown))
             self._tell(None)
 
@@ -302,18 +314,8 @@ class FieldChoice(QObject):
             return
         if field is None or mismatch is None or mismatch.better is None:
             return
-        try:
-            self._terms.set_field(field)
-        except FieldError as error:
-            whose = f"the classes annotated here are those of {field.title}"
-            self._fail(f"{whose}, which cannot be used: {error}")
-            return
-        self._chosen = True
-        say(
-            self._store,
-            f"the classes annotated here are those of {field.title}: that is this dataset's field"
-            " from now on (File > Field)",
-        )
+        self.question = field
+        self.changed.emit()
 
     def _look(self) -> None:
         """The frame on screen may hold classes that the field does not know."""

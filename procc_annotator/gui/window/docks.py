@@ -18,7 +18,9 @@ from procc_annotator.gui.panels.refresher import Refresher
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
-_VERSION = 5  # of the arrangement; what another version saved is not restored
+_VERSION = 6  # of the arrangement; what another version saved is not restored
+_FRAMES_WIDTH, _INSPECTOR_WIDTH = 17, 23  # lines of text: 240 and 320 px at the usual font
+_MOST_OF_WINDOW = 0.48  # what both may take of its width
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 190, 230  # below that texts are cut off
 
 TITLES = {
@@ -90,6 +92,7 @@ class Docks:
             self.by_name[name] = dock
         self.desk = next(iter(DESKS))
         self._looks: dict[str, DeskLook] = {}
+        self._sized_late = True  # the window is not shown yet
         self.arrange()
 
     def arrange(self) -> None:
@@ -98,17 +101,33 @@ class Docks:
         window.setDockNestingEnabled(True)
         for name, dock in docks.items():
             dock.setFloating(False)
+            dock.hide()  # one above the other they would need more height than the window has
             window.addDockWidget(_LEFT if name == "frames" else _RIGHT, dock)
-            dock.show()
         window.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
         in_tabs = [name for desk in DESKS.values() for name in desk]
         for before, after in pairwise(in_tabs):
             window.tabifyDockWidget(docks[before], docks[after])
         self._looks = {desk: _first_look(desk) for desk in DESKS}
         self.desk = next(iter(DESKS))
+        for name in _ALONE:
+            docks[name].show()
         self._show_desk()
+        self._take_first_sizes()
+
+    def settle(self) -> None:
+        """The window has its size: the docks take theirs, unless they came back with them."""
+        if self._sized_late:
+            self._sized_late = False
+            self._take_first_sizes()
+
+    def _take_first_sizes(self) -> None:
+        window, docks = self._window, self.by_name
+        most = _MOST_OF_WINDOW * window.width() / (_FRAMES_WIDTH + _INSPECTOR_WIDTH)
+        line = min(float(window.fontMetrics().height()), most)
         window.resizeDocks(
-            [docks["frames"], docks["field_map"]], [245, 300], Qt.Orientation.Horizontal
+            [docks["frames"], docks["field_map"]],
+            [round(_FRAMES_WIDTH * line), round(_INSPECTOR_WIDTH * line)],
+            Qt.Orientation.Horizontal,
         )
         window.resizeDocks(
             [docks["field_map"], docks["elements"]], [260, 400], Qt.Orientation.Vertical
@@ -204,7 +223,9 @@ class Docks:
 
     def restore(self, state: QByteArray) -> bool:
         """Arrange the docks as they were; False, and nothing done, if that was another version."""
-        return self._window.restoreState(state, _VERSION)
+        restored = self._window.restoreState(state, _VERSION)
+        self._sized_late = self._sized_late and not restored
+        return restored
 
 
 def _nobody(_: str) -> None:

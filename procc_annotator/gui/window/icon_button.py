@@ -45,15 +45,23 @@ class IconButton(QToolButton):
         """The key that is shown; "" where there is none."""
         return self._key
 
+    def set_with_key(self, with_key: bool) -> None:
+        """Whether the key is shown; without it the button is less high."""
+        if with_key != self._with_key:
+            self._with_key = with_key
+            self.updateGeometry()
+            self.update()
+
+    def height_with_key(self) -> int:
+        """How high it is with its key."""
+        return self._icon_side() + QFontMetrics(self._key_font()).height() + _PAD + 2
+
     def sizeHint(self) -> QSize:
         side = self._icon_side() + 2 * _PAD
         if not self._with_key:
             return QSize(side, side)
         metrics = QFontMetrics(self._key_font())
-        return QSize(
-            max(side, metrics.horizontalAdvance("Ctrl+Z") + 6),
-            self._icon_side() + metrics.height() + _PAD + 2,
-        )
+        return QSize(max(side, metrics.horizontalAdvance("Ctrl+Z") + 6), self.height_with_key())
 
     def minimumSizeHint(self) -> QSize:
         return self.sizeHint()

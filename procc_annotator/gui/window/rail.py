@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QMenu, QToolBar, QToolButton, QWidgetAction
 
 from procc_annotator.gui.picture.looks import LookControls
@@ -24,6 +25,7 @@ _BUTTONS: tuple[tuple[str, str, str] | None, ...] = (
     ("ghosts", "ghosts", ""),
     ("blind", "blind", ""),
 )
+_BETWEEN, _REST = 2, 50  # px: between two buttons; lines between groups, and the rims
 _HELD = {"pan": "Space"}
 
 
@@ -54,6 +56,14 @@ class Rail(QToolBar):
             self.addWidget(button)
         self.addSeparator()
         self._add_looks()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where there is no room for all of them, the keys go rather than buttons."""
+        super().resizeEvent(event)
+        buttons = self.findChildren(IconButton)
+        needed = sum(button.height_with_key() + _BETWEEN for button in buttons) + _REST
+        for button in buttons:
+            button.set_with_key(needed <= self.height())
 
     def _add_looks(self) -> None:
         """A button that opens brightness and the like."""

@@ -11,6 +11,7 @@ from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.options import Options
 
 _SIZE = QSize(1440, 900)
+_AROUND = QSize(16, 48)  # what a desktop puts around a window, and its title; it tells too late
 
 
 class Remembering:
@@ -27,7 +28,7 @@ class Remembering:
     def take_up(self) -> None:
         """Give the window what is remembered."""
         settings, window = self._settings, self._window
-        window.resize(_SIZE.boundedTo(window.screen().availableGeometry().size()))
+        window.resize(_SIZE.boundedTo(window.screen().availableGeometry().size() - _AROUND))
         if not (geometry := settings.get(rows.GEOMETRY)).isEmpty():
             window.restoreGeometry(geometry)
             if self._docks.restore(settings.get(rows.LAYOUT)):

@@ -17,7 +17,7 @@ MESSAGE_END = "  ·  "  # what just happened stands before the hint
 _MESSAGE_MS = 5000
 _PAD = 4  # above and below a line
 _KEPT_HINTS = 4  # click, Enter, Esc and Tab
-_LEAST_TITLE = 14  # letters
+_LEAST_TITLE = 22  # letters
 _TAG = re.compile("<[^>]*>")
 _SHORT_TITLE = 26  # letters: such a title is never cut before the end of the text is
 
@@ -81,6 +81,8 @@ class ElidedLabel(_PaintedText):
             hinted = metrics.horizontalAdvance(SEPARATOR.join(["", *kept]))
             least = metrics.averageCharWidth() * _LEAST_TITLE
             room = max(least, width - hinted)
+            if metrics.horizontalAdvance(head) > room:
+                head = head.partition(", ")[0]  # the name says more than the number of points
             head = metrics.elidedText(head, Qt.TextElideMode.ElideMiddle, room)
         text = SEPARATOR.join([head, *hints])
         return metrics.elidedText(text, Qt.TextElideMode.ElideRight, width)

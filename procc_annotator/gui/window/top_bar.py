@@ -29,14 +29,22 @@ from procc_annotator.session.facts.origins import Status
 
 _PAD = 5
 _WIDEST_CHIP = 30  # average letters
+_FEWEST = 6  # letters that say more than the icon alone
 
 
 class WordsButton(QToolButton):
     """An icon and words, which are shortened where there is no room, in a frame of its own."""
 
-    def __init__(self, icon: str, elide: Qt.TextElideMode) -> None:
+    def __init__(self, icon: str, elide: Qt.TextElideMode, least: int) -> None:
+        """Show nothing yet.
+
+        Args:
+            icon: left of the words.
+            elide: where words are shortened.
+            least: letters that there is always room for.
+        """
         super().__init__()
-        self._icon, self._elide = icon, elide
+        self._icon, self._elide, self._least = icon, elide, least
         self._words = self._key = ""
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
@@ -62,7 +70,9 @@ class WordsButton(QToolButton):
 
     def minimumSizeHint(self) -> QSize:
         metrics = self.fontMetrics()
-        least = min(metrics.averageCharWidth() * 8, metrics.horizontalAdvance(self._words))
+        least = min(
+            metrics.averageCharWidth() * self._least, metrics.horizontalAdvance(self._words)
+        )
         return QSize(self._beside() + least, self.sizeHint().height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -88,7 +98,8 @@ class WordsButton(QToolButton):
             painter.drawText(room, middle | Qt.AlignmentFlag.AlignRight, self._key)
             room.setRight(room.right() - key)
         painter.setPen(ink)
-        shown = metrics.elidedText(self._words, self._elide, room.width())
+        shown = metrics.elidedText(self._words, self._elide, max(0, room.width()))
+        shown = "" if len(shown) < _FEWEST < len(self._words) else shown
         painter.drawText(room, middle | Qt.AlignmentFlag.AlignLeft, shown)
         if self._arrow():
             place = self.rect().adjusted(self.width() - _PAD - self._arrow(), 0, -_PAD, 0)
@@ -121,7 +132,7 @@ class TopBar(QToolBar):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
         self._document = document
         self._make_labels()
-        self.chip = WordsButton("field", Qt.TextElideMode.ElideMiddle)
+        self.chip = WordsButton("field", Qt.TextElideMode.ElideMiddle, 18)
         self.chip.setObjectName("fieldChip")
         self.chip.setMenu(fields)
         self.chip.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -165,7 +176,7 @@ class TopBar(QToolBar):
         self.status.setToolTip("Status of this frame (panel Review)")
 
     def _make_search(self, action: QAction) -> WordsButton:
-        search = WordsButton("find", Qt.TextElideMode.ElideRight)
+        search = WordsButton("find", Qt.TextElideMode.ElideRight, 0)
         search.setObjectName("searchButton")
         search.setToolTip(action.toolTip())
         search.clicked.connect(action.trigger)

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QPushButton, QVBoxLayout, QWidget
 
 from procc_annotator.gui.settings import RECENT, Settings
 
 _SHOWN = 5
+_LEAST = 400  # px
 
 
 class Welcome(QWidget):
@@ -31,11 +32,12 @@ class Welcome(QWidget):
         font.setPointSizeF(font.pointSizeF() * 1.6)
         title.setFont(font)
         text = QLabel(
-            "Annotations are read from and saved to SoccerNet JSON beside the pictures.\n"
+            "Annotations are read from and saved to SoccerNet JSON beside the pictures. "
             "Drop a folder of cameras later, to see them judged against your clicks."
         )
         for label in (title, text):
             label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            label.setWordWrap(True)
         row = QHBoxLayout()
         row.addStretch()
         buttons = [
@@ -62,6 +64,10 @@ class Welcome(QWidget):
         self._recent.setSpacing(2)
         layout.addLayout(self._recent)
         layout.addStretch()
+
+    def minimumSizeHint(self) -> QSize:
+        """Little: it is behind the picture most of the time, which needs no more."""
+        return QSize(_LEAST, _LEAST // 2)
 
     def show_recent(self, paths: Sequence[Path]) -> None:
         """Offer what was opened last, newest first."""

@@ -161,8 +161,8 @@ def row_words(info: RowInfo, short: bool) -> list[str]:
     status = info.status.value if info.status is not Status.UNTOUCHED and not short else ""
     count = _count_words(info.count or 0, short or bool(status) or info.comments > 0)
     if not info.comments:
-        least = [str(info.count or 0)] if info.depth else []
-        return [" · ".join(filter(None, (status, count))), status or count, *least]
+        whole = " · ".join(filter(None, (status, count)))
+        return [whole, status or count, str(info.count or 0)]
     return [
         " · ".join(filter(None, (status, count, f"{info.comments} open"))),
         " · ".join(filter(None, (status, f"{info.comments} open"))),

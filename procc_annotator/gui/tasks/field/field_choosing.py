@@ -1,4 +1,4 @@
-"""The field of the dataset, chosen in the menu; and the bar that says when another one fits."""
+"""The field of the dataset, chosen in the menu; the bar that says, or asks, when another fits."""
 
 from __future__ import annotations
 
@@ -30,14 +30,26 @@ class FieldBar(Bar):
         self.close_button.setAutoRaise(True)
         self.close_button.setToolTip("Keep the field, and say nothing more of these classes")
         self.close_button.clicked.connect(self.left)
+        self.no_button = QPushButton()
+        self.no_button.setToolTip("The dataset remembers it, and is not asked about again")
+        self.no_button.clicked.connect(self.left)
         self.row.addWidget(self.switch_button)
+        self.row.addWidget(self.no_button)
         self.row.addWidget(self.close_button)
+
+    def ask(self, text: str, field: str, shown: str, keys: str = "") -> None:
+        """Ask whether the dataset shows a field, and not the one that is shown."""
+        self.tell(text, field, keys)
+        self.switch_button.setText(f"Yes, {field}" + (f" ({keys})" if keys else ""))
+        self.no_button.setText(f"No, {shown}")
+        self.no_button.show()
 
     def tell(self, text: str, better: str = "", keys: str = "", *, closable: bool = False) -> None:
         """Show what is wrong, and the field that fits where there is one; nothing without text."""
         self.label.setText(as_sentence(text))
         self.switch_button.setText(f"Switch to {better}" + (f" ({keys})" if keys else ""))
         self.switch_button.setVisible(bool(better))
+        self.no_button.hide()
         self.close_button.setVisible(closable)
         self.setVisible(bool(text))
 
@@ -138,6 +150,10 @@ class FieldChoosing(QObject):
             self._bar.tell(
                 f"{choice.problem}; the field stays as it was: {self._document.field.title}"
             )
+            return
+        if (asked := choice.question) is not None:
+            said = f"Is this {asked.title}? The classes annotated here are those of {asked.title}"
+            self._bar.ask(said, asked.title, self._document.field.title, self._switch_keys)
             return
         mismatch = choice.mismatch
         if mismatch is None:

@@ -1,0 +1,92 @@
+"""Nothing of the window is cut off where room is short: 1280x720, texts half as large again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtWidgets import QApplication, QTabBar, QWidget
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.window.icon_button import IconButton
+from tests.gui.conftest import Hand, MakeWindow
+
+pytestmark = [
+    pytest.mark.qt_log_ignore("This plugin does not support", extend=True),
+    pytest.mark.new_window,
+]
+
+
+@pytest.fixture(params=[1.0, 1.5])
+def text_size(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[float]:
+    usual = qapp.font()
+    larger = qapp.font()
+    larger.setPointSizeF(usual.pointSizeF() * request.param)
+    qapp.setFont(larger)
+    yield request.param
+    qapp.setFont(usual)
+
+
+def inside(widget: QWidget, window: MainWindow) -> bool:
+    far = widget.mapTo(window, QPoint(widget.width(), widget.height()))
+    return far.x() <= window.width() and far.y() <= window.height()
+
+
+def test_everything_is_in_sight_at_1280x720(
+    make_window: MakeWindow, dataset: Path, qtbot: QtBot, text_size: float
+) -> None:
+    window = make_window(dataset, size=(1280, 720))
+    qtbot.waitUntil(lambda: window.docks["elements"].width() >= 300)
+    assert window.size() == QSize(1280, 720)
+    bar = window.top_bar
+    buttons = window.rail.findChildren(IconButton)
+    for widget in (bar.chip, bar.saved, bar.search, window.status, *buttons):
+        assert widget.isVisible(), widget.objectName()
+        assert inside(widget, window), widget.objectName()
+    for desk in ("annotate", "judge", "review"):
+        window.turn_to(desk)
+        QApplication.processEvents()
+        for tabs in window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly):
+            if tabs.isVisible():
+                assert tabs.tabRect(tabs.count() - 1).right() <= tabs.width()
+
+
+def test_the_class_under_the_pen_is_read(
+    make_window: MakeWindow, dataset: Path, text_size: float
+) -> None:
+    window = make_window(dataset, size=(1280, 720))
+    hand = Hand(window)
+    window.document.select_class("Goal left post left ")
+    hand.click(100, 50)
+    hint = window.status.hint
+    shown = hint.text_for(hint.width())
+    title = window.document.field.title_of("Goal left post left ")
+    begin, _, end = shown.split("  •  ")[0].removeprefix("DRAW ").partition("…")
+    assert title.startswith(begin.partition(", ")[0])
+    assert not end or title.endswith(end)
+    assert len(begin + end) >= 14
+    hand.key(Qt.Key.Key_Escape)
+
+
+def test_the_layout_goes_back_to_what_it_was_at_first(
+    make_window: MakeWindow, dataset: Path, qtbot: QtBot
+) -> None:
+    window = make_window(dataset, size=(1280, 720))
+    docks = window.docks
+    qtbot.waitUntil(lambda: abs(docks["elements"].width() - 320) <= 40)
+
+    def seen() -> dict[str, QSize]:
+        QApplication.processEvents()
+        return {n: d.size() for n, d in docks.items() if not d.visibleRegion().isEmpty()}
+
+    before = seen()
+    window.resizeDocks([docks["elements"]], [450], Qt.Orientation.Horizontal)
+    docks["frames"].close()
+    window.turn_to("judge")
+    docks["scores"].setFloating(True)
+    window.actions_["reset_layout"].trigger()
+    assert seen() == before
+    assert window.size() == QSize(1280, 720)
