@@ -24,7 +24,7 @@ from procc_annotator.io.collections import CAMERA_PREFIX, files_of
 from procc_annotator.io.source import open_source
 from procc_annotator.session.dataset.annotation_source import own_label_map
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
-from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.dataset_folder import annotations_or_itself
 from procc_annotator.session.dataset.fit_sizes import told_size
 from procc_annotator.session.dataset.frames import list_frames
 from procc_annotator.session.dataset.picture_sizes import (
@@ -94,7 +94,8 @@ def load_dataset(
     """Read a dataset as the window and the commands see it.
 
     Args:
-        path: its folder, of pictures, annotations or both; an archive or file of annotations.
+        path: its folder, of pictures, annotations or both; an archive or file of annotations; a
+            video, whose frames' annotations lie beside it.
         field: its elements, metres; or a field's name, see `load_field`; if None the one that the
             dataset says it shows, and the usual one (SoccerNet's classes) where it does not say.
         on_damaged: told of each annotation that cannot be used, which is then left out; None: the
@@ -112,9 +113,11 @@ def load_dataset(
     place = as_path(path, "a dataset")
     known = field_of_dataset(place).field if field is None else as_field(field)
     known = field_of_dataset_with_landmarks(known, place)
+    if place.is_file():
+        place = annotations_or_itself(place)  # of a video: its kept frames
     pictures = _pictures_of(place)
     frames: list[ExchangedFrame] = []
-    inside = _annotations_of(place)
+    inside = annotations_or_itself(place)
     if not pictures or _holds_annotations(inside):
         frames = _frames(inside, place, known, on_damaged, labels)
     sizes = {frame.name: frame.size or told_size(frame.annotation) for frame in frames}
@@ -153,7 +156,7 @@ def load_annotations(
         UsageError: there is nothing at the path, no annotation, or annotations of several formats.
     """
     place = as_path(path, "annotations")
-    frames = _frames(_annotations_of(place), place, as_field(field), on_damaged, labels)
+    frames = _frames(annotations_or_itself(place), place, as_field(field), on_damaged, labels)
     return {frame.name: frame.annotation for frame in frames}
 
 
@@ -261,10 +264,6 @@ def load_camera(path: str | Path, *, format: str = "auto") -> LoadedCamera:
         names = ", ".join(list(found)[:3])
         raise UsageError(f"{path}: holds {len(found)} cameras ({names}, ...), one is needed")
     return next(iter(found.values()))
-
-
-def _annotations_of(place: Path) -> Path:
-    return annotations_of(place) if place.is_dir() else place
 
 
 def _holds_annotations(place: Path) -> bool:

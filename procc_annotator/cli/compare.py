@@ -38,7 +38,7 @@ from procc_annotator.report.comparison_chance import intervals_sheet, nearer_she
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import annotations_of, lies_below
+from procc_annotator.session.dataset.dataset_folder import annotations_or_itself, lies_below
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.picture_tree import pictures_in
 from procc_annotator.session.dataset.workspace import Workspace
@@ -257,7 +257,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
         return None, {}
     if not dataset.exists():
         raise UsageError(f"{dataset}: does not exist")
-    with open_annotations(_annotation_folder(dataset), field) as source:
+    with open_annotations(annotations_or_itself(dataset), field) as source:
         report_mismatch(source, field)
         report_like_cameras(source)
         if dataset.is_dir() and (pictures_in(dataset) or lies_below(dataset)):
@@ -277,7 +277,7 @@ def _fitted_on(
     """Whether a camera of each was fitted to the dataset's annotation of its frame."""
     if dataset is None:
         return False, False
-    with open_annotations(_annotation_folder(dataset), field) as annotations:
+    with open_annotations(annotations_or_itself(dataset), field) as annotations:
         files = list_annotations(annotations)
 
         def of_these(source: CameraSet, frame: str) -> bool:
@@ -316,10 +316,6 @@ def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
                 return
 
 
-def _annotation_folder(dataset: Path) -> Path:
-    return annotations_of(dataset) if dataset.is_dir() else dataset
-
-
 def _check_outputs(
     written_to: Sequence[Path],
     pictures: Path | None,
@@ -334,7 +330,7 @@ def _check_outputs(
     with ExitStack() as files:
         inputs: list[outputs.Input] = list(cameras)
         if dataset is not None and dataset.exists():
-            inputs.append(files.enter_context(open_source(_annotation_folder(dataset))))
+            inputs.append(files.enter_context(open_source(annotations_or_itself(dataset))))
         for path in written_to:
             outputs.check_not_an_input(path, inputs)
         if pictures is not None:

@@ -162,6 +162,8 @@ def target_file(dataset: Path, output: Path | None) -> Path:
             raise UsageError(f"{output}: landmarks are written as .json, end the name so")
         outputs.check_output_folder(output)
         return output
+    if not dataset.exists():
+        raise UsageError(f"{dataset}: does not exist")
     folder = folder_of_dataset(dataset)
     if folder is None:
         raise UsageError(f"{dataset}: is an archive, name a file for the landmarks with --output")

@@ -42,7 +42,7 @@ from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.report.sheet.as_latex import ARTICLE_PT
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.dataset_folder import annotations_of, annotations_or_itself
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
@@ -340,6 +340,7 @@ def annotation_place(
     for given in (dataset, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
+    dataset = annotations_or_itself(dataset) if dataset.is_file() else dataset  # a video's frames
     if not dataset.is_dir():
         return annotations or dataset, {}
     workspace = Workspace.open(dataset, field, annotations)

@@ -25,7 +25,7 @@ from procc_annotator.report.conversion_output import (
     keep_apart,
     write_converted,
 )
-from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.dataset_folder import annotations_or_itself
 from procc_annotator.session.dataset.picture_names import PicturesByName
 from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
@@ -71,7 +71,7 @@ def convert_annotations(
         SaveError: writing failed.
     """
     target = format_named(wanted.to)
-    folder = _annotation_folder(path)
+    folder = annotations_or_itself(path)
     keep_apart(path, out)
     with open_source(folder) as source:
         if fmt == "auto":
@@ -150,7 +150,7 @@ def read_annotations(
     Raises:
         UsageError, InputError: as for `convert_annotations`.
     """
-    with open_source(_annotation_folder(path)) as source:
+    with open_source(annotations_or_itself(path)) as source:
         return read_set(
             source,
             workspace.field,
@@ -209,11 +209,6 @@ def _picture_in(workspace: Workspace, name: str) -> Path | None:
     """The file of a frame's picture; None for frames of a video, which have none."""
     path = workspace.frames[workspace.index[name]].image_path
     return path if path.is_file() else None
-
-
-def _annotation_folder(path: Path) -> Path:
-    """Where the annotations of a dataset are; anything else is itself."""
-    return annotations_of(path) if path.is_dir() else path
 
 
 def _input_files(source: FileSource, read: Sequence[str]) -> set[str]:

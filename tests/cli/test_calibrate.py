@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from procc_annotator import load_dataset
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
@@ -386,6 +387,34 @@ def test_other_files_are_no_datasets(cli, tmp_path, command) -> None:
     done = cli(command, tmp_path / "notes.txt", *out)
     assert done.exit_code == 2
     assert "is neither a folder nor an archive" in done.stderr
+
+
+def test_an_annotated_video_is_a_dataset_to_every_command(cli, dataset, tmp_path) -> None:
+    video, folder = tmp_path / "match.mp4", tmp_path / "match_frames"
+    video.write_bytes(b"no video")
+    cameras, out = tmp_path / "cams", tmp_path / "out"
+    cameras.mkdir()
+    for command in (["report", video, "--cameras", dataset.cameras, "-o", tmp_path / "r.json"],
+                    ["convert", video, out, "--to", "labelme", "--size", "960x540"]):  # fmt: skip
+        assert "1 video, not annotated yet" in cli(*command).stderr
+    folder.mkdir()
+    (folder / "match_000001.json").write_bytes((dataset.annotations / "1.json").read_bytes())
+    camera = (dataset.cameras / "camera_1.json").read_bytes()
+    (cameras / "camera_match_000001.json").write_bytes(camera)
+    for command in (
+        ["report", video, "--cameras", cameras, "-o", tmp_path / "r.json"],
+        ["convert", video, out, "--to", "labelme", "--size", "960x540"],
+        ["compare", f"a={cameras}", f"b={cameras}", video],
+        ["evaluate", video, cameras],
+    ):
+        done = cli(*command)
+        assert done.exit_code == 0, done.output
+    assert (out / "match_000001.json").is_file()
+    assert set(load_dataset(video).annotations) == {"match_000001"}
+    for command in (["render", video, out], ["assign", video, out, "--annotators", "ann,ben"]):
+        done = cli(*command)
+        assert done.exit_code == 2
+        assert "match.mp4: is a video, and pictures are needed" in done.stderr
 
 
 def test_a_video_has_its_annotations_beside_it(cli, dataset, tmp_path) -> None:

@@ -132,6 +132,19 @@ def annotations_of(dataset: Path) -> Path:
     return _beside_only_pictures(dataset) or dataset
 
 
+def annotations_or_itself(place: Path) -> Path:
+    """`annotations_of` a folder or an annotated video; anything else is itself: what it holds is
+    told where it is read.
+
+    Raises:
+        UsageError: a folder of several videos with their annotations.
+    """
+    if place.is_dir():
+        return annotations_of(place)
+    beside = frames_folder(place) if place.suffix.lower() in VIDEO_SUFFIXES else None
+    return beside if beside is not None and holds_annotations(beside) else place
+
+
 def _beside_only_pictures(dataset: Path) -> Path | None:
     """Where the annotations are of a dataset whose pictures all lie in one folder just below, if
     they are there and none is at its top."""

@@ -11,12 +11,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.image.suffixes import PICTURE_SUFFIXES
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.annotation_formats import PLAIN, json_format
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, OWN_FILES
 from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.session.dataset.dataset_folder import (
     annotation_folder,
+    frames_folder,
     holds_annotations,
     json_stems,
     like_cameras,
@@ -77,6 +78,11 @@ def list_frames(
         root, found = path, find_pictures(path)
     elif not path.exists():
         raise UsageError(f"{path}: no such file or folder")
+    elif path.suffix.lower() in VIDEO_SUFFIXES:
+        raise UsageError(
+            f"{path}: is a video, and pictures are needed: keep frames of it in the window"
+            f" (Ctrl+Shift+S), then name {frames_folder(path)}"
+        )
     elif path.suffix.lower() not in PICTURE_SUFFIXES:
         kinds = ", ".join(sorted(PICTURE_SUFFIXES))
         raise UsageError(f"{path}: not a picture (expected {kinds}) and not a folder")

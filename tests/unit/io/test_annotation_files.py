@@ -120,7 +120,7 @@ def test_a_round_trip_changes_no_number(content: dict[str, list[dict[str, float]
         ('{"Circle left": 5}', "Circle left: expected a list of points, found a number"),
         ('{"Circle left": [{"x": 1, "y": -Infinity}]}', "found -Infinity"),
         ('{"Circle left": [{"y": 1, "x": %s}]}' % ("9" * 400), "Circle left[0].x"),
-        ('{"Circle left": [{"y": 1, "x": %s}]}' % ("9" * 9000), "an integer of thousands of digits"),
+        ('{"Circle left": [{"y": 1, "x": %s}]}' % ("9" * 9000), "thousands of digits"),
         ('{"Circle left": [{"x": 1, "y": 2}]} 3', "line 1 column 37"),
         ('{"Circle left": [{"x": 1, "y": 2},]}', "line 1 column"),
         ('{"half \\ud83d": [{"x": 1, "y": 2}]}', "half a character"),
