@@ -237,6 +237,7 @@ class Canvas(PictureView):
         hint = self.camera_hand.hint or (_PAN_HINT if self.pan_tool else self.editor.hint())
         if hint != self.hint:
             self.hint = hint
+            self.setAccessibleDescription(hint)
             self.hintChanged.emit(hint)
 
     @property
