@@ -10,6 +10,8 @@ import typer
 from typer.core import TyperCommand
 from typer.main import get_command
 
+_NEW_OBJECTS = 20_000  # before garbage is looked for: arrays and frozen values make hardly any
+
 
 class LazyCommand(TyperCommand):
     """A command by its name and first sentence; all else about it is in its module.
@@ -37,6 +39,8 @@ class LazyCommand(TyperCommand):
         try:
             return self._imported()
         finally:
+            gc.freeze()  # nor later
+            gc.set_threshold(_NEW_OBJECTS)
             gc.enable()
 
     def _imported(self) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from pathlib import Path
@@ -79,6 +80,7 @@ def open_window(
             "there is no display for the window; `evaluate`, `export` and `render` work without"
         )
     require_qt_libraries()
+    gc.disable()  # what is imported stays; the window looks for garbage when it is there
     from procc_annotator.gui.app import CameraChoice, main
 
     shown = None

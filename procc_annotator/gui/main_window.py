@@ -43,6 +43,7 @@ from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import UNSAVED, Told
 from procc_annotator.gui.state.state import State
+from procc_annotator.gui.strip.filmstrip import Filmstrip
 from procc_annotator.gui.strip.place import StripPlace
 from procc_annotator.gui.strip.shot_strip import ShotStrip
 from procc_annotator.gui.tasks.elements.assistant import Assistant
@@ -70,16 +71,19 @@ from procc_annotator.gui.tasks.review.worst_first import WorstFirst
 from procc_annotator.gui.tasks.shot.accepting import StretchAccepting
 from procc_annotator.gui.tasks.shot.following import ShotFollowing
 from procc_annotator.gui.tasks.shot.walking import ShotWalk
+from procc_annotator.gui.window.coach import Coach
 from procc_annotator.gui.window.command_palette import CommandPalette
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.desk_switch import DeskSwitch
 from procc_annotator.gui.window.docks import Docks
+from procc_annotator.gui.window.focus_ring import FocusRing
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
 from procc_annotator.gui.window.options import Options, dress
 from procc_annotator.gui.window.palette_entries import PaletteEntries
 from procc_annotator.gui.window.rail import Rail
+from procc_annotator.gui.window.regions import Regions
 from procc_annotator.gui.window.remembering import Remembering
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.gui.window.status_report import StatusReport
@@ -102,8 +106,8 @@ class MainWindow(QMainWindow):
             self.settings, self.document, self.canvas, lambda name: self.actions_[name]
         )
         self._make_tasks()
-        self._make_centre()
         self._make_panels()
+        self._make_centre()
         self.actions_ = Actions(self, self.canvas)
         ActionStates(self.document, self.actions_, self)
         self._docks.turned = self._show_desk
@@ -135,6 +139,8 @@ class MainWindow(QMainWindow):
             self.settings,
         )
         self.keys_back = KeysBack(self.canvas)
+        self.coach = Coach(self.document, self.canvas, self.actions_, self.settings)
+        self.focus_ring = FocusRing(self)
         self.element_shortcuts = ElementShortcuts(self, self.document)
         self.digit_row = DigitRow(self)
         self.status = StatusLine()
@@ -183,6 +189,7 @@ class MainWindow(QMainWindow):
         self.versions = Versions(document, self)
         self.view_grouping = ViewGrouping(document, self)
         self.opening = OpeningTask(document, self.settings, self)
+        self.regions = Regions(self)
         self.commands = Commands(document, self.canvas, self.options, self)
 
     def _make_centre(self) -> None:
@@ -201,8 +208,10 @@ class MainWindow(QMainWindow):
         column.addWidget(self.pages)
         self.strip = ShotStrip(self.document)
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
-        self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip)
+        self.filmstrip = Filmstrip(self.document, self.frames.model)
+        self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip, self.filmstrip)
         column.addWidget(self.strip)
+        column.addWidget(self.filmstrip)
         self.import_bar = ImportBar()
         self.import_offer = ImportOffer(self.document, self.importer, self.import_bar)
         self._bars = (

@@ -44,7 +44,7 @@ class _Kind(Protocol):
 
 
 def _kinds() -> tuple[_Kind, ...]:
-    """Every kind of page; one is made when it is first shown."""
+    """Every kind of page; loaded when the panel is first seen."""
     from procc_annotator.gui.plots.curves import DifferencePage, TauPage, TimelinePage
     from procc_annotator.gui.plots.errors import HistogramPage, RadiusPage
     from procc_annotator.gui.plots.poses import AnglesPage, PositionPage
@@ -72,7 +72,7 @@ class PlotsPanel(TakingAlong):
         super().__init__(document, parent)
         self.setObjectName("plots_panel")
         self._sources = PlotSources(document)
-        self._kinds = _kinds()
+        self._kinds: tuple[_Kind, ...] = ()
         self._made: dict[_Kind, PlotPage[Any]] = {}
         self._elements: tuple[str, ...] = ()  # of the field, by row
         self._computing = Latest(self, self._fail)
@@ -129,7 +129,6 @@ class PlotsPanel(TakingAlong):
 
     def _build(self) -> None:
         self.chooser = _combo("plots_page", "Plot")
-        self.chooser.addItems([kind.title for kind in self._kinds])
         self.chooser.currentIndexChanged.connect(self._turn_page)
         self.scope = _combo("plots_scope", "Frames")
         for scope, words in _SCOPES.items():
@@ -183,8 +182,14 @@ class PlotsPanel(TakingAlong):
             self.notes.setFixedHeight(max(lines, said.height() + 2))
         self.notes.setText(text or self._said)
 
+    def _offer_kinds(self) -> None:
+        if not self._kinds:
+            self._kinds = _kinds()
+            self.chooser.addItems([kind.title for kind in self._kinds])
+
     @property
     def _kind(self) -> _Kind:
+        self._offer_kinds()
         return self._kinds[self.chooser.currentIndex()]
 
     @property
@@ -204,12 +209,14 @@ class PlotsPanel(TakingAlong):
 
     def choose(self, title: str) -> None:
         """Show a plot by its title."""
+        self._offer_kinds()
         self.chooser.setCurrentIndex([kind.title for kind in self._kinds].index(title))
 
     def set_in_sight(self, in_sight: bool) -> None:
         """Whether the panel is open and no other tab lies over it; else nothing is computed."""
         self._in_sight = in_sight
         if in_sight:
+            self._offer_kinds()
             self._refresher.request()
 
     @property

@@ -6,6 +6,11 @@ Arguments: dataset, folder for settings, number of the first frame, when the pro
 
 from __future__ import annotations
 
+import gc
+
+gc.disable()  # as the command does before it imports the window
+# ruff: noqa: E402
+
 import itertools
 import sys
 import time

@@ -103,8 +103,7 @@ class CamerasPanel(QWidget):
         return buttons
 
     def _build_form(self) -> QFormLayout:
-        titles = format_titles()
-        self.format = _combo("cameras_format", tuple(titles), titles)
+        self.format = choice("cameras_format")
         self.format.setToolTip("How the files loaded next are read")
         self.protocol = _combo("cameras_protocol", PROTOCOLS, PROTOCOL_TITLES)
         self.protocol.setToolTip(
@@ -146,11 +145,19 @@ class CamerasPanel(QWidget):
 
     def load(self, path: Path) -> None:
         """Load cameras as the chosen format says; what goes wrong is told by the document."""
+        self._offer_formats()
         self._document.load_cameras(path, self.format.currentData())
+
+    def _offer_formats(self) -> None:
+        """Those of this program and of plug-ins, which are looked for when they can be chosen."""
+        if self.format.count() == 0:
+            for name, title in format_titles().items():
+                self.format.addItem(title, name)
 
     # --- showing -------------------------------------------------------------------------------
 
     def _refresh(self) -> None:
+        self._offer_formats()
         self.list.refresh()
         self.empty.setVisible(not self._document.sources)
         self.comparing.refresh()

@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QHelpEvent,
+    QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -22,7 +23,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.element_keys import key_text
-from procc_annotator.gui.panels.field_map.placement import MapView, Placement
+from procc_annotator.gui.panels.field_map.placement import MapView, Placement, nearest
 from procc_annotator.gui.panels.field_map.shape import FieldShape
 from procc_annotator.gui.panels.findings.signs import findings_by_element, reasons_of
 from procc_annotator.gui.panels.refresher import Refresher, judged
@@ -56,6 +57,17 @@ _WIDTHS = {
     ElementState.MISSED: 2.5,
     ElementState.NOT_VISIBLE: 1.0,
 }
+_WAYS = {
+    Qt.Key.Key_Left: QPointF(-1, 0),
+    Qt.Key.Key_Right: QPointF(1, 0),
+    Qt.Key.Key_Up: QPointF(0, -1),
+    Qt.Key.Key_Down: QPointF(0, 1),
+}
+
+
+def ground_colour(palette: QPalette) -> QColor:
+    """The field's surface, on either theme."""
+    return blend(palette.color(QPalette.ColorRole.Base), QColor("#3f9b4f"), 0.14)
 
 
 class FieldMapPanel(QWidget):
@@ -65,6 +77,8 @@ class FieldMapPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("field_map_panel")
         self.setAccessibleName("Field map")
+        self.setAccessibleDescription("The arrows choose elements")
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._document = document
@@ -119,6 +133,21 @@ class FieldMapPanel(QWidget):
             self._view.reset()
         self._shape = FieldShape.of(field)
         self.update()
+
+    # --- keys ----------------------------------------------------------------------------------
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        way = _WAYS.get(Qt.Key(event.key()))
+        if way is None or event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
+            event.ignore()
+            return
+        event.accept()
+        anchors = dict(zip(self._shape.names, self._placement().anchors, strict=True))
+        chosen = self._document.selected_class
+        if chosen not in anchors:
+            self._document.select_class(next(iter(anchors), None))
+        elif (found := nearest(anchors[chosen], anchors, way)) is not None:
+            self._document.select_class(found)
 
     # --- mouse ---------------------------------------------------------------------------------
 
@@ -250,8 +279,7 @@ class FieldMapPanel(QWidget):
         )
 
     def _paint_ground(self, painter: QPainter, placed: Placement) -> None:
-        base = self.palette().color(QPalette.ColorRole.Base)
-        painter.fillRect(placed.ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
+        painter.fillRect(placed.ground.adjusted(-4, -4, 4, 4), ground_colour(self.palette()))
 
     def _paint_metres(self, painter: QPainter, placed: Placement) -> None:
         """Bands of the map in metres that is shown, as far as the field reaches."""
