@@ -306,7 +306,7 @@ class TestSplit:
     def test_either_side_shows_its_source(self, audited: MainWindow) -> None:
         x = round(audited.canvas.comparison.split.x)
         both, other = pixels(audited), self.alone(audited, "bad")
-        top, bottom = 150, 500  # without the names and the grip
+        top, bottom = 150, 460  # without the names and the grip
         left, right = slice(0, x - 3), slice(x + 3, None)
         assert same(both[top:bottom, right], other[top:bottom, right])
         assert not same(other[top:bottom, left], self.whole[top:bottom, left])
@@ -336,7 +336,7 @@ class TestSplit:
         x = round(split.x)
         both = pixels(audited)
         left = slice(round(before) + 3, x - 3)
-        assert same(both[150:500, left], self.whole[150:500, left])
+        assert same(both[150:460, left], self.whole[150:460, left])
         self.drag_divider(audited, 5000)
         assert split.x < audited.canvas.viewport().width()
 
@@ -380,7 +380,7 @@ class TestSplit:
         hand.drag((640, 360), (560, 330), Qt.MouseButton.MiddleButton)
         assert (split.x, split.grip.pos()) == (x, grip_before)
         both, other = pixels(audited), self.alone(audited, "bad")
-        assert same(both[150:500, round(x) + 3 :], other[150:500, round(x) + 3 :])
+        assert same(both[150:460, round(x) + 3 :], other[150:460, round(x) + 3 :])
 
     def test_blind_mode_and_hidden_overlays_hide_it(self, audited: MainWindow, hand: Hand) -> None:
         split = audited.canvas.comparison.split
