@@ -6,13 +6,14 @@ UV_VERSION := 0.13.8
 STAMP := .venv/.ready
 BIN := .venv/bin
 
-.PHONY: help run test soak installed bundle setup lint format check bench screenshots example docs sample clean
+.PHONY: help run test soak installed clients bundle setup lint format check bench screenshots example docs sample clean
 
 help:
 	@echo "make run          open the window on sample_data/"
 	@echo "make test         run all tests"
 	@echo "make soak         whole real sets, random use and damaged files, for ten minutes"
 	@echo "make installed    build, install in an empty environment elsewhere, and try it there"
+	@echo "make clients      try exports with the programs of others that read them"
 	@echo "make bundle       make dist/procc-annotator, which needs no Python, and try it"
 	@echo "make setup        create .venv from the lock, and nothing else"
 	@echo "make check        lint, format check, types and import contracts"
@@ -70,6 +71,12 @@ soak: setup
 # As a user has it: the wheel from the sdist, an environment with nothing else, no checkout in sight.
 installed: setup
 	$(BIN)/python .ci/try_installed.py
+
+# Programs of others, in an environment of their own: they read what is written here, and are read.
+clients: setup
+	@$(BIN)/uv venv --quiet --allow-existing --python $(BIN)/python out/clients
+	@$(BIN)/uv pip sync --quiet --python out/clients tests/clients/requirements.txt
+	PROCC_CLIENTS="$$PWD/out/clients" $(BIN)/pytest tests/cli/test_other_programs.py $(ARGS)
 
 # One folder with everything inside, by PyInstaller in an environment of its own.
 bundle: setup

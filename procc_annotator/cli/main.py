@@ -184,6 +184,9 @@ def _options(
 
 def run() -> None:
     """Entry point of the console script."""
+    # Matrices here are small: threads that multiply them cost more time than they save, and sums
+    # that they share end in other digits. Read when NumPy is loaded, by processes it starts, too.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         app(prog_name="procc-annotator")
     except KeyboardInterrupt:  # the commands were not put together yet

@@ -7,6 +7,7 @@ has the keyboard, so that Enter and Backspace keep their meaning in text fields.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -41,6 +42,28 @@ def _spec(
     menu: str, name: str, text: str, keys: str, slot: str, tip: str, **more: Any
 ) -> ActionSpec:
     return ActionSpec(menu, name, text, tuple(keys.split()), slot, tip, **more)
+
+
+# Suffix of the name, keys held, px.
+_ARROW_STEPS = (("", "", 1.0), ("_fine", "Shift+", 0.1), ("_far", "Ctrl+", 10.0),
+                ("_farther", "Ctrl+Shift+", 100.0))  # fmt: skip
+
+
+def _arrows() -> Iterator[ActionSpec]:
+    for suffix, held, step in _ARROW_STEPS:
+        for arrow in ("Left", "Right", "Up", "Down"):
+            group = "-" if suffix and arrow == "Left" else ""
+            yield _spec(
+                "Edit/By the arrows",
+                f"nudge_{arrow.lower()}{suffix}",
+                f"{group}{arrow} {step:g} px",
+                f"{held}{arrow}",
+                "canvas.arrow",
+                f"Move the chosen points {step:g} px; where none is chosen, the crosshair",
+                args=(arrow, step),
+                scope="canvas",
+                repeat=True,
+            )
 
 
 # fmt: off
@@ -107,25 +130,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           scope="canvas"),
     _spec("Edit", "settings", "-Settings…", "Ctrl+,", "commands.show_settings",
           "Theme, size of texts, and how the window draws, fits and judges"),
-    _spec("Edit/Nudge point", "nudge_left", "Left 1 px", "Left", "canvas.key",
-          "Move the selected point 1 px to the left", args=("Left",), scope="canvas", repeat=True),
-    _spec("Edit/Nudge point", "nudge_right", "Right 1 px", "Right", "canvas.key",
-          "Move the selected point 1 px to the right", args=("Right",), scope="canvas",
-          repeat=True),
-    _spec("Edit/Nudge point", "nudge_up", "Up 1 px", "Up", "canvas.key",
-          "Move the selected point 1 px up", args=("Up",), scope="canvas", repeat=True),
-    _spec("Edit/Nudge point", "nudge_down", "Down 1 px", "Down", "canvas.key",
-          "Move the selected point 1 px down", args=("Down",), scope="canvas", repeat=True),
-    _spec("Edit/Nudge point", "nudge_left_fine", "-Left 0.1 px", "Shift+Left", "canvas.key",
-          "Move the selected point 0.1 px to the left", args=("Left", True), scope="canvas",
-          repeat=True),
-    _spec("Edit/Nudge point", "nudge_right_fine", "Right 0.1 px", "Shift+Right", "canvas.key",
-          "Move the selected point 0.1 px to the right", args=("Right", True), scope="canvas",
-          repeat=True),
-    _spec("Edit/Nudge point", "nudge_up_fine", "Up 0.1 px", "Shift+Up", "canvas.key",
-          "Move the selected point 0.1 px up", args=("Up", True), scope="canvas", repeat=True),
-    _spec("Edit/Nudge point", "nudge_down_fine", "Down 0.1 px", "Shift+Down", "canvas.key",
-          "Move the selected point 0.1 px down", args=("Down", True), scope="canvas", repeat=True),
+    *_arrows(),
     _spec("Frame", "next_frame", "Next frame", "D PgDown", "document.next_frame",
           "Show the next picture", repeat=True),
     _spec("Frame", "previous_frame", "Previous frame", "A PgUp", "document.previous_frame",
@@ -212,7 +217,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Write to the thread of this frame", args=("review",)),
     _spec("Frame", "versions", "Earlier versions…", "Ctrl+Shift+V", "versions.ask",
           "Look at every saved version of this frame and bring one back"),
-    _spec("Frame", "overview", "Overview of the set…", "F6", "overview.show",
+    _spec("Frame", "overview", "Overview of the set…", "Shift+F5", "overview.show",
           "Counts per status and class, progress, time per frame"),
     _spec("Frame", "group_views", "Group views…", "", "view_grouping.ask",
           "Say by their names which frames show one instant from different cameras"),
@@ -370,6 +375,10 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("View", "to_panels", "Keyboard to the panels", "Ctrl+Tab", "ghost_tasks.to_panels",
           "Tab goes through ghosts in the picture; this takes the keyboard on to the panels",
           scope="canvas"),
+    _spec("View", "next_region", "-Keyboard to the next part", "F6", "regions.go",
+          "Picture, panels, tool bar: the keyboard goes round them", args=(1,)),
+    _spec("View", "previous_region", "Keyboard to the part before", "Shift+F6", "regions.go",
+          "The same way round backwards", args=(-1,)),
     _spec("View", "reset_layout", "Reset the layout", "", "reset_layout",
           "Put the panels back where they were at first"),
     _spec("Camera", "load_cameras", "Load cameras…", "Ctrl+L", "opening.load_cameras",

@@ -19,6 +19,8 @@ GESTURES: tuple[tuple[str, str], ...] = (
     ("Hold Ctrl", "click beside the line: no snapping"),
     ("Ctrl+Alt + drag a line", "camera: it follows, the place stays as a peg"),
     ("Ctrl+Alt + click a peg", "camera: take the peg away"),
+    ("Arrows", "crosshair: the keys point; chosen points are moved instead"),
+    ("Space at the crosshair", "what a click does there (with Ctrl: no snapping)"),
     ("Right button", "menu of what is under the cursor"),
     ("Enter", "accept the current ghost"),
     ("Shift+Enter", "accept all ghosts"),

@@ -75,11 +75,13 @@ from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.desk_switch import DeskSwitch
 from procc_annotator.gui.window.docks import Docks
+from procc_annotator.gui.window.focus_ring import FocusRing
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
 from procc_annotator.gui.window.options import Options, dress
 from procc_annotator.gui.window.palette_entries import PaletteEntries
 from procc_annotator.gui.window.rail import Rail
+from procc_annotator.gui.window.regions import Regions
 from procc_annotator.gui.window.remembering import Remembering
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.gui.window.status_report import StatusReport
@@ -135,6 +137,7 @@ class MainWindow(QMainWindow):
             self.settings,
         )
         self.keys_back = KeysBack(self.canvas)
+        self.focus_ring = FocusRing(self)
         self.element_shortcuts = ElementShortcuts(self, self.document)
         self.digit_row = DigitRow(self)
         self.status = StatusLine()
@@ -183,6 +186,7 @@ class MainWindow(QMainWindow):
         self.versions = Versions(document, self)
         self.view_grouping = ViewGrouping(document, self)
         self.opening = OpeningTask(document, self.settings, self)
+        self.regions = Regions(self)
         self.commands = Commands(document, self.canvas, self.options, self)
 
     def _make_centre(self) -> None:

@@ -31,6 +31,7 @@ _SIDES_PX, _LEAST_CONTRAST, _CONTRAST_SHARE = (4, 7), 2.0, 0.3
 _ON_PX, _STEP_PX, _BENDS, _LEAST_SHARE = 36, 4, (-0.006, 0.0, 0.006), 0.7
 _LIKE = np.cos(2 * np.radians(14.0))
 _BESIDE_PX, _WITHIN_PX, _BORDER_PX = 12, 4, 4
+_FILTERS_PX = 16  # farther from a place nothing changes what is found there
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,8 +77,10 @@ def paint_map(picture: PixelArray, *, light: bool = True, dark: bool = False) ->
     beside[:_BORDER_PX] = beside[-_BORDER_PX:] = False
     beside[:, :_BORDER_PX] = beside[:, -_BORDER_PX:] = False
     signs = [sign for sign, wanted in ((1, light), (-1, dark)) if wanted]
-    found = [_ridges(grey * np.float32(sign), beside) for sign in signs]
+    part, corner = _around(beside)
+    found = [_ridges(grey[part] * np.float32(sign), beside[part]) for sign in signs]
     places, along = (np.concatenate(one, axis=-1) for one in zip(*found, strict=True))
+    places = places + corner
     kept = _goes_on(places, along, grey.shape)
     places, along = places[:, kept], along[kept]
     inner = cv2.erode(wide, np.ones((2 * _WITHIN_PX + 1,) * 2, np.uint8)) > 0
@@ -85,6 +88,18 @@ def paint_map(picture: PixelArray, *, light: bool = True, dark: bool = False) ->
     return PaintMap(
         (width, height), (places + 0.5) * shrink - 0.5, along, inner[row, column], ground
     )
+
+
+def _around(where: BoolArray) -> tuple[tuple[slice, slice], FloatArray]:
+    """The part of a picture that is looked at, with what the filters need beside it; and (2, 1) px
+    from the picture's corner to that of the part."""
+    rows, columns = (np.flatnonzero(where.any(axis=axis)) for axis in (1, 0))
+    if not len(rows):
+        return (slice(0, 1), slice(0, 1)), np.zeros((2, 1))
+    begins = [max(int(one[0]) - _FILTERS_PX, 0) for one in (rows, columns)]
+    ends = [int(one[-1]) + _FILTERS_PX + 1 for one in (rows, columns)]
+    part = slice(begins[0], ends[0]), slice(begins[1], ends[1])
+    return part, np.array([[begins[1]], [begins[0]]], dtype=np.float64)
 
 
 def _ridges(grey: Values, where: BoolArray) -> tuple[FloatArray, FloatArray]:

@@ -26,7 +26,7 @@ from procc_annotator.session.facts.origins import OriginKind, PointKey
 
 _DRAG_BEGINS_SCREEN_PX = 2.0
 _STEPS: dict[str, Position] = {"Left": (-1, 0), "Right": (1, 0), "Up": (0, -1), "Down": (0, 1)}
-NUDGE_PX, FINE_NUDGE_PX = 1.0, 0.1
+NUDGE_PX, FINE_NUDGE_PX, FAR_NUDGE_PX = 1.0, 0.1, 10.0
 PINNED = (
     "is pinned, so that a slip does not move it: drag its points, or unpin elements"
     " (Ctrl+P, menu Element) to drag it as a whole"
@@ -234,7 +234,7 @@ class EditTool:
     # --- keys -----------------------------------------------------------------------------
 
     def key(self, name: str, context: Context, *, shift: bool = False) -> Reaction:
-        """Delete removes, arrows nudge, Enter confirms an unconfirmed element, Escape gives up the
+        """Delete removes, Enter confirms an unconfirmed element, Escape gives up the
         gesture, then the points, then the element."""
         if name == "Escape":
             return self._escape(context)
@@ -255,9 +255,14 @@ class EditTool:
             edited = edits.delete_points(base, chosen)
             label = f"delete {len(chosen)} points"
             return Reaction(edit=Edit(label, edited), select=Selection(selected))
-        if name in _STEPS:
-            return _nudge(context, chosen, name, fine=shift)
         return IGNORED
+
+    def nudge(self, arrow: str, step: float, context: Context) -> Reaction:
+        """Move the chosen points so many picture px."""
+        chosen = context.chosen_points
+        if self.busy or not chosen:
+            return IGNORED
+        return _nudge(context, chosen, arrow, step)
 
     def _escape(self, context: Context) -> Reaction:
         if self.busy:
@@ -378,10 +383,9 @@ def _deletion(context: Context, class_name: str, index: int) -> Reaction:
     return Reaction(edit=Edit(label, edited), select=Selection(class_name, after))
 
 
-def _nudge(context: Context, chosen: frozenset[PointRef], key: str, *, fine: bool) -> Reaction:
-    step = FINE_NUDGE_PX if fine else NUDGE_PX
+def _nudge(context: Context, chosen: frozenset[PointRef], arrow: str, step: float) -> Reaction:
     width, height = context.picture_size
-    dx, dy = _STEPS[key]
+    dx, dy = _STEPS[arrow]
     base = _confirmed(context.annotation, chosen)
     edited = edits.move_points(base, chosen, dx * step / (width - 1), dy * step / (height - 1))
     names = {name for name, _ in chosen}

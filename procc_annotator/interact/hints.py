@@ -10,7 +10,7 @@ from typing import Literal
 
 from procc_annotator.field.model import Field
 from procc_annotator.interact.draw_tool import DrawTool
-from procc_annotator.interact.edit_tool import FINE_NUDGE_PX, NUDGE_PX, EditTool
+from procc_annotator.interact.edit_tool import FAR_NUDGE_PX, FINE_NUDGE_PX, NUDGE_PX, EditTool
 from procc_annotator.interact.gesture import Context
 from procc_annotator.interact.hit import Hit
 from procc_annotator.words import count_of
@@ -256,7 +256,7 @@ def _point_words(context: Context) -> list[str]:
     if not count:
         return []
     return [
-        f"arrows nudge {NUDGE_PX:g} px, with Shift {FINE_NUDGE_PX:g} px",
+        f"arrows nudge {NUDGE_PX:g} px, with Shift {FINE_NUDGE_PX:g} px, Ctrl {FAR_NUDGE_PX:g} px",
         "Delete removes the point" if count == 1 else f"Delete removes {count} points",
     ]
 

@@ -19,6 +19,8 @@ from procc_annotator.errors import UsageError
 PICTURE_SUFFIX = re.compile(
     r"\.(jpe?g|jfif|png|bmp|webp|tiff?|gif|avif|heic|ppm|pgm)$", re.IGNORECASE
 )
+# Where the published sets and other programs keep pictures.
+PICTURE_FOLDERS = ("images", "images/default", "img1", "v3_frames")
 _DRIVE = re.compile(r"[A-Za-z]:")
 
 
@@ -71,10 +73,13 @@ class ByFrame(dict[str, T]):
     Iterating gives the names as they are.
 
     Attributes:
+        picture_folders: folders that only keep pictures: a frame of a tree is found with such a
+            folder in its path and without it.
         only_folder: the folder, with a slash at its end, that all files lie in while frames are
             called without it; a frame of a tree is found with it, too.
     """
 
+    picture_folders: tuple[str, ...] = ()
     only_folder: str = ""
     _composed: tuple[int, dict[str, str]] | None = None
 
@@ -84,6 +89,8 @@ class ByFrame(dict[str, T]):
             return frame
         if self.only_folder and frame.startswith(self.only_folder):
             return self.name_there(frame.removeprefix(self.only_folder))
+        if self.picture_folders and (beside := self._beside_pictures(frame)) is not None:
+            return beside
         if frame.isascii():  # composed in one way only
             return None
         if self._composed is None or self._composed[0] != len(self):
@@ -93,6 +100,16 @@ class ByFrame(dict[str, T]):
                     names.setdefault(unicodedata.normalize("NFC", name), name)
             self._composed = len(self), names
         return self._composed[1].get(unicodedata.normalize("NFC", frame))
+
+    def _beside_pictures(self, frame: str) -> str | None:
+        above, slash, name = frame.rpartition("/")
+        without = (
+            f"{above}/".removesuffix(f"{inner}/") + name
+            for inner in self.picture_folders
+            if f"/{above}".endswith(f"/{inner}")
+        )
+        within = (f"{above}/{inner}/{name}" for inner in self.picture_folders if slash)
+        return next((path for path in (*without, *within) if dict.__contains__(self, path)), None)
 
     def __contains__(self, frame: object) -> bool:
         return isinstance(frame, str) and self.name_there(frame) is not None

@@ -53,6 +53,25 @@ def test_a_tree_of_folders_is_one_set(cli, dataset, sample_data: Path, tmp_path:
     assert "again" not in text
 
 
+@pytest.mark.parametrize("inner", ["img1", "v3_frames"])
+def test_cameras_are_found_with_the_folder_of_the_pictures_and_without(
+    cli, sample_data: Path, tmp_path: Path, inner: str
+) -> None:
+    """Methods name a frame as the file of labels does, or as the picture lies."""
+    one = next(iter(sorted(sample_data.glob("0*.json"))))
+    camera = sample_data / "cameras" / "pinhole" / f"camera_{one.name}"
+    for place, file in (("with", one), ("without", one), ("cams", camera), ("cams_in", camera)):
+        for match in ("a", "b"):
+            folder = tmp_path / place / match / (inner if place in ("with", "cams_in") else "")
+            folder.mkdir(parents=True)
+            (folder / file.name).write_bytes(file.read_bytes())
+    for clicks, cameras in (("with", "cams"), ("without", "cams_in")):
+        done = cli("evaluate", tmp_path / clicks, tmp_path / cameras)
+        assert done.exit_code == 0, done.stderr
+        assert "2 frames, 2 with a camera" in done.stdout
+        assert "not counted" not in done.stderr + done.stdout
+
+
 def test_a_table_at_the_top_of_a_tree_is_no_frame(cli, sample_data: Path, tmp_path: Path) -> None:
     one = next(iter(sorted((sample_data).glob("0*.json"))))
     (tmp_path / "set" / "game").mkdir(parents=True)

@@ -347,7 +347,10 @@ def test_a_key_on_what_is_chosen_keeps_what_the_other_window_clicked(
         before = second.document.annotation.get(MIDDLE)
         hand_on(first).draw(TOP, (100, 50), (200, 50))
         first.document.go_to(1 if frame == 0 else 0)
-        second.canvas.key("Delete" if key == "element" else key)
+        if key == "Left":
+            second.canvas.arrow(key, 1.0)
+        else:
+            second.canvas.key("Delete")
         assert on_disk(frame) == second.document.annotation.annotated
         assert TOP in on_disk(frame)
         assert second.document.annotation.get(MIDDLE) != before  # and it did what it is for

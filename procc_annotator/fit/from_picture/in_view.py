@@ -62,7 +62,6 @@ def _in_view(
     near = np.where(ahead, 1 / np.where(ahead, depth, 1), 0)
     x, y = place[:, 0] * near, place[:, 1] * near
     inside = ahead & (np.abs(x) < HALF_WIDTH - _BORDER_PX) & (np.abs(y) < half_height - _BORDER_PX)
-    toward = linear[:, :, :3] @ lines.along.astype(np.float32)
     across, down = (
         (toward[:, 0] - x * toward[:, 2]) * near,
         (toward[:, 1] - y * toward[:, 2]) * near,

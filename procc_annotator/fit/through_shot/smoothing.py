@@ -94,11 +94,19 @@ def smoothed(
             break
     size, beside = _beside(data, vectors, normal, frame, stand)
     covariances = _covariances(found, beside * np.hypot(size, _LEAST_BESIDE_PX), stand)
+    held, residuals = _held(data, vectors, frame)
     steps = tuple(
-        replace(step, belief=Belief(vector, np.asarray(np.linalg.inv(covariance))))
-        for step, vector, covariance in zip(chain.steps, vectors, covariances, strict=True)
+        replace(
+            step,
+            belief=Belief(vector, np.asarray(np.linalg.inv(covariance))),
+            coverage=step.coverage * share,
+            residual_px=residual,
+        )
+        for step, vector, covariance, share, residual in zip(
+            chain.steps, vectors, covariances, held, residuals, strict=True
+        )
     )
-    return Smoothed(replace(chain, steps=steps), size, _explained(data, vectors, frame))
+    return Smoothed(replace(chain, steps=steps), size, float(sum(held)))
 
 
 def _data_of(steps: tuple[Stepped, ...]) -> _Data:
@@ -230,15 +238,20 @@ def _beside(
     return float(np.sqrt(max(squares / max(counted, 1.0), 0.0))), found
 
 
-def _explained(data: _Data, vectors: FloatArray, frame: PictureFrame) -> float:
-    """The sum over the frames of the share of their marks that lie where their cameras say."""
-    found = 0.0
+def _held(
+    data: _Data, vectors: FloatArray, frame: PictureFrame
+) -> tuple[list[float], list[float | None]]:
+    """Of each frame, the share of its marks that lie where its camera says, and their median
+    distance, solver px; 0 and None of those without any."""
+    shares: list[float] = []
+    residuals: list[float | None] = []
     for rows in _in_parts(len(vectors)):
         _, off, _ = _seen(data, rows, vectors, frame, _SCALES_PX[-1])
-        seen = data.trust[rows] > 0
-        held = (seen & (weights_of(off) > COUNTS)).sum(axis=1)
-        found += float((held / np.maximum(seen.sum(axis=1), 1)).sum())
-    return found
+        for own, away, seen in zip(off, np.abs(off), data.trust[rows] > 0, strict=True):
+            held = seen & (weights_of(own) > COUNTS)
+            shares.append(float(held.sum() / max(seen.sum(), 1)))
+            residuals.append(float(np.median(away[held])) if held.any() else None)
+    return shares, residuals
 
 
 def _covariances(found: BandedSolution, beside: FloatArray, stand: Stand) -> FloatArray:

@@ -117,6 +117,7 @@ class AgreementPanel(QWidget):
         self.frame.setWordWrap(True)
         self.rows = _AgreementModel()
         self.table = ElementTable("agreementTable", self.rows, {})
+        self.table.setAccessibleName("Distances by element")
         header = self.table.horizontalHeader()
         for column in (1, 2, 3):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)

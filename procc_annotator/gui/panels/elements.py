@@ -93,6 +93,7 @@ class ElementsPanel(QWidget):
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
         self.tree.setObjectName("elements_tree")
+        self.tree.setAccessibleName("Elements")
         self.tree.setHeaderLabels(["Element", "Key", "Pts", "Status"])
         self.tree.headerItem().setToolTip(POINTS, "Annotated points")
         self.tree.setIndentation(8)

@@ -91,6 +91,7 @@ class ReviewPanel(QWidget):
         self.origins.setToolTip("How the points of this frame came to be")
         self.comments = CommentList()
         self.comments.setObjectName("reviewThread")
+        self.comments.setAccessibleName("Comments")
         self.comments.setWordWrap(True)
         self.comments.setSpacing(3)
         self.comments.setSelectionMode(QListWidget.SelectionMode.NoSelection)

@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
     QEnterEvent,
+    QKeyEvent,
     QMouseEvent,
     QResizeEvent,
 )
@@ -18,6 +19,7 @@ from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.found_plate import FoundPlate
 from procc_annotator.gui.picture.ghost_layer import GhostLayer
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
+from procc_annotator.gui.picture.key_pointing import KeyPointing, modifiers_of
 from procc_annotator.gui.picture.loupe import Loupe
 from procc_annotator.gui.picture.metre_maps import MetreMaps
 from procc_annotator.gui.picture.overlay_item import OverlayItem
@@ -50,7 +52,8 @@ class Canvas(PictureView):
     def __init__(self, document: Document) -> None:
         super().__init__()
         self.setObjectName("canvas")
-        self._document = document
+        self.setAccessibleName("Picture")
+        self._document = self.document = document
         self.editor = Editor(document, self)
         self.overlay_item = OverlayItem()
         self.scene().addItem(self.overlay_item)
@@ -80,6 +83,7 @@ class Canvas(PictureView):
         self.loupe_always = False
         self._held_keys = self._make_held_keys()
         self._loupe_by_key = False
+        self.keys = KeyPointing(self)
         self.shown = ShownPicture(self)
         document.cache.foresee = self.picture_item.reduced.foresee
         self._listen()
@@ -93,6 +97,7 @@ class Canvas(PictureView):
         self.viewChanged.connect(self._view_changed)
         self.camera_hand.changed.connect(self._refresh_ghosts)
         self.camera_hand.moved.connect(self._follow_cursor)
+        document.datasetChanged.connect(self.keys.forget)
         document.frameChanged.connect(self._show_frame)
         document.pictureChanged.connect(self._show_whole)
         document.previewChanged.connect(self._carry)
@@ -130,6 +135,7 @@ class Canvas(PictureView):
         self.overlay_item.set_area(self.sceneRect())
         self.comparison.set_area(self.sceneRect())
         self.camera_hand.item.set_area(self.sceneRect())
+        self.keys.keep_within()
         self._everywhere = True
         self.refresh()
 
@@ -231,6 +237,7 @@ class Canvas(PictureView):
         hint = self.camera_hand.hint or (_PAN_HINT if self.pan_tool else self.editor.hint())
         if hint != self.hint:
             self.hint = hint
+            self.setAccessibleDescription(hint)
             self.hintChanged.emit(hint)
 
     @property
@@ -309,11 +316,22 @@ class Canvas(PictureView):
             self._document.undo()
 
     def key(self, name: str, shift: bool = False) -> None:
-        """What the tool in hand does on Enter, Backspace, Escape, Delete or an arrow."""
+        """What the tool in hand does on Enter, Backspace, Escape or Delete."""
         if name == "Escape" and self.pan_tool:
             self.set_pan(False)
-            return
-        self.editor.key(name, shift=shift)
+        elif not self.editor.key(name, shift=shift) and name == "Escape":
+            self.keys.put_away()
+
+    def arrow(self, name: str, step: float) -> None:
+        """Move the chosen points so many picture px; without any, what the keys point with."""
+        self.keys.arrow(name, step)
+
+    def point_at(self, px: tuple[float, float]) -> None:
+        """The hand is there now, whichever way it came."""
+        self.cursor_px = px
+        self.editor.move(px, _NO_MODIFIERS)
+        self.refresh()
+        self._say_cursor()
 
     def delete_element(self) -> None:
         """Remove the selected element."""
@@ -323,7 +341,13 @@ class Canvas(PictureView):
         event.accept()
         if event.reason() == QContextMenuEvent.Reason.Mouse:
             self.editor.point_at(self.to_picture(QPointF(event.pos())))
-        self.menuWanted.emit(event.globalPos())
+            self.menuWanted.emit(event.globalPos())
+            return
+        at = self.viewport().rect().center()
+        if (px := self.keys.crosshair.px) is not None:
+            self.editor.point_at(px)
+            at = self.to_view(*px).toPoint()
+        self.menuWanted.emit(self.viewport().mapToGlobal(at))
 
     # --- events ---------------------------------------------------------------------------
 
@@ -334,6 +358,7 @@ class Canvas(PictureView):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         event.accept()
+        self.keys.put_away()
         if self._wants_pan(event):
             self._start_pan(event.position().toPoint())
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
@@ -353,6 +378,7 @@ class Canvas(PictureView):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
+        self.keys.put_away()
         px = self.to_picture(event.position())
         self.cursor_px, drawn = px, self._refreshes
         if self.panning:
@@ -386,6 +412,12 @@ class Canvas(PictureView):
             if self._carried_on.isActive():
                 self._say_cursor()
 
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        tapped = self.tapped(event)
+        super().keyReleaseEvent(event)
+        if tapped:
+            self.keys.click(modifiers_of(event.modifiers()))
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.comparison.place()
@@ -400,6 +432,8 @@ class Canvas(PictureView):
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
+        if self.keys.active:
+            return  # they point; the mouse is elsewhere
         self.cursor_px = None
         self.editor.leave()
         self.refresh()
@@ -456,10 +490,4 @@ class Canvas(PictureView):
 
 def _modifiers(event: QMouseEvent) -> Modifiers:
     held = event.modifiers()
-    if not held:
-        return _NO_MODIFIERS
-    return Modifiers(
-        alt=bool(held & Qt.KeyboardModifier.AltModifier),
-        shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
-        ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
-    )
+    return modifiers_of(held) if held else _NO_MODIFIERS

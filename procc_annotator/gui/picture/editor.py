@@ -24,7 +24,6 @@ from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
 from procc_annotator.session.strokes.copying import annotated_before
 
-_FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
 # Given a key's name and whether Shift is held, takes it or does not.
 KeyTaker = Callable[[str, bool], bool]
 
@@ -210,26 +209,37 @@ class Editor(QObject):
         """Whether a key, or "Undo", was meant for none of the tools, and is done with."""
         return any(take(name, shift) for take in self._asked_first)
 
-    def key(self, name: str, *, shift: bool = False) -> None:
-        """Enter, Backspace, Escape, Delete or an arrow."""
+    def key(self, name: str, *, shift: bool = False) -> bool:
+        """Enter, Backspace, Escape or Delete; whether it was of use."""
         begun = self._draw.busy or self._edit.busy
         if not begun and self.taken_first(name, shift):
-            return
+            return True
+        return self._ask(lambda context: self._answer(name, context, shift=shift), begun=begun)
+
+    def nudge(self, arrow: str, step: float) -> bool:
+        """Move the chosen points so many px; False if none is chosen."""
+        if self._draw.busy:
+            return False
+        return self._ask(lambda context: self._edit.nudge(arrow, step, context), begun=False)
+
+    def _ask(self, answer: Callable[[Context], Reaction], *, begun: bool) -> bool:
+        """Do what a tool answers to a key; whether it does."""
         if (context := self._workable()) is None:
-            return
-        reaction = self._answer(name, context, shift=shift)
+            return False
+        reaction = answer(context)
         if reaction.edit is not None and not begun:
             # The frame is taken only now, and its file may be newer: an idle tool keeps nothing of
             # a key that edits, so it is asked again.
             if not self._begin_on(context):
-                return
-            reaction = self._answer(name, self._context(), shift=shift)
+                return True
+            reaction = answer(self._context())
         self._do(reaction)
+        return reaction.handled
 
     def _answer(self, name: str, context: Context, *, shift: bool) -> Reaction:
         reaction = self._tool.key(name, context, shift=shift)
-        if not reaction.handled and not self._draw.busy and name in _FOR_POINTS:
-            # A point chosen in the table of scores can be moved and removed while drawing too.
+        if not reaction.handled and not self._draw.busy and name == "Delete":
+            # A point chosen in the table of scores can be removed while drawing too.
             reaction = self._edit.key(name, context, shift=shift)
         return reaction
 

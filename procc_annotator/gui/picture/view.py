@@ -69,7 +69,7 @@ class PictureView(QGraphicsView):
         self.setBackgroundBrush(Qt.GlobalColor.black)
         self._fitted = True
         self._covered = self._left_free = 0
-        self._space_held = False
+        self._space_held = self._panned = False
         self.pan_tool = False  # whether the left button moves the picture
         self._pan_from: QPoint | None = None
 
@@ -231,17 +231,17 @@ class PictureView(QGraphicsView):
     def _pan_to(self, position: QPoint) -> None:
         if self._pan_from is None:
             return
-        self._go_along(QPointF(self._pan_from - position))
+        self.go_along(QPointF(self._pan_from - position))
         self._pan_from = position
 
-    def _go_along(self, delta: QPointF) -> None:
+    def go_along(self, delta: QPointF) -> None:
         """Show what lies so many screen px to the right and below."""
         self._scroll_by(delta)
         self._fitted = False
         self.viewChanged.emit()
 
     def _start_pan(self, position: QPoint) -> None:
-        self._pan_from = position
+        self._pan_from, self._panned = position, True
         self.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def _end_pan(self) -> None:
@@ -270,7 +270,7 @@ class PictureView(QGraphicsView):
             turned = event.angleDelta().y()
             self.set_scale(self.view_scale * _WHEEL_STEP ** (turned / 120), event.position())
         else:
-            self._go_along(-moved)
+            self.go_along(-moved)
         event.accept()
 
     def viewportEvent(self, event: QEvent) -> bool:
@@ -289,11 +289,16 @@ class PictureView(QGraphicsView):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Space:
             if not event.isAutoRepeat():
-                self._space_held = True
+                self._space_held, self._panned = True, False
                 self.update_cursor()
             event.accept()
             return
         event.ignore()  # the scroll area would scroll with the arrows
+
+    def tapped(self, event: QKeyEvent) -> bool:
+        """Whether a key that comes up is the space bar, which panned nothing meanwhile."""
+        space = event.key() == Qt.Key.Key_Space and not event.isAutoRepeat()
+        return space and self._space_held and not self._panned
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():

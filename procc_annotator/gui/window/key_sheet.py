@@ -77,6 +77,7 @@ class KeySheet(QDialog):
         scrolled.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         scrolled.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scrolled.setWidget(self.columns)
+        scrolled.setAccessibleName("Actions and their keys")
         self.nothing = empty_state("", "keys_nothing")
         self.pages = QStackedWidget()
         self.pages.addWidget(scrolled)

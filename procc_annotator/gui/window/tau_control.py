@@ -36,6 +36,7 @@ class TauControl(QWidget):
         layout.setContentsMargins(4, 0, 4, 0)
         for widget in (label, self.slider, self.spin):
             widget.setToolTip(tip)
+            widget.setAccessibleName("Threshold tau")
             layout.addWidget(widget)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.slider.valueChanged.connect(lambda tenths: document.set_tau(tenths / 10))

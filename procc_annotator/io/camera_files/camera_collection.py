@@ -21,7 +21,7 @@ from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.paired_files import paired_format, paired_records
 from procc_annotator.io.camera_files.registry import CameraFormat, format_of, plugin_problems
 from procc_annotator.io.collections import CAMERA_PREFIX, list_cameras
-from procc_annotator.io.frame_names import ByFrame
+from procc_annotator.io.frame_names import PICTURE_FOLDERS, ByFrame
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource, open_source
 
@@ -67,6 +67,7 @@ class CameraCollection:
             self._look_into(files)
         else:
             self._take(pair[1], paired_records(source, *pair))
+        self.frames.picture_folders = PICTURE_FOLDERS
 
     @classmethod
     def open(

@@ -26,6 +26,7 @@ from procc_annotator.io.json_values import JsonValues
 KIND = "a K, R, t camera"
 NAME_KEYS = ("frames", "names", "image_names", "filenames", "images")
 _OWN_NAME = ("name", "image_name", "frame", "file_name", "id")
+_APART = ("intrinsics", "intrinsic", "extrinsics", "extrinsic")
 _STACKED = ("R", "rotation_matrix", "rvec", "rvecs", "t", "T", "tvec", "tvecs", "P", "position")
 # What OpenCV's calibration tutorials call the same in their .npz files.
 _OPENCV_NAMES = {"mtx": "K", "rvecs": "rvec", "tvecs": "tvec"}
@@ -98,12 +99,21 @@ def _nested(content: object) -> Iterator[tuple[str, str, Any]]:
     cameras = content.get("cameras") if type(content) is dict else None
     if type(cameras) is dict:
         for name, entry in cameras.items():
-            yield name, f"cameras.{name}", entry
+            yield name, f"cameras.{name}", _in_one(entry)
     elif type(cameras) is list:
         for i, entry in enumerate(cameras):
             own = entry if type(entry) is dict else {}
             name = next((own[key] for key in _OWN_NAME if key in own), i)
-            yield str(name), f"cameras[{i}]", entry
+            yield str(name), f"cameras[{i}]", _in_one(entry)
+
+
+def _in_one(entry: Any) -> Any:
+    """A camera without the objects that keep its intrinsics and its pose apart."""
+    apart = [key for key in _APART if type(entry) is dict and type(entry.get(key)) is dict]
+    if not apart:
+        return entry
+    own = {key: value for key, value in entry.items() if key not in apart}
+    return own | {name: value for key in apart for name, value in entry[key].items()}
 
 
 def _nested_from(content: object, path: str, inside: str) -> LoadedCamera:

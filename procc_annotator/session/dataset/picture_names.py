@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-# Where the published sets and other programs keep pictures.
-PICTURE_FOLDERS = ("", "images", "images/default", "img1", "v3_frames")
+from procc_annotator.io.frame_names import PICTURE_FOLDERS
 
 
 class PicturesByName:
@@ -27,7 +26,7 @@ class PicturesByName:
         if frame in self._pictures:
             return frame
         above, slash, name = frame.rpartition("/")
-        for inner in filter(None, PICTURE_FOLDERS):
+        for inner in PICTURE_FOLDERS:
             for path in (f"{above}{slash}{inner}/{name}", f"{inner}/{frame}"):
                 if path in self._pictures:
                     return path

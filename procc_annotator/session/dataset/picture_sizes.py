@@ -11,9 +11,9 @@ from procc_annotator.image.header import upright_size
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
-from procc_annotator.io.frame_names import ByFrame
+from procc_annotator.io.frame_names import PICTURE_FOLDERS, ByFrame
 from procc_annotator.session.dataset.dataset_folder import is_known_dataset, lies_below
-from procc_annotator.session.dataset.picture_names import PICTURE_FOLDERS, PicturesByName
+from procc_annotator.session.dataset.picture_names import PicturesByName
 from procc_annotator.session.dataset.picture_tree import find_pictures
 
 
@@ -35,7 +35,7 @@ class PictureSizes:
         self._names = PicturesByName(self._paths)
         self._otherwise = otherwise
         for folder in folders:
-            for inner in PICTURE_FOLDERS:
+            for inner in ("", *PICTURE_FOLDERS):
                 self._list(folder / inner)
         if tree is not None and lies_below(tree):
             found = find_pictures(tree)

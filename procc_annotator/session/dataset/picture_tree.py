@@ -11,8 +11,8 @@ from natsort import natsort_keygen
 
 from procc_annotator.errors import InputError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.io.frame_names import PICTURE_FOLDERS
 from procc_annotator.io.source import walk
-from procc_annotator.session.dataset.picture_names import PICTURE_FOLDERS
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ def find_pictures(root: Path) -> PictureTree:
 def _container(root: Path, folders: Sequence[str]) -> str:
     """The folder that other programs keep pictures in, if all lie in it and no annotation does:
     files of these programs leave it out."""
-    known = sorted((f"{name}/" for name in PICTURE_FOLDERS if name), key=len, reverse=True)
+    known = sorted((f"{name}/" for name in PICTURE_FOLDERS), key=len, reverse=True)
     inside = (name for name in known if folders and all(f.startswith(name) for f in folders))
     found = next(inside, "")
     beside = (name for folder in folders if found for name in os.listdir(root / folder))

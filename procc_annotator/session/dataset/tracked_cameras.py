@@ -13,7 +13,7 @@ from procc_annotator.session.dataset.camera_set import CameraForFrame
 
 TRACK_NAME = "track"  # no cameras from files are called so
 
-_LEAST_COVERAGE = 0.6  # of the visible model, found on paint
+_LEAST_COVERAGE = 0.65  # of the visible model, found on paint
 _MOST_RESIDUAL = 2.0 / 1280  # of the picture's width
 
 

@@ -104,7 +104,8 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         self.chunk = chunk or CHUNK
         self.matched = sum(frame.has_camera for frame in frames)
         self.tagged = sum(frame.name in tags.values for frame in frames)
-        self.unmatched_cameras = tuple(name for name in with_camera if name not in annotated)
+        used = {with_camera.name_there(frame.name) for frame in frames if frame.has_camera}
+        self.unmatched_cameras = tuple(name for name in with_camera if name not in used)
         self.notices = cameras.notices
         self.counted = self.with_camera = self.fitted = 0
         self.ground_only = False

@@ -5,21 +5,31 @@ from __future__ import annotations
 import itertools
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
+from procc_annotator.fit.on_paint.painted import painted_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import vector_from_camera
+from procc_annotator.fit.solving.observations import PictureFrame
 from procc_annotator.fit.through_shot.banded import Normal, solve_normal
+from procc_annotator.fit.through_shot.chain import FrameChain
+from procc_annotator.fit.through_shot.following import follow
 from procc_annotator.fit.through_shot.following_shot import track
 from procc_annotator.fit.through_shot.reading import glimpses
+from procc_annotator.fit.through_shot.smoothing import smoothed
+from procc_annotator.fit.through_shot.starting import belief_at, vector_of
+from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.fit.through_shot.turning import OWN, small_grey, turn_between
 from procc_annotator.image.pixels import PixelArray
+from procc_annotator.image.video import open_shared
 from tests.drawn_shots import Aim, DrawnShot, Look, course, stage_of
 from tests.unit.fit.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
 
@@ -239,3 +249,41 @@ def test_a_camera_that_moves_where_each_place_leaves_a_few_lines_behind() -> Non
         assert frame.coverage > 0.9
         apart = np.subtract(frame.fit.camera.position_world, true.position_world)
         assert np.abs(apart).max() < 0.5
+
+
+@pytest.mark.soak
+def test_a_tripod_beside_a_pitch_that_is_not_as_its_file_says_stays_one(shared_data: Path) -> None:
+    """A position a frame explains such a shot a little better, by a camera that flies 19 m."""
+    video = open_shared(shared_data / "clips" / "soccer_7_Psg-Angers_103_110.mp4")
+    found = track(video.frame, range(video.frame_count), FIELD)
+    cameras = [f.fit.camera for f in found.frames if f.fit is not None]
+    places = [c.position_world for c in cameras if isinstance(c, PinholeCamera)]
+    assert len(places) == video.frame_count
+    assert np.ptp(places, axis=0).max() < 0.1
+
+
+def test_coverage_is_that_of_the_camera_that_is_handed_back() -> None:
+    """Lines that all frames together move a camera away from are not on its paint any more."""
+    frame = PictureFrame(SIZE)
+    painted = painted_of(FIELD)
+    start = belief_at(vector_of(CAMERAS[0], FIELD, frame), FIELD, painted, frame)
+    steps: list[Stepped] = []
+    follow(
+        _picture,
+        range(6),
+        start,
+        painted,
+        frame,
+        lambda _number, step: steps.append(step),
+        lambda: None,
+    )
+    marks = steps[3].marks
+    assert marks is not None
+    beside = np.arange(len(marks)) % 3 == 0
+    steps[3] = replace(steps[3], marks=replace(marks, across=marks.across + 6.0 * beside))
+    turns = tuple(step.turn for step in steps[1:])
+    chain = FrameChain(tuple(range(6)), tuple(steps), turns, {0: start})
+    found = smoothed(chain, FIELD, frame).chain.steps
+    shares = [after.coverage / before.coverage for after, before in zip(found, steps, strict=True)]
+    assert shares[3] == pytest.approx(2 / 3, abs=0.05)
+    assert min(shares[:3] + shares[4:]) > 0.95

@@ -235,12 +235,12 @@ class TestEditing:
         assert edit.annotation.annotated == ()
 
     @pytest.mark.parametrize(
-        ("key", "shift", "expected"),
-        [("Left", False, [299, 100]), ("Down", True, [300, 100.1]), ("Up", False, [300, 99])],
+        ("key", "step", "expected"),
+        [("Left", 1.0, [299, 100]), ("Down", 0.1, [300, 100.1]), ("Up", 10.0, [300, 90])],
     )
-    def test_arrows_nudge(self, key: str, shift: bool, expected: list[float]) -> None:
+    def test_arrows_nudge(self, key: str, step: float, expected: list[float]) -> None:
         context = replace(self.context, selected_point=("Middle line", 1))
-        edit = EditTool().key(key, context, shift=shift).edit
+        edit = EditTool().nudge(key, step, context).edit
         assert edit is not None
         assert px(edit.annotation)[1] == expected
 

@@ -107,8 +107,11 @@ def test_a_dome_counts_in_centimetres_with_y_down(tmp_path: Path) -> None:
     with CameraCollection.open(file) as cameras:
         agree(cameras.read("00_01"), BENT)
     own = krt_content(BENT, (1280, 720))
-    file.write_text(json.dumps({"cameras": {"a": own, "b": own}}))
+    inside = {key: own.pop(key) for key in ("K", "dist")}
+    apart = {"intrinsics": inside, "extrinsics": own}
+    file.write_text(json.dumps({"cameras": {"a": inside | own, "b": apart}}))
     with CameraCollection.open(file) as cameras:
+        agree(cameras.read("a"), BENT)
         agree(cameras.read("b"), BENT)
 
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QHelpEvent,
+    QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -22,7 +23,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.element_keys import key_text
-from procc_annotator.gui.panels.field_map.placement import MapView, Placement
+from procc_annotator.gui.panels.field_map.placement import MapView, Placement, nearest
 from procc_annotator.gui.panels.field_map.shape import FieldShape
 from procc_annotator.gui.panels.findings.signs import findings_by_element, reasons_of
 from procc_annotator.gui.panels.refresher import Refresher, judged
@@ -56,6 +57,12 @@ _WIDTHS = {
     ElementState.MISSED: 2.5,
     ElementState.NOT_VISIBLE: 1.0,
 }
+_WAYS = {
+    Qt.Key.Key_Left: QPointF(-1, 0),
+    Qt.Key.Key_Right: QPointF(1, 0),
+    Qt.Key.Key_Up: QPointF(0, -1),
+    Qt.Key.Key_Down: QPointF(0, 1),
+}
 
 
 class FieldMapPanel(QWidget):
@@ -65,6 +72,8 @@ class FieldMapPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("field_map_panel")
         self.setAccessibleName("Field map")
+        self.setAccessibleDescription("The arrows choose elements")
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._document = document
@@ -119,6 +128,21 @@ class FieldMapPanel(QWidget):
             self._view.reset()
         self._shape = FieldShape.of(field)
         self.update()
+
+    # --- keys ----------------------------------------------------------------------------------
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        way = _WAYS.get(Qt.Key(event.key()))
+        if way is None or event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
+            event.ignore()
+            return
+        event.accept()
+        anchors = dict(zip(self._shape.names, self._placement().anchors, strict=True))
+        chosen = self._document.selected_class
+        if chosen not in anchors:
+            self._document.select_class(next(iter(anchors), None))
+        elif (found := nearest(anchors[chosen], anchors, way)) is not None:
+            self._document.select_class(found)
 
     # --- mouse ---------------------------------------------------------------------------------
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -125,3 +127,19 @@ class MapView:
         """The button came up; whether it moved the map."""
         moved, self.dragging, self._pressed = self.dragging, False, None
         return moved
+
+
+_STEEPEST = 3.0  # how much farther aside than along the way something may lie
+_ASIDE = 2.0  # how much farther counts what lies aside of the way
+
+
+def nearest(start: QPointF, anchors: Mapping[str, QPointF], way: QPointF) -> str | None:
+    """The element that lies next in a direction; None at the edge."""
+    best, least = None, math.inf
+    for name, anchor in anchors.items():
+        gap = anchor - start
+        along = QPointF.dotProduct(gap, way)
+        aside = abs(gap.x() * way.y()) + abs(gap.y() * way.x())
+        if along > max(0.5, aside / _STEEPEST) and (far := along + _ASIDE * aside) < least:
+            best, least = name, far
+    return best

@@ -157,6 +157,7 @@ class FitPanel(QWidget):
     def _build_table(self) -> QTableView:
         self.rows = FitTableModel()
         self.table = ElementTable("fit_table", self.rows, {MEAN: "Mean  ", LARGEST: "Largest  "})
+        self.table.setAccessibleName("Residuals by element")
         self.table.chosen.connect(self._fly)
         return self.table
 

@@ -122,6 +122,7 @@ class ScoreTableModel(ElementRowsModel[ScoreRow]):
 def score_table(model: ScoreTableModel) -> ElementTable:
     """The view of the rows; what is left out of a title is its middle."""
     table = ElementTable("scores_table", model, _SAMPLES)
+    table.setAccessibleName("Scores by element")
     table.setItemDelegateForColumn(ELEMENT, TitleDelegate(table))
     table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
     table.setMouseTracking(True)

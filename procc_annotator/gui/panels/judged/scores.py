@@ -154,6 +154,7 @@ class ScoresPanel(QWidget):
         QVBoxLayout(self._plot_page).setContentsMargins(0, 0, 0, 0)
         self.tabs = QTabWidget(documentMode=True)
         self.tabs.setObjectName("scores_tabs")
+        self.tabs.setAccessibleName("Scores and their plot")
         self.tabs.addTab(self._build_explained(), "Elements")
         self.tabs.addTab(self._plot_page, "JaC over tau")
         self.tabs.currentChanged.connect(lambda: self._refresher.request())

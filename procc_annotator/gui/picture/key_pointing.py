@@ -1,0 +1,107 @@
+"""The keyboard points at the picture: arrows move the chosen points, or else the crosshair."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+
+from procc_annotator.gui.picture.crosshair import Crosshair, moved
+from procc_annotator.interact.gesture import Modifiers, Position
+
+if TYPE_CHECKING:
+    from procc_annotator.gui.picture.canvas import Canvas
+
+_RIM_PX = 48.0  # screen px at the edge of the view that the crosshair does not enter, where it can
+_EDGE = 2.0  # screen px that count as out of sight
+_WHAT = (
+    "crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks,"
+    " Esc puts it away"
+)
+
+
+class KeyPointing:
+    """Does with keys what the mouse does on the canvas."""
+
+    def __init__(self, canvas: Canvas) -> None:
+        self._canvas = canvas
+        self.crosshair = Crosshair()
+        canvas.scene().addItem(self.crosshair)
+
+    @property
+    def active(self) -> bool:
+        """Whether the crosshair is on the picture."""
+        return self.crosshair.px is not None
+
+    def arrow(self, name: str, step: float) -> None:
+        """Move the chosen points, or the crosshair where none is chosen, so many picture px."""
+        canvas = self._canvas
+        if canvas.editor.nudge(name, step):
+            return
+        size = canvas.document.picture_size
+        if size is None:
+            return
+        begun = self.active
+        start = self.crosshair.px or self._start(size)
+        self._point(moved(start, name, step, size))
+        if not begun:
+            canvas.document.say(_WHAT, "info")
+
+    def click(self, modifiers: Modifiers) -> None:
+        """What a click of the mouse would do there."""
+        px, canvas = self.crosshair.px, self._canvas
+        if px is None:
+            return
+        canvas.document.walk.see_whole()  # its lines are snapped to
+        canvas.editor.press(px, modifiers)
+        canvas.editor.release(px, modifiers)
+        canvas.point_at(px)
+
+    def put_away(self) -> None:
+        """The mouse points again, or nothing does."""
+        self.crosshair.put(None)
+
+    def forget(self) -> None:
+        """Other pictures come: what was pointed at is not there any more."""
+        if self.active:
+            self.put_away()
+            self._canvas.cursor_px = None
+
+    def keep_within(self) -> None:
+        """Another picture is shown: it may be smaller."""
+        px, size = self.crosshair.px, self._canvas.document.picture_size
+        if px is not None:
+            self.crosshair.put(None if size is None else moved(px, "Left", 0.0, size))
+
+    # --- inside ---------------------------------------------------------------------------
+
+    def _start(self, size: tuple[int, int]) -> Position:
+        """Where the mouse was, or the middle of what is in sight."""
+        canvas = self._canvas
+        if canvas.cursor_px is not None:
+            return moved(canvas.cursor_px, "Left", 0.0, size)
+        place = canvas.place
+        return moved((place.x, place.y), "Left", 0.0, size)
+
+    def _point(self, px: Position) -> None:
+        self.crosshair.put(px)
+        self._bring_into_sight(px)
+        self._canvas.point_at(px)
+
+    def _bring_into_sight(self, px: Position) -> None:
+        canvas = self._canvas
+        at, area = canvas.to_view(*px), QRectF(canvas.viewport().rect())
+        if not area.adjusted(_EDGE, _EDGE, -_EDGE, -_EDGE).contains(at):
+            inner = area.adjusted(_RIM_PX, _RIM_PX, -_RIM_PX, -_RIM_PX)
+            x = min(max(at.x(), inner.left()), inner.right())
+            y = min(max(at.y(), inner.top()), inner.bottom())
+            canvas.go_along(at - QPointF(x, y))
+
+
+def modifiers_of(held: Qt.KeyboardModifier) -> Modifiers:
+    """Keys that are held, as the tools know them."""
+    return Modifiers(
+        alt=bool(held & Qt.KeyboardModifier.AltModifier),
+        shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
+        ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
+    )

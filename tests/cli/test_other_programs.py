@@ -1,0 +1,129 @@
+"""Other programs read what is written here, and are read: those that `make clients` installs."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+CLIENT = Path(__file__).resolve().parents[1] / "clients" / "client.py"
+Client = Callable[..., dict[str, Any]]
+
+
+@pytest.fixture(scope="module")
+def client() -> Client:
+    """Calls a command of `client.py` in the environment of the other programs."""
+    place = os.environ.get("PROCC_CLIENTS")
+    if not place:
+        pytest.skip("the other programs are in an environment of their own: make clients")
+    python = Path(place) / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+
+    def call(*arguments: object) -> dict[str, Any]:
+        done = subprocess.run(
+            [python, CLIENT, *map(str, arguments)], capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stderr
+        read = json.loads(done.stdout)
+        assert isinstance(read, dict)
+        return read
+
+    return call
+
+
+@pytest.fixture
+def written(cli, sample_data: Path, tmp_path: Path) -> Callable[[str], Path]:
+    """Writes the sample in a format, with its pictures."""
+
+    def write(fmt: str) -> Path:
+        out = tmp_path / fmt
+        done = cli("convert", sample_data, out, "--to", fmt, "--pictures")
+        assert done.exit_code == 0, done.output
+        return out
+
+    return write
+
+
+def _expected(sample_data: Path) -> dict[str, dict[str, np.ndarray]]:
+    """Frame -> class -> (N, 2) px, of all that have points."""
+    frames = {}
+    for file in sorted(sample_data.glob("0*.json")):
+        content = json.loads(file.read_text()).items()
+        frames[file.stem] = {
+            name.strip(): np.array([[p["x"] * 1279, p["y"] * 719] for p in points])
+            for name, points in content
+            if points
+        }
+    return frames
+
+
+def _require_same(read: dict[str, Any], expected: dict[str, dict[str, np.ndarray]]) -> None:
+    assert read["pictures"] == len(expected)
+    for (frame, shapes), own in zip(sorted(read["frames"].items()), expected.values(), strict=True):
+        assert sorted(name.strip() for name, _ in shapes) == sorted(own), frame
+        for name, points in shapes:
+            np.testing.assert_allclose(points, own[name.strip()], atol=0.001, err_msg=frame)
+
+
+@pytest.mark.parametrize(
+    ("fmt", "called"),
+    [("coco", "coco_person_keypoints"), ("cvat", "cvat"), ("cvat-video", "cvat")],
+)
+def test_datumaro_reads_every_point_and_picture(
+    client: Client, written, sample_data: Path, fmt: str, called: str
+) -> None:
+    _require_same(client("datumaro-read", called, written(fmt)), _expected(sample_data))
+
+
+def test_labelme_reads_every_point_and_picture(client: Client, written, sample_data: Path) -> None:
+    _require_same(client("labelme-read", written("labelme")), _expected(sample_data))
+
+
+def test_what_labelme_saves_is_read_back(
+    client: Client, written, cli, sample_data: Path, tmp_path: Path
+) -> None:
+    folder, saved = written("labelme"), tmp_path / "saved"
+    saved.mkdir()
+    for picture in folder.glob("*.jpg"):
+        shutil.copy(picture, saved)
+    client("labelme-write", folder, saved)
+    _require_no_difference(cli, sample_data, saved)
+
+
+@pytest.mark.parametrize(("fmt", "called"), [("coco", "coco_person_keypoints"), ("cvat", "cvat")])
+def test_what_datumaro_exports_is_read_back(
+    client: Client, written, cli, sample_data: Path, tmp_path: Path, fmt: str, called: str
+) -> None:
+    exported = tmp_path / "exported"
+    client("datumaro-write", called, written(fmt), called, exported)
+    _require_no_difference(cli, sample_data, exported)
+
+
+def _require_no_difference(cli, own: Path, other: Path) -> None:
+    """All frames are there, and no point lies elsewhere."""
+    table = other.with_name("agree.csv")
+    done = cli("agree", own, other, "-t", "0.01", "-o", table)
+    assert done.exit_code == 0, done.output
+    assert f"Agreement of {len(_expected(own))} frames" in done.stdout
+    assert "100.00" in done.stdout
+
+
+@pytest.mark.parametrize("suffix", ["csv", "parquet"])
+@pytest.mark.parametrize("program", ["pandas", "duckdb"])
+def test_tables_are_read(
+    client: Client, cli, sample_data: Path, tmp_path: Path, program: str, suffix: str
+) -> None:
+    if suffix == "parquet":
+        pytest.importorskip("pyarrow", reason="pyarrow is not installed")
+    table = tmp_path / f"scores.{suffix}"
+    done = cli("evaluate", sample_data, sample_data / "cameras" / "bad", "--table", table)
+    assert done.exit_code == 0, done.output
+    read = client(program, table)
+    assert read["rows"] == len(_expected(sample_data))
+    assert {"frame", "jac"} <= {name.lower() for name in read["columns"]}

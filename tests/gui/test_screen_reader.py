@@ -1,0 +1,86 @@
+"""What a screen reader is told: whatever takes the keyboard has a name and a role."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractScrollArea,
+    QScrollArea,
+    QScrollBar,
+    QTabWidget,
+    QToolBar,
+    QToolButton,
+    QWidget,
+)
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
+from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.picture.split_view import DividerGrip
+from procc_annotator.gui.window.docks import DESKS
+
+# The offscreen platform has no window manager to pass these on to.
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+_NONE = (QAccessible.Role.NoRole, QAccessible.Role.Client, QAccessible.Role.Border)
+# What Qt has no word for is painted by the program: such widgets are read by name alone.
+_PAINTED = (Canvas, FieldMapPanel, DividerGrip, QScrollArea, QTabWidget)
+
+
+def taking_keys(window: QWidget) -> list[QWidget]:
+    """All that the keyboard can reach, in sight or behind tabs; what Qt puts within it is not."""
+    found = []
+    for widget in window.findChildren(QWidget):
+        reached = widget.focusPolicy() & Qt.FocusPolicy.TabFocus
+        of_a_bar = isinstance(widget, QToolButton) and isinstance(widget.parent(), QToolBar)
+        within = widget.objectName().startswith("qt_") or isinstance(widget, QScrollBar)
+        leads_on = widget.focusProxy() is not None or widget.window() is not window.window()
+        viewport = isinstance(widget.parent(), QAbstractScrollArea)
+        empty = isinstance(widget, QAbstractButton) and widget.isHidden()  # it says nothing yet
+        if (reached or of_a_bar) and not (within or leads_on or viewport or empty):
+            found.append(widget)
+    return found
+
+
+def unnamed(window: QWidget) -> dict[str, str]:
+    """What has no name or no role of use, by its class and object name."""
+    found = {}
+    for widget in taking_keys(window):
+        told = QAccessible.queryAccessibleInterface(widget)
+        name = told.text(QAccessible.Text.Name)
+        if not name.strip() or (told.role() in _NONE and not isinstance(widget, _PAINTED)):
+            ours = (
+                f"{type(widget).__name__} {widget.objectName()} in {type(widget.parent()).__name__}"
+            )
+            found[ours] = f"{name!r} {told.role().name}"
+    return found
+
+
+def test_everything_that_takes_the_keyboard_says_what_it_is(audited: MainWindow) -> None:
+    for desk in DESKS:
+        audited.turn_to(desk)
+        for name in DESKS[desk]:
+            audited.show_panel(name)
+    assert len(taking_keys(audited)) > 60
+    assert unnamed(audited) == {}
+
+
+@pytest.mark.parametrize("action", ["settings", "keys"])
+def test_so_does_everything_of_a_dialog(window: MainWindow, action: str) -> None:
+    window.actions_[action].trigger()
+    dialog = next(
+        w for w in window.children() if isinstance(w, QWidget) and w.isWindow() and w.isVisible()
+    )
+    assert unnamed(dialog) == {}
+    assert dialog.windowTitle()
+    dialog.close()
+
+
+def test_the_picture_says_what_comes_next(window: MainWindow) -> None:
+    window.document.select_class("Middle line")
+    told = QAccessible.queryAccessibleInterface(window.canvas)
+    assert told.text(QAccessible.Text.Name) == "Picture"
+    assert "DRAW Halfway line" in told.text(QAccessible.Text.Description)
