@@ -49,6 +49,19 @@ def test_the_wheel_is_what_runs(installed: Path) -> None:
     assert Path(where.stdout.strip()).is_relative_to(installed)
 
 
+def test_the_wheel_brings_the_guide_and_its_icons(installed: Path) -> None:
+    code = (
+        "from procc_annotator.gui.window.guide import guide_folder;"
+        "from procc_annotator.resources import resources_dir;"
+        "print(guide_folder()); print(resources_dir() / 'icons' / 'undo.svg')"
+    )
+    guide, icon = map(Path, run(installed, "-c", code).stdout.split())
+    assert guide.is_relative_to(installed)
+    assert {path.suffix for path in guide.iterdir()} == {".md"}
+    assert icon.is_relative_to(installed)
+    assert icon.is_file()
+
+
 def test_the_wheel_finds_its_field(installed: Path) -> None:
     code = (
         "from procc_annotator.field.load import load_field;"

@@ -108,7 +108,8 @@ def _root(known: Recipe, recipe: Path, data: Path | None) -> Path:
         if not missing:
             return place
     raise UsageError(
-        f"{missing[0]}: is not in {data}" if data is not None
+        f"{missing[0]}: is not in {data}; --data names the folder that it lies in by that path"
+        if data is not None
         else f"{missing[0]}: is not beside the recipe; say where with --data DIR"
     )  # fmt: skip
 

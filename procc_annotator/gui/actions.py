@@ -356,9 +356,9 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("View", "loupe", "Loupe", "Shift+Z", "canvas.set_loupe_always",
           "Keep the loupe at the cursor (or hold Z; it also comes while a point is dragged)",
           checkable=True, remembered=True),
-    _spec("View", "strip", "Strip of the shot", "", "strip_place.set_wanted",
-          "Below the picture of a video, or of frames that follow one another: all of them, how"
-          " their cameras do, where they are annotated",
+    _spec("View", "strip", "Strip of frames", "", "strip_place.set_wanted",
+          "Below the picture: of a video, or of frames that follow one another, how their cameras"
+          " do and where they are annotated; of other frames small pictures with their states",
           checkable=True, remembered=True, checked=True),
     _spec("View", "plots", "Plots", "F5", "show_panel",
           "Errors and JaC of the frame or the set as plots, of all shown sources", args=("plots",)),
@@ -454,6 +454,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Show all actions and their keys on one sheet"),
     _spec("Help", "keymap", "Change keys…", "", "commands.change_keys",
           "Give actions and elements other keys, or take those of another program"),
+    _spec("Help", "guide", "User guide", "", "commands.show_guide",
+          "The guide that comes with the program; it needs no network"),
     _spec("Help", "about", "About ProCC Annotator", "", "commands.about",
           "Version"),
 )

@@ -98,7 +98,9 @@ def main(
     start_lean()
     app = application()
     QTimer.singleShot(0, partial(collect_between_gestures, app))  # once the window is there
-    return run(app, build_window(path, annotations=annotations, cameras=cameras, field=field))
+    window = build_window(path, annotations=annotations, cameras=cameras, field=field)
+    window.coach.begin()
+    return run(app, window)
 
 
 def start_lean() -> None:

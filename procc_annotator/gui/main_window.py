@@ -43,6 +43,7 @@ from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import UNSAVED, Told
 from procc_annotator.gui.state.state import State
+from procc_annotator.gui.strip.filmstrip import Filmstrip
 from procc_annotator.gui.strip.place import StripPlace
 from procc_annotator.gui.strip.shot_strip import ShotStrip
 from procc_annotator.gui.tasks.elements.assistant import Assistant
@@ -70,6 +71,7 @@ from procc_annotator.gui.tasks.review.worst_first import WorstFirst
 from procc_annotator.gui.tasks.shot.accepting import StretchAccepting
 from procc_annotator.gui.tasks.shot.following import ShotFollowing
 from procc_annotator.gui.tasks.shot.walking import ShotWalk
+from procc_annotator.gui.window.coach import Coach
 from procc_annotator.gui.window.command_palette import CommandPalette
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
@@ -104,8 +106,8 @@ class MainWindow(QMainWindow):
             self.settings, self.document, self.canvas, lambda name: self.actions_[name]
         )
         self._make_tasks()
-        self._make_centre()
         self._make_panels()
+        self._make_centre()
         self.actions_ = Actions(self, self.canvas)
         ActionStates(self.document, self.actions_, self)
         self._docks.turned = self._show_desk
@@ -137,6 +139,8 @@ class MainWindow(QMainWindow):
             self.settings,
         )
         self.keys_back = KeysBack(self.canvas)
+        self.coach = Coach(self.document, self.canvas, self.actions_, self.settings)
+        self.bars.heightChanged.connect(self.coach.set_covered)
         self.focus_ring = FocusRing(self)
         self.element_shortcuts = ElementShortcuts(self, self.document)
         self.digit_row = DigitRow(self)
@@ -205,8 +209,10 @@ class MainWindow(QMainWindow):
         column.addWidget(self.pages)
         self.strip = ShotStrip(self.document)
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
-        self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip)
+        self.filmstrip = Filmstrip(self.document, self.frames.model)
+        self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip, self.filmstrip)
         column.addWidget(self.strip)
+        column.addWidget(self.filmstrip)
         self.import_bar = ImportBar()
         self.import_offer = ImportOffer(self.document, self.importer, self.import_bar)
         self._bars = (

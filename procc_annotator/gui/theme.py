@@ -60,6 +60,7 @@ _TEXT_ROLES = (
 # (background, text) of lines that want attention; both pairs have a contrast above 7:1.
 _ALARM = {False: ("#fde3d6", "#6b2200"), True: ("#5a2408", "#ffe3d3")}
 
+LEAST_CONTRAST = 3.0  # of signs and lines against what is behind them (WCAG 2, 1.4.11)
 _THEME, _USUAL_SIZE = "theme", "usualTextSize"  # properties of the application
 
 
@@ -167,3 +168,33 @@ def muted(palette: QPalette, share: float = 0.35) -> QColor:
 def follow_theme(view: QGraphicsView) -> None:
     """Have a plot's ground painted in the theme of the moment; pyqtgraph's views keep the first."""
     view.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
+
+
+def readable(colour: str, palette: QPalette, least: float = LEAST_CONTRAST) -> QColor:
+    """A colour as it is, or nearer to the text's where it would hardly be seen.
+
+    Args:
+        least: contrast to the ground of lists and plots.
+    """
+    base = palette.color(QPalette.ColorRole.Base)
+    text = palette.color(QPalette.ColorRole.Text)
+    asked = QColor(colour)
+    for share in range(20):
+        tone = blend(asked, text, share / 20)
+        if contrast(tone, base) >= least:
+            return tone
+    return text
+
+
+def contrast(a: QColor, b: QColor) -> float:
+    """The contrast ratio of two colours by WCAG 2, 1 to 21."""
+    lighter, darker = sorted((_luminance(a), _luminance(b)), reverse=True)
+    return (lighter + 0.05) / (darker + 0.05)
+
+
+def _luminance(colour: QColor) -> float:
+    parts = (
+        c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
+        for c in (colour.redF(), colour.greenF(), colour.blueF())
+    )
+    return sum(share * part for share, part in zip((0.2126, 0.7152, 0.0722), parts, strict=True))

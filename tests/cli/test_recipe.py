@@ -74,6 +74,14 @@ def test_it_is_repeated_elsewhere(cli, recipe: Path, data: Path, tmp_path: Path)
     assert cli("repeat", beside).exit_code == 0
 
 
+def test_a_folder_that_is_not_the_one_meant_is_told_what_is(cli, recipe: Path, data: Path) -> None:
+    done = cli("repeat", recipe, "--data", data / "cameras")
+    assert done.exit_code == 2
+    said = " ".join(done.stderr.split())
+    assert "is not in" in said
+    assert "--data names the folder that it lies in by that path" in said
+
+
 def test_what_differs_is_said(cli, recipe: Path, data: Path, tmp_path: Path) -> None:
     (data / "00001.json").unlink()
     camera = data / "cameras" / "true" / "camera_00002.json"

@@ -93,3 +93,30 @@ def test_third_level_keys_are_none_of_its_business(window: MainWindow) -> None:
     window.document.select_class(None)
     assert not strike(window.canvas, 7, Qt.Key.Key_BraceLeft, "{", ALTGR)
     assert window.document.selected_class is None
+
+
+def test_the_german_and_swiss_point_says_not_visible(window: MainWindow) -> None:
+    window.document.select_class("Middle line")
+    strike(window.canvas, 51, Qt.Key.Key_Period, ".")
+    frame = window.document.frame
+    assert frame is not None
+    assert "Middle line" in window.document.review.not_visible(frame.name)
+
+
+def test_the_swiss_and_german_comma_blinks_as_it_is_held(window: MainWindow) -> None:
+    strike(window.canvas, 50, Qt.Key.Key_Comma, ",")
+    assert "blink" in window.status.hint.text()
+
+
+@pytest.mark.parametrize(
+    ("place", "key", "text"),
+    [(7, Qt.Key.Key_Slash, "/"), (8, Qt.Key.Key_ParenLeft, "("), (1, Qt.Key.Key_Plus, "+")],
+)
+def test_swiss_digits_with_shift(window: MainWindow, place: int, key: Qt.Key, text: str) -> None:
+    window.document.select_class(None)
+    before = window.document.tau
+    strike(window.canvas, place, key, text, SHIFT)
+    chosen = window.document.selected_class
+    shortcuts = {e.shortcut: e.name for e in window.document.field.elements}
+    assert chosen == shortcuts.get(f"Shift+{place}")
+    assert window.document.tau == before

@@ -203,6 +203,15 @@ class TestTab:
         assert told[-1].startswith("no ghosts in blind mode")
         assert "choose an element first" in told[-1]
 
+    def test_in_a_dataset_that_is_locked_to_it(
+        self, begun: MainWindow, hand: Hand, told: list[str]
+    ) -> None:
+        """Neither committing the frame nor the live fit's key brings any."""
+        begun.document.blind_lock.set_locked(True)
+        said = self.says(begun, hand, told)
+        assert said.startswith("no ghosts: ")
+        assert "locked this dataset to blind mode" in said
+
     def test_switched_off(self, begun: MainWindow, hand: Hand, told: list[str]) -> None:
         begun.actions_["ghosts"].trigger()
         assert "they are switched off" in self.says(begun, hand, told)

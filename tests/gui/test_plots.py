@@ -21,11 +21,12 @@ from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.plots.curves import DifferencePage, TauPage, TimelinePage
 from procc_annotator.gui.plots.errors import HistogramPage, RadiusPage
-from procc_annotator.gui.plots.looks import contrast, dash_of, readable, symbol_of
+from procc_annotator.gui.plots.looks import dash_of, symbol_of
 from procc_annotator.gui.plots.poses import AnglesPage, PosesPage, PositionPage
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
 from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
 from procc_annotator.gui.plots.steady import SteadyPage
+from procc_annotator.gui.theme import contrast, readable
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from tests.cli.conftest import camera_file
 from tests.gui.conftest import MakeWindow, all_done

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.theme import is_dark, palette
+from procc_annotator.gui.theme import palette
 from procc_annotator.gui.window.icon_button import IconButton
 from procc_annotator.resources import resources_dir
 from tests.gui.conftest import Hand
@@ -65,15 +65,15 @@ def test_pan_moves_the_picture_until_esc(window: MainWindow, hand: Hand, qtbot: 
 
 
 @pytest.mark.parametrize("dark", [False, True])
-def test_icons_stand_out_in_both_themes(window: MainWindow, dark: bool) -> None:
-    before = is_dark(QApplication.palette())
-    window.setPalette(palette(dark))
+def test_icons_stand_out_in_both_themes(window: MainWindow, qapp: QApplication, dark: bool) -> None:
+    before = qapp.palette()
+    qapp.setPalette(palette(dark))
     try:
         for button in window.rail.findChildren(IconButton):
             shade = grey(button.grab().toImage())
             assert np.ptp(shade) > 100, button.objectName()
     finally:
-        window.setPalette(palette(before))
+        qapp.setPalette(before)
 
 
 def test_every_icon_is_drawn_in_one_style() -> None:

@@ -34,6 +34,7 @@ KEPT = {
     "recent",
     "own_fields",
     "called",
+    "coached",
     "keys",
     "sources",
     "snapping",

@@ -181,19 +181,6 @@ class TestWhereItIs:
         window.actions_["strip"].trigger()
         assert window.strip.isVisible()
 
-    def test_where_there_is_none_switching_it_on_says_why(
-        self, make_window: MakeWindow, dataset: Path, qtbot: QtBot
-    ) -> None:
-        window = make_window(dataset)
-        all_done(qtbot)
-        said: list[str] = []
-        window.document.message.connect(lambda text, _: said.append(text))
-
-        for _ in range(2):
-            window.actions_["strip"].trigger()
-
-        assert said == ["the strip is for frames that follow one another: these do not"]
-
 
 class TestHands:
     def test_a_click_goes_to_a_frame_and_a_drag_along_them(

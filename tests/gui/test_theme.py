@@ -12,8 +12,7 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QListWidgetItem, QRadioBu
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.panels.review import CommentList
-from procc_annotator.gui.plots.looks import contrast
-from procc_annotator.gui.theme import blend, is_dark, muted, palette, wear
+from procc_annotator.gui.theme import blend, contrast, is_dark, muted, palette, wear
 
 ROLE = QPalette.ColorRole
 TEXTS = (ROLE.WindowText, ROLE.PlaceholderText, ROLE.Link)

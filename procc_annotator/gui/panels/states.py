@@ -10,7 +10,8 @@ from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPen, QPixmap
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.theme import muted
+from procc_annotator.gui.theme import is_dark, muted, readable
+from procc_annotator.gui.theme import palette as theme_palette
 from procc_annotator.interact import palette as tones
 
 
@@ -86,14 +87,22 @@ def class_colour(field: Field, class_name: str) -> QColor:
 
 
 def state_colour(state: ElementState, palette: QPalette) -> QColor:
-    """The tone of a state; the neutral ones follow the theme."""
-    if state is ElementState.UNCONFIRMED:
-        return QColor(tones.UNCONFIRMED)
-    tone = tones.STATUS_COLOURS.get(state.value)
+    """The tone of a state, as far from the ground as a sign has to be; the neutral ones follow the
+    theme."""
+    unconfirmed = state is ElementState.UNCONFIRMED
+    tone = tones.UNCONFIRMED if unconfirmed else tones.STATUS_COLOURS.get(state.value)
     if tone is not None:
-        return QColor(tone)
+        return QColor(_toned(tone, is_dark(palette)))
     strong = state in (ElementState.ANNOTATED, ElementState.NEXT)
-    return muted(palette, 0.1 if strong else 0.5)
+    return muted(palette, 0.1 if strong else 0.4)
+
+
+_LEAST = 3.6  # of contrast to the ground of lists; the field map's is a little darker
+
+
+@lru_cache(maxsize=64)
+def _toned(tone: str, dark: bool) -> QColor:
+    return readable(tone, theme_palette(dark), _LEAST)
 
 
 def state_pen(state: ElementState, palette: QPalette, width: float) -> QPen:

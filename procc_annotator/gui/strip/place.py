@@ -1,4 +1,5 @@
-"""When the strip is there: for frames that follow one another, and never coming while a hand works.
+"""When a strip is there, and which: that of the shot for frames that follow one another, small
+pictures for others; neither comes while a hand works.
 
 It takes room from the picture, which must not move under a click: found out late, it waits for the
 next frame unless nothing was begun in this one.
@@ -10,17 +11,22 @@ from PySide6.QtCore import QObject
 
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.strip.filmstrip import Filmstrip
 from procc_annotator.gui.strip.shot_strip import ShotStrip
 
 
 class StripPlace(QObject):
-    """Shows and hides the strip."""
+    """Shows and hides both strips."""
 
-    def __init__(self, document: Document, editor: Editor, strip: ShotStrip) -> None:
+    def __init__(
+        self, document: Document, editor: Editor, strip: ShotStrip, filmstrip: Filmstrip
+    ) -> None:
         super().__init__(strip)
         self._document, self._editor, self._strip = document, editor, strip
+        self._filmstrip = filmstrip
         self._wanted, self._begun = True, False
         strip.setVisible(False)
+        filmstrip.setVisible(False)
         document.datasetChanged.connect(self._begin)
         document.frameChanged.connect(self._begin)
         document.sequence.changed.connect(self._look)
@@ -41,11 +47,6 @@ class StripPlace(QObject):
         """Show it where there is one, or do not."""
         self._wanted = wanted
         self._show()
-        if wanted and self._document.frame is not None and self._document.sequence.value is None:
-            why = "it is being looked whether they do"
-            if not self._document.sequence.working:
-                why = "these do not"
-            self._document.say(f"the strip is for frames that follow one another: {why}")
 
     def _begin(self) -> None:
         """A frame came whole."""
@@ -60,4 +61,9 @@ class StripPlace(QObject):
             self._show()
 
     def _show(self) -> None:
-        self._strip.setVisible(self._wanted and self._document.sequence.value is not None)
+        sequence, workspace = self._document.sequence, self._document.workspace
+        follow = sequence.value is not None
+        several = workspace is not None and len(workspace.frames) > 1
+        self._strip.setVisible(self._wanted and follow)
+        known = follow or not sequence.working
+        self._filmstrip.setVisible(self._wanted and several and known and not follow)

@@ -9,6 +9,7 @@ from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.settings import AUTHOR, KEYS
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import Mode
+from procc_annotator.gui.window.guide import Guide, guide_folder
 from procc_annotator.gui.window.key_sheet import KeySheet
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.options import Options
@@ -30,6 +31,7 @@ class Commands:
         self._dialog: SettingsDialog | None = None
         self._window = window
         self._sheet: KeySheet | None = None
+        self._guide: Guide | None = None
 
     # --- stepping and choosing ------------------------------------------------------------
 
@@ -100,6 +102,18 @@ class Commands:
             self._dialog = SettingsDialog(self._options, self._window)
             self._dialog.keysWanted.connect(self.change_keys)
         self._dialog.open_at(key)
+
+    def show_guide(self) -> None:
+        """Open the user guide beside the window, or bring it to the front."""
+        folder = guide_folder()
+        if folder is None:
+            self._document.say("this installation came without its user guide", "warning")
+            return
+        if self._guide is None:
+            self._guide = Guide(folder, self._window)
+        self._guide.show()
+        self._guide.raise_()
+        self._guide.activateWindow()
 
     def ask_author(self) -> None:
         """Show where the name is entered that points, comments and versions bear."""

@@ -65,6 +65,11 @@ _WAYS = {
 }
 
 
+def ground_colour(palette: QPalette) -> QColor:
+    """The field's surface, on either theme."""
+    return blend(palette.color(QPalette.ColorRole.Base), QColor("#3f9b4f"), 0.14)
+
+
 class FieldMapPanel(QWidget):
     """Displays the document's field, annotation, score, selection and hover; clicks select."""
 
@@ -274,8 +279,7 @@ class FieldMapPanel(QWidget):
         )
 
     def _paint_ground(self, painter: QPainter, placed: Placement) -> None:
-        base = self.palette().color(QPalette.ColorRole.Base)
-        painter.fillRect(placed.ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
+        painter.fillRect(placed.ground.adjusted(-4, -4, 4, 4), ground_colour(self.palette()))
 
     def _paint_metres(self, painter: QPainter, placed: Placement) -> None:
         """Bands of the map in metres that is shown, as far as the field reaches."""

@@ -67,14 +67,15 @@ class FrameDelegate(QStyledItemDelegate):
         rect = rect.adjusted(indent(info.depth), 0, 0, 0)
         thumb = QRect(rect.left() + _PAD, 0, _THUMB.width(), _THUMB.height())
         thumb.moveTop(rect.center().y() - _THUMB.height() // 2)
-        _paint_thumbnail(painter, thumb, info.thumbnail, blend(base, text, 0.12))
+        paint_thumbnail(painter, thumb, info.thumbnail, blend(base, text, 0.12))
         words = rect.adjusted(_THUMB.width() + 2 * _PAD + 2, _PAD, -_PAD - 2, -_PAD)
         font: QFont = option.font
         _paint_words(painter, words, info, font, text, quiet, palette, selected)
         painter.restore()
 
 
-def _paint_thumbnail(painter: QPainter, box: QRect, image: QImage | None, empty: QColor) -> None:
+def paint_thumbnail(painter: QPainter, box: QRect, image: QImage | None, empty: QColor) -> None:
+    """Paint a small picture into a box, as large as it fits; crossed where there is none."""
     if image is None:
         painter.fillRect(box, empty)
         return

@@ -105,6 +105,8 @@ class GhostTasks(QObject):
     def _why_off(self) -> str:
         """Why no ghosts are shown, whatever the clicks say; empty if they are."""
         live_fit = self._document.live_fit
+        if barred := self._document.blind_lock.no_fit:
+            return f"no ghosts: {barred}"
         if not live_fit.allowed:
             return "no ghosts in blind mode, until the frame is committed (Ctrl+Enter)"
         if not self._document.foresight.wanted:
