@@ -140,6 +140,7 @@ class MainWindow(QMainWindow):
         )
         self.keys_back = KeysBack(self.canvas)
         self.coach = Coach(self.document, self.canvas, self.actions_, self.settings)
+        self.bars.heightChanged.connect(self.coach.set_covered)
         self.focus_ring = FocusRing(self)
         self.element_shortcuts = ElementShortcuts(self, self.document)
         self.digit_row = DigitRow(self)

@@ -56,6 +56,10 @@ def test_clicks_go_through_it_and_a_cross_puts_it_away(window: MainWindow) -> No
     assert canvas.viewport().childAt(below) in (None, coach.card)
     under = window.childAt(canvas.viewport().mapTo(window, below))
     assert under is canvas.viewport()  # which is who gets the click
+    window.document.say("a colleague has this frame", "warning")
+    bars = window.bars
+    bottom = bars.mapTo(window, QPoint(0, bars.height())).y()
+    assert card.mapTo(window, QPoint(0, 0)).y() >= bottom  # no bar lies over it
     QTest.mouseClick(coach.close_button, Qt.MouseButton.LeftButton)
     assert not card.isVisible()
     assert Settings().get(COACHED)

@@ -38,6 +38,7 @@ class Coach(QObject):
         self._actions = actions
         self.done = [False, False, False]
         self._going = False
+        self._covered = 0
         viewport = canvas.viewport()
         self.card = _Card(viewport)
         self.close_button = _Close(viewport, self.end)
@@ -72,6 +73,11 @@ class Coach(QObject):
         """Put it away for ever."""
         self._going = False
         self._settings.set(COACHED, True)
+        self._show()
+
+    def set_covered(self, height: int) -> None:
+        """Bars lie over the top of the picture: the steps stand below them, screen px."""
+        self._covered = height
         self._show()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -116,7 +122,7 @@ class Coach(QObject):
         size = self.card.wanted_size()
         viewport = self._canvas.viewport()
         width = min(size.width(), viewport.width() - 2 * _BESIDE)
-        corner = QPoint(viewport.width() - width - _BESIDE, _BESIDE)
+        corner = QPoint(viewport.width() - width - _BESIDE, self._covered + _BESIDE)
         self.card.put(QRect(corner, QSize(width, size.height())))
         side = self.card.fontMetrics().height() + 6
         self.close_button.put(QRect(corner.x() + width - side - 4, corner.y() + 4, side, side))
