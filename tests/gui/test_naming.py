@@ -143,7 +143,7 @@ def test_a_camera_known_from_few_clicks_names_every_line_in_sight(
     begun: MainWindow, sample_data: Path
 ) -> None:
     """Also those that it knows too little of for a ghost, and while it is fitted anew."""
-    document, size = begun.document, begun.document.picture_size
+    size = begun.document.picture_size
     assert size is not None
     truth = json.loads((sample_data / "00002.json").read_text())
     missing = [name for name in truth if name not in KEPT and len(truth[name]) > 1]
