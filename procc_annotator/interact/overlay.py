@@ -177,7 +177,8 @@ class OverlayBuilder:
         yield from self._paint(paint, score, shown.size, shown.picture_size)
         yield from self._unconfirmed(waiting)
         yield from self._annotated(drawn, verdict, shown.field if by_class else None)
-        yield from self._in_hand(shown.draft, (drawn, waiting), shown.field, shown.band)
+        goes_on = (drawn, waiting) if shown.draft is not None else ()
+        yield from self._in_hand(shown.draft, goes_on, shown.field, shown.band)
 
     def _marks(self, shown: ToDraw, verdict: Verdicts, by_class: bool) -> Iterator[PointMarks]:
         drawn, origins, colour_by = self._drawn, shown.origins, shown.colour_by

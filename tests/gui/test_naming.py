@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -9,7 +13,7 @@ from PySide6.QtWidgets import QMenu
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import Hand, ReadPoints
+from tests.gui.conftest import KEPT, Hand, ReadPoints
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -133,3 +137,17 @@ def test_it_can_be_switched_off(window: MainWindow, hand: Hand) -> None:
     hand.click(100, 100)
     assert not window.canvas.editor.drawing
     assert "choose an element first" in window.document.state.told.text
+
+
+def test_a_camera_known_from_few_clicks_names_every_line_in_sight(
+    begun: MainWindow, sample_data: Path
+) -> None:
+    """Also those that it knows too little of for a ghost, and while it is fitted anew."""
+    size = begun.document.picture_size
+    assert size is not None
+    truth = json.loads((sample_data / "00002.json").read_text())
+    missing = [name for name in truth if name not in KEPT and len(truth[name]) > 1]
+    assert len(missing) >= 5
+    for name in missing:
+        points = np.array([(p["x"], p["y"]) for p in truth[name]]) * (size[0] - 1, size[1] - 1)
+        assert begun.naming._likely(points)[0] == name

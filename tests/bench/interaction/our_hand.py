@@ -18,7 +18,8 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QPoint, QSettings, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -74,10 +75,7 @@ class OurHand:
     """Does what is measured."""
 
     def __init__(self, window: MainWindow, watch: Stopwatch) -> None:
-        from tests.gui.conftest import Hand
-
         self.window, self.document, self.watch = window, window.document, watch
-        self.hand = Hand(window)
         self.longest: list[float] = []
 
     def quiet(self) -> bool:
@@ -119,22 +117,22 @@ class OurHand:
     def _drag(self, row: str, turn: int) -> None:
         polyline = self.document.annotation.get(ELEMENT)
         point = polyline.points[0]
-        grip = self.hand.at(point.u * 1919, point.v * 1079)
+        grip = self.window.canvas.to_view(point.u * 1919, point.v * 1079).toPoint()
         viewport = self.window.canvas.viewport()
-        self.hand._move(grip, Qt.MouseButton.NoButton)
+        self._move(grip, Qt.MouseButton.NoButton)
         self.rest()
         QTest.mousePress(viewport, LEFT, NONE, grip)
         self.rest()
         for i in range(40):
             at = grip + QPoint(3 + (i + turn) % 40, (7 * i) % 30)
-            self.watch.time(row, lambda at=at: self.hand._move(at, LEFT))
+            self.watch.time(row, lambda at=at: self._move(at, LEFT))
         self.rest()
         release = "release of a drag, saved and shown"
         self.watch.time(release, lambda: QTest.mouseRelease(viewport, LEFT, NONE, at))
         self.rest()
 
     def _draw(self) -> None:
-        document, watch, hand = self.document, self.watch, self.hand
+        document, watch, canvas = self.document, self.watch, self.window.canvas
         document.set_mode("draw")
         name = next(
             e.name for e in document.field.elements if document.annotation.get(e.name) is None
@@ -145,14 +143,23 @@ class OurHand:
             self.rest()
             for i in range(5):
                 at = ground[0].u * 1919 + 20 * i + turn, ground[0].v * 1079 + 15 * i
-                hand.move(*at)
+                px = canvas.to_view(*at).toPoint()
+                self._move(px, Qt.MouseButton.NoButton)
                 self.rest(0.02)
-                watch.time("click that snaps", lambda at=at: hand.click(*at))
+                click = partial(QTest.mouseClick, canvas.viewport(), LEFT, NONE, px)
+                watch.time("click that snaps", click)
             row = "an element finished (Enter), shown"
-            watch.time(row, lambda: hand.key(Qt.Key.Key_Return))
+            watch.time(row, partial(QTest.keyClick, canvas, Qt.Key.Key_Return))
             self.rest()
             document.undo()
             self.rest()
+
+    def _move(self, at: QPoint, held: Qt.MouseButton) -> None:
+        # QTest.mouseMove sets the one cursor of the platform, which other windows may lie under.
+        viewport = self.window.canvas.viewport()
+        kind, over = QEvent.Type.MouseMove, QPointF(viewport.mapToGlobal(at))
+        event = QMouseEvent(kind, QPointF(at), over, Qt.MouseButton.NoButton, held, NONE)
+        QApplication.sendEvent(viewport, event)
 
     def walk(self, first: int) -> None:
         """Frame after frame; each prefetched, or each jumped to."""

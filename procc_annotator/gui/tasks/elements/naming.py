@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QMenu
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import FloatArray
+from procc_annotator.fit.predict.sight import stretches_in_sight
+from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.panels.states import class_swatch
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
@@ -29,7 +31,21 @@ class Naming(QObject):
         super().__init__(canvas)
         self._document, self._canvas, self._edits = document, canvas, edits
         self.menu: QMenu | None = None
+        self._fit: FitResult | None = None  # the last camera of this frame
         canvas.editor.lineFinished.connect(self._ask_soon)
+        document.frameChanged.connect(self._forget)
+        document.foresight.changed.connect(self._learn)
+        document.blindChanged.connect(self._forget)
+
+    def _forget(self) -> None:
+        self._fit = None
+        self._learn()
+
+    def _learn(self) -> None:
+        """A camera stays known while the line that was just drawn makes another one."""
+        insight = self._document.foresight.insight
+        if insight is not None:
+            self._fit = insight.fit
 
     def _ask_soon(self, class_name: str) -> None:
         document = self._document
@@ -78,10 +94,13 @@ class Naming(QObject):
         following = next_element(field, annotation, last, before)
         usual = [following] if following is not None else []
         usual += [e.name for e in field.elements if e.name not in there and not e.optional]
-        insight = document.foresight.insight
-        ghosts = insight.ghosts if insight is not None else document.ghosts.painted
-        if ghosts:
-            courses = {g.name: [piece.points_px for piece in g.pieces] for g in ghosts}
+        fit = self._fit if document.foresight.allowed else None
+        if fit is not None and fit.camera is not None:
+            # All that it has in sight, also what it knows too little of for a ghost: which of them
+            # a line is can be told from much farther off.
+            courses: dict[str, list[FloatArray]] = {}
+            for stretch in stretches_in_sight(field, fit.camera, fit.size, there):
+                courses.setdefault(stretch.name, []).append(stretch.points_px)
             return likeliest(drawn, courses, usual, farthest=_FARTHEST * size[0])
         return likeliest(drawn, self._before(size, there), usual)
 
