@@ -329,9 +329,10 @@ class MainWindow(QMainWindow):
         frame = self.document.frame
         if not self.document.saver.problems:
             self.message_bar.grow_old()
+        opened = frame is not None and self.pages.currentWidget() is self.welcome
         self.pages.setCurrentWidget(self.welcome if frame is None else self.canvas)
         self._refresh_frame_bar()
-        if frame is not None and not self.canvas.hasFocus() and self.frames.isHidden():
+        if opened or (frame is not None and not self.canvas.hasFocus() and self.frames.isHidden()):
             self.canvas.setFocus()
 
     def _fit_below_bars(self) -> None:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QDoubleSpinBox, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import Hand
 
@@ -20,6 +23,18 @@ def press(*keys: Qt.Key | str) -> None:
         focused = QApplication.focusWidget()
         assert focused is not None
         QTest.keyClick(focused, key)
+
+
+@pytest.mark.new_window
+def test_the_first_key_in_a_new_window_is_for_the_picture(dataset: Path, qtbot: QtBot) -> None:
+    window = build_window(dataset)
+    qtbot.addWidget(window)
+    with qtbot.waitActive(window):
+        window.show()
+        window.activateWindow()
+    press("d")
+    assert window.document.frame_index == 1
+    window.document.close()
 
 
 @pytest.mark.parametrize(("end", "tau"), [(Qt.Key.Key_Return, 7.0), (Qt.Key.Key_Escape, 5.0)])
