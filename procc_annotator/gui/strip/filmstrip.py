@@ -35,7 +35,8 @@ _SIGNS = {
 
 
 class Filmstrip(QTableView):
-    """One row of the frames that the list of frames shows; a click goes to one."""
+    """One row of the frames that the list of frames shows, its folders among them; a click goes to
+    one."""
 
     def __init__(self, document: Document, frames: FramesModel) -> None:
         super().__init__()
@@ -95,8 +96,12 @@ class Filmstrip(QTableView):
         self.verticalHeader().setDefaultSectionSize(size.height())
 
     def _go(self, index: QModelIndex) -> None:
-        if (frame := self._frames.frame_index(index.column())) >= 0:
-            self._document.walk.come_to(frame)
+        """As in the list: a frame is gone to, a folder folded or unfolded."""
+        frames, row = self._frames, index.column()
+        if (folder := frames.folder_at(row)) is not None:
+            frames.fold(folder, not frames.is_folded(folder))
+        else:
+            self._document.walk.come_to(frames.frame_index(row))
 
     def _follow(self) -> None:
         """The frame on screen is marked and in sight."""
