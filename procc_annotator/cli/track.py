@@ -243,7 +243,7 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
     return (
         f"{stopped.written} of {count_of(stopped.total, 'frame')} are in {out}/{TABLE_FILE}; run it"
-        " again to go on with the shot that was not done"
+        " again: shots that are done stay, the others are followed from their beginning"
     )
 
 
