@@ -91,28 +91,28 @@ def interval_columns(figure: Figure) -> tuple[Column, Column]:
 
 
 def differences_sheet(certainty: Certainty, described: str) -> Sheet:
-    """Every two sources on the frames both have, at every threshold."""
-    columns = [TAU, Column("a", "A"), Column("b", "B"), *map(counted, (SHARED, ONLY_A, ONLY_B))]
+    """Every two sources on the frames both have, at every threshold; what can be said of them stands
+    before the figures, where a narrow page shows it."""
+    columns = [TAU, Column("a", "A"), Column("b", "B"), Column("verdict", "JaC")]
     for figure, _ in DIFFERENCES:
         points = figure.unit.replace("%", "points")
         heading = f"{figure.title}, {points}"
         columns += [of(figure, heading=heading), *interval_columns(figure)]
-    columns += [of(P_VALUE), of(P_CORRECTED), Column("verdict", "JaC")]
+    columns += [of(P_VALUE), of(P_CORRECTED), *map(counted, (SHARED, ONLY_A, ONLY_B))]
     rows: list[tuple[Value, ...]] = []
     bold: set[tuple[int, int]] = set()
     for tau in certainty.thresholds:
         for pair in certainty.pairs:
-            row: list[Value] = [
-                tau, certainty.sources[pair.a].marked_name, certainty.sources[pair.b].marked_name,
-                pair.shared, len(pair.only_a), len(pair.only_b),
-            ]  # fmt: skip
+            names = (certainty.sources[k].marked_name for k in (pair.a, pair.b))
+            jac = pair.differences["mean_jac", tau]
+            row: list[Value] = [tau, *names, verdict(jac)]
             for _, key in DIFFERENCES:
                 found = pair.differences[key, tau]
                 if found.beyond_chance and certainty.may_be_bold(pair.a, pair.b, key):
                     bold.add((len(rows), len(row)))
                 row += [found.value, *ends_of(found.interval)]
-            jac = pair.differences["mean_jac", tau]
-            rows.append((*row, jac.p, jac.corrected, verdict(jac)))
+            frames = (pair.shared, len(pair.only_a), len(pair.only_b))
+            rows.append((*row, jac.p, jac.corrected, *frames))
     notes = (
         f"In brackets {certainty.described}.",
         "JaC and mean error are compared on the frames both sources have; frames that only one has"
