@@ -7,13 +7,14 @@ from PySide6.QtCore import QPoint
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from tests.gui.conftest import Hand
+from tests.gui.conftest import Hand, all_done
 
 
 @pytest.mark.parametrize("zoomed", [False, True])
 def test_no_bar_moves_what_is_under_the_cursor(
     window: MainWindow, hand: Hand, qtbot: QtBot, zoomed: bool
 ) -> None:
+    all_done(qtbot)  # the strip below the picture comes a moment after the frame
     canvas = window.canvas
     if zoomed:
         canvas.set_scale(4.0)
