@@ -91,8 +91,8 @@ def interval_columns(figure: Figure) -> tuple[Column, Column]:
 
 
 def differences_sheet(certainty: Certainty, described: str) -> Sheet:
-    """Every two sources on the frames both have, at every threshold; what can be said of them stands
-    before the figures, where a narrow page shows it."""
+    """Every two sources on the frames both have, at every threshold. The verdict stands before the
+    figures, where a narrow page shows it."""
     columns = [TAU, Column("a", "A"), Column("b", "B"), Column("verdict", "JaC")]
     for figure, _ in DIFFERENCES:
         points = figure.unit.replace("%", "points")
