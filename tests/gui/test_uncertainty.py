@@ -61,7 +61,7 @@ def test_what_is_seen_of_the_field_is_covered(shown: MainWindow) -> None:
         at = shown.canvas.to_view(x, y)
         assert changed[round(at.y()), round(at.x())] == covered, (x, y)
     covered_map = map_image(shown)
-    for ground, covered in ((SEEN, True), ((20.0, 5.0), False)):
+    for ground, covered in ((SEEN, True), ((5.0, 20.0), False)):
         at = shown.field_map.to_widget(*ground).toPoint()
         same = covered_map.pixelColor(at) == shown.plain_map.pixelColor(at)
         assert same != covered, ground
