@@ -6,7 +6,7 @@ UV_VERSION := 0.13.8
 STAMP := .venv/.ready
 BIN := .venv/bin
 
-.PHONY: help run test soak installed clients bundle setup lint format check bench screenshots example docs sample clean
+.PHONY: help run test soak installed clients bundle setup lint format check bench screenshots example docs sample languages clean
 
 help:
 	@echo "make run          open the window on sample_data/"
@@ -21,6 +21,7 @@ help:
 	@echo "make bench        print the benchmark figures"
 	@echo "make screenshots  take the README's pictures again"
 	@echo "make example      make the example report again (DATA=folder of the World Cup 2014 data)"
+	@echo "make languages    collect the window's texts, compile the translations, say what is missing"
 	@echo "make docs         build the documentation as a site in out/site/, which opens from there"
 	@echo "make sample       draw sample_data/ again"
 	@echo "make clean        remove .venv and everything built"
@@ -81,6 +82,11 @@ clients: setup
 # One folder with everything inside, by PyInstaller in an environment of its own.
 bundle: setup
 	$(BIN)/python packaging/build_bundle.py
+
+languages: setup
+	$(BIN)/python packaging/languages.py collect
+	$(BIN)/python packaging/languages.py compile
+	$(BIN)/python packaging/languages.py missing
 
 format: setup
 	$(BIN)/ruff check --fix .

@@ -17,8 +17,9 @@ from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QWidget
 
 from procc_annotator.field.model import Field
+from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.settings import APPLICATION, ORGANISATION
+from procc_annotator.gui.settings import APPLICATION, LANGUAGE, ORGANISATION, Settings
 from procc_annotator.gui.theme import follow_system
 from procc_annotator.resources import resources_dir
 
@@ -97,6 +98,7 @@ def main(
     """Show the window and run until it is closed; returns the exit code."""
     start_lean()
     app = application()
+    take_up(app, Settings().get(LANGUAGE))  # before anything is made that says something
     QTimer.singleShot(0, partial(collect_between_gestures, app))  # once the window is there
     window = build_window(path, annotations=annotations, cameras=cameras, field=field)
     window.coach.begin()

@@ -13,6 +13,7 @@ from PySide6.QtCore import QByteArray, QSettings
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.keymap import USUAL, Keymap, from_values, to_values
+from procc_annotator.gui.languages import LANGUAGES, SYSTEM
 from procc_annotator.gui.state.live_fit import DEFAULT_MODEL, MODELS
 from procc_annotator.gui.state.state import DEFAULT_TAU
 from procc_annotator.session.strokes.ghost_points import LEAST_SUPPORT
@@ -139,6 +140,10 @@ FONT_PERCENT = Setting("font_percent", NUMBER, 100.0,
                        "How large texts are, of what the system says; from the next start"
                        " on", shown=Shown("Appearance", "Size of texts", limits=(75, 200, 25),
                                           unit=" %"))
+LANGUAGE = Setting("language", _one_of(SYSTEM, *LANGUAGES), SYSTEM,
+                   "The language of the window; from the next start on. Files stay as they are",
+                   shown=Shown("Appearance", "Language",
+                               ((SYSTEM, "As the system"), *LANGUAGES.items())))
 AUTHOR = Setting("author", TEXT, "", "Whose name points, comments and versions bear; empty: that of"
                  " the system's user", shown=Shown("Annotating", "Your name"))
 TAU = Setting("tau", NUMBER, DEFAULT_TAU, "How far an annotated point may be from its element,"
@@ -201,8 +206,8 @@ SWITCHES: dict[str, Setting[bool]] = {
 # All that the dialog offers, group by group.
 # fmt: off
 OFFERED: tuple[Setting[Any], ...] = (
-    THEME, FONT_PERCENT, COLOUR_BY, AUTHOR, TAU, PROTOCOL, OFF_PLANE, FIT_MODEL, JUDGE_FIT,
-    GHOST_SUPPORT, *SWITCHES.values(),
+    THEME, FONT_PERCENT, LANGUAGE, COLOUR_BY, AUTHOR, TAU, PROTOCOL, OFF_PLANE, FIT_MODEL,
+    JUDGE_FIT, GHOST_SUPPORT, *SWITCHES.values(),
 )
 # fmt: on
 

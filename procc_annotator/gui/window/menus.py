@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QWidget
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
 from procc_annotator.gui.keymap import NATIVE, Keymap
 from procc_annotator.gui.state.document import Document
+from procc_annotator.language import tr
 
 
 class Actions:
@@ -68,7 +69,7 @@ class Actions:
         action.setToolTip(f"{tip}\n{reason}" if reason else tip)
 
     def _make(self, spec: ActionSpec, window: QMainWindow, canvas: QWidget) -> QAction:
-        action = QAction(spec.text.lstrip("-"), window)
+        action = QAction(tr(spec.text.lstrip("-")), window)
         action.setObjectName(f"action_{spec.name}")
         _give_keys(action, spec, spec.keys)
         action.setAutoRepeat(spec.repeat)
@@ -90,7 +91,7 @@ class Actions:
         menu = self.menus.get(path)
         if menu is None:
             parent, _, title = path.rpartition("/")
-            menu = self.menus[path] = self._menu(parent).addMenu(title)
+            menu = self.menus[path] = self._menu(parent).addMenu(tr(title))
         return menu
 
 
@@ -98,11 +99,13 @@ def _give_keys(action: QAction, spec: ActionSpec, keys: Sequence[str]) -> None:
     """Have keys call an action, and its tip name the first of them."""
     action.setShortcuts([QKeySequence(key) for key in keys])
     first = f" ({action.shortcut().toString(NATIVE)})" if keys else ""
-    action.setToolTip(f"{spec.tip}{first}")
+    action.setToolTip(f"{tr(spec.tip)}{first}")
 
 
 def _mnemonic(title: str) -> str:
-    return f"&{title}" if title != "Element" else "E&lement"
+    """A menu's title, with the letter that opens it; one of two that begin alike has its second."""
+    said = tr(title)
+    return f"&{said}" if title != "Element" else f"{said[:1]}&{said[1:]}"
 
 
 class ActionStates(QObject):
