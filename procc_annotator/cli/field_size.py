@@ -97,6 +97,8 @@ def field_size(
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
     kept_in = _workspace_of(dataset) if save else None
+    if kept_in is not None and groups is not None:
+        _kept_stadiums(kept_in, setup.field)  # said before anything is fitted
     with open_annotations(place, setup.field, options.label_map(labels, setup.field)) as source:
         report_mismatch(source, setup.field)
         report_like_cameras(source)
@@ -174,6 +176,12 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
         )
 
 
+def _kept_stadiums(dataset: Path, field: Field) -> Stadiums:
+    """What was kept before; raises `InputError` where that cannot be used."""
+    path = dataset / STADIUMS_FILE
+    return read_stadiums(path, field) if path.is_file() else Stadiums({}, {})
+
+
 def _save_stadiums(
     dataset: Path, field: Field, sizes: list[FieldSize], groups: Mapping[str, str | None]
 ) -> None:
@@ -194,7 +202,7 @@ def _save_stadiums(
             "nothing to save: no dimension of a stadium with several frames is determined"
         )
     path = dataset / STADIUMS_FILE
-    known = read_stadiums(path, field) if path.is_file() else Stadiums({}, {})
+    known = _kept_stadiums(dataset, field)
     frames = {f: s for f, s in known.frames.items() if groups.get(f) is None}
     frames |= {frame: group for frame, group in groups.items() if group in found}
     dimensions = {s: {**known.dimensions.get(s, {}), **found.get(s, {})} for s in frames.values()}

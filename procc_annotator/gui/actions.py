@@ -361,6 +361,11 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("View", "loupe", "Loupe", "Shift+Z", "canvas.set_loupe_always",
           "Keep the loupe at the cursor (or hold Z; it also comes while a point is dragged)",
           checkable=True, remembered=True),
+    _spec("View", "turn_map", "Turn the field map to the camera", "",
+          "document.map_sight.set_wanted",
+          "The field map has the side below that the camera stands on, and what the camera does not"
+          " see is faint; the half that is out of sight leaves its room to the other one",
+          checkable=True, remembered=True, checked=True),
     _spec("View", "strip", "Strip of frames", "", "strip_place.set_wanted",
           "Below the picture: of a video, or of frames that follow one another, how their cameras"
           " do and where they are annotated; of other frames small pictures with their states",

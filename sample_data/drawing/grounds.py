@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from drawing.rays import NOISE_SIDE, cells, noise_tile
+from drawing.rays import NOISE_SIDE, cells, noise_tile, noise_tiles
 
 FloatArray = NDArray[np.float32]
 Colour = tuple[float, float, float]  # BGR
@@ -18,9 +18,7 @@ _PLANK_WIDTH_M, _PLANK_LENGTH_M = 0.083, 1.4
 def grass(ground: FloatArray, seed: int) -> FloatArray:
     """Mown in stripes. (H, W, 2) metres and a seed -> (H, W, 3) BGR, as all grounds."""
     x, y = ground[..., 0], ground[..., 1]
-    random = np.random.default_rng(seed)
-    grain = noise_tile(random, 1.2)
-    patches = noise_tile(random, 22)
+    grain, patches = noise_tiles(seed, 1.2, 22)
     i, j = cells(x, 9), cells(y, 9)
     stripe = np.tanh(6 * np.sin(np.pi * (x + 52.5) / 5.5))
     light = 1 + 0.075 * stripe + 0.035 * grain[j, i] + 0.03 * patches[j, i]
@@ -59,8 +57,7 @@ def sheet(colour: Colour) -> Callable[[FloatArray, int], FloatArray]:
     """A floor of plastic: one colour, hardly any grain."""
 
     def draw(ground: FloatArray, seed: int) -> FloatArray:
-        random = np.random.default_rng(seed)
-        grain, patches = noise_tile(random, 1.0), noise_tile(random, 30)
+        grain, patches = noise_tiles(seed, 1.0, 30)
         i, j = cells(ground[..., 0], 12), cells(ground[..., 1], 12)
         light = 1 + 0.008 * grain[j, i] + 0.012 * patches[j, i]
         return np.asarray(light[..., None] * np.array(colour), dtype=np.float32)
@@ -70,10 +67,8 @@ def sheet(colour: Colour) -> Callable[[FloatArray, int], FloatArray]:
 
 def ice(ground: FloatArray, seed: int) -> FloatArray:
     """White with a touch of blue, scratched by skates."""
-    random = np.random.default_rng(seed)
-    clouds = noise_tile(random, 40)
     # Scratches: where two slow waves of noise are equal, thin curved lines run.
-    one, other = noise_tile(random, 9), noise_tile(random, 7)
+    clouds, one, other = noise_tiles(seed, 40, 9, 7)
     x, y = ground[..., 0], ground[..., 1]
     i, j = cells(x, 14), cells(y, 14)
     fine = np.clip(1.2 - np.maximum(_per_pixel(x), _per_pixel(y)) / 0.12, 0, 1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import cv2
 import numpy as np
@@ -86,6 +87,13 @@ def noise_tile(random: np.random.Generator, blur: float, blur_down: float = 0.0)
     smooth = cv2.GaussianBlur(padded, (0, 0), blur, sigmaY=blur_down)
     tile = smooth[margin:-margin, margin:-margin]
     return (tile / tile.std()).astype(np.float32)
+
+
+@lru_cache(maxsize=1)
+def noise_tiles(seed: int, *blurs: float) -> tuple[FloatArray, ...]:
+    """A noise tile of each grain; the frames of a shot lie on the same ones."""
+    random = np.random.default_rng(seed)
+    return tuple(noise_tile(random, blur) for blur in blurs)
 
 
 def cells(metres: FloatArray, per_metre: float) -> NDArray[np.int32]:

@@ -12,7 +12,7 @@ from typing import Any
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, QSettings, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, QPointF, QSettings, Qt, QTimer
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
@@ -367,14 +367,32 @@ _SOON_MS = 1_000
 
 def all_done(qtbot: QtBot) -> None:
     """Wait until nothing is due in any window: no update, no work in the background."""
-    quiet = 0
+    quiet, due = 0, ""
 
     def nothing_due() -> bool:
-        nonlocal quiet
-        quiet = 0 if worker._desk().jobs or _timers_due() else quiet + 1
+        nonlocal quiet, due
+        due = "; ".join([*map(_what, worker._desk().jobs.values()), *map(_whose, _timers_due())])
+        quiet = 0 if due else quiet + 1
         return quiet == 3  # what has just been done may have asked for more
 
-    qtbot.waitUntil(nothing_due, timeout=20_000)
+    try:
+        qtbot.waitUntil(nothing_due, timeout=20_000)
+    except TimeoutError as error:
+        raise AssertionError(f"this does not end: {due}") from error
+
+
+def _what(job: worker.Job) -> str:
+    state = "delivered" if job._delivered else "wanted" if job.running else "cancelled"
+    work = "not begun" if job._future is None else str(job._future)
+    return f"{state} work for {job._on_result}, {work}"
+
+
+def _whose(timer: QTimer) -> str:
+    owners: list[QObject] = [timer]
+    while (parent := owners[-1].parent()) is not None:
+        owners.append(parent)
+    names = " in ".join(o.objectName() or o.metaObject().className() for o in owners)
+    return f"{names}, every {timer.interval()} ms"
 
 
 def _timers_due() -> list[QTimer]:

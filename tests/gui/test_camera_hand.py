@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,9 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal
 from procc_annotator.fit.pegs import misses, turned
 from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.solving.models import vector_from_camera
+from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.through_shot import following_shot
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import proposals
 from procc_annotator.gui.tasks.shot import following
@@ -460,6 +464,13 @@ class TestInAShot:
             return Proposal("sure", "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)
 
         monkeypatch.setattr(proposals, "propose_camera", propose)
+        frame = PictureFrame((960, 540))
+        known = vector_from_camera(drawn.cameras[0], frame)
+
+        def found(*_: Any, **__: Any) -> Proposal:
+            return replace(propose(), fit=replace(propose().fit, vector=known))
+
+        monkeypatch.setattr(following_shot, "propose_camera", found)  # in a track's first frame
         video = Path(shutil.copyfile(written, tmp_path / "match.mp4"))
         window = make_window(dataset)
         document = window.document

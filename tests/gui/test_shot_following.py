@@ -20,6 +20,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal
 from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.through_shot import following_shot
 from procc_annotator.fit.through_shot.track import Track
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import proposals
@@ -53,10 +54,14 @@ def close_up(number: int) -> np.ndarray:
 
 
 @pytest.fixture(scope="module")
-def written(drawn: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    pictures = [*(drawn.frame(n) for n in range(len(drawn)))]
-    pictures += [close_up(n) for n in range(COUNT - len(drawn))]
-    return write_video(tmp_path_factory.mktemp("drawn") / "match.mp4", pictures)
+def pictures(drawn: DrawnShot) -> list[PixelArray]:
+    return [drawn.frame(n) for n in range(len(drawn))]
+
+
+@pytest.fixture(scope="module")
+def written(pictures: list[PixelArray], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    second = [close_up(n) for n in range(COUNT - len(pictures))]
+    return write_video(tmp_path_factory.mktemp("drawn") / "match.mp4", [*pictures, *second])
 
 
 @pytest.fixture
@@ -65,9 +70,9 @@ def video(written: Path, tmp_path: Path) -> Path:
 
 
 @pytest.fixture(autouse=True)
-def found(drawn: DrawnShot, monkeypatch: pytest.MonkeyPatch) -> None:
+def found(drawn: DrawnShot, pictures: list[PixelArray], monkeypatch: pytest.MonkeyPatch) -> None:
     """The first picture's camera is found in it, and no other's."""
-    first = drawn.frame(0)[::8, ::8, :3].astype(float)
+    first = pictures[0][::8, ::8, :3].astype(float)
 
     def propose(picture: PixelArray, field: Field, **_: Any) -> Proposal:
         small = picture[::8, ::8, :3]
@@ -77,6 +82,7 @@ def found(drawn: DrawnShot, monkeypatch: pytest.MonkeyPatch) -> None:
         return Proposal(state, "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)  # type: ignore[arg-type]
 
     monkeypatch.setattr(proposals, "propose_camera", propose)
+    monkeypatch.setattr(following_shot, "propose_camera", propose)
 
 
 @pytest.fixture
@@ -295,7 +301,7 @@ class TestFollowing:
         self,
         make_window: MakeWindow,
         dataset: Path,
-        drawn: DrawnShot,
+        pictures: list[PixelArray],
         tmp_path: Path,
         qtbot: QtBot,
     ) -> None:
@@ -303,7 +309,7 @@ class TestFollowing:
         folder.mkdir()
         for number in range(14):
             if number != 11:
-                cv2.imwrite(str(folder / f"f_{number:03d}.png"), drawn.frame(number)[..., :3])
+                cv2.imwrite(str(folder / f"f_{number:03d}.png"), pictures[number][..., :3])
         window = make_window(dataset)
         window.document.open_path(folder)
         all_done(qtbot)
