@@ -1,4 +1,4 @@
-"""The legend in the corner of the picture: of what is there, out of the hand's way, switched off."""
+"""The legend in the picture's corner: of what is there, out of the hand's way, switched off."""
 
 from __future__ import annotations
 
