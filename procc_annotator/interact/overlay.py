@@ -53,6 +53,7 @@ from procc_annotator.interact.overlay_shapes import (
 )
 from procc_annotator.interact.remembered import Remembered
 from procc_annotator.interact.verdicts import NO_POINTS, NO_VERDICTS, Verdicts, verdicts
+from procc_annotator.language import tr
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
@@ -276,6 +277,5 @@ def _pointer_label(
     name, at = (draft.class_name, draft.cursor) if draft is not None else (highlight, pointer)
     if name is None or at is None:
         return Labels(NO_POINTS, (), tones.LABEL)
-    element = field.element(name)
-    text = element.title if element is not None else name
+    text = tr(field.title_of(name))
     return Labels(np.array([at], dtype=np.float64), (text,), tones.LABEL)
