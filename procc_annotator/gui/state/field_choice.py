@@ -137,7 +137,7 @@ class FieldChoice(QObject):
         if (read := self._jobs.pop("read", None)) is not None:  # of the field before
             read.cancel()
         self._chosen, self.question = True, None
-        self._tell_own(field.described if field.own_terms else field.title)
+        self._tell_own(field.described if field.own_terms else tr(field.title))
         self.changed.emit()
 
     def resize(

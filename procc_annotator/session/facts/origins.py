@@ -16,16 +16,18 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.language import word
 
 
 class Status(StrEnum):
-    """How far a frame's annotation has come; set by people, never guessed."""
+    """How far a frame's annotation has come; set by people, never guessed. Shown
+    by `tr`."""
 
-    UNTOUCHED = "untouched"
-    IN_PROGRESS = "in progress"
-    DONE = "done"
-    APPROVED = "approved"
-    REJECTED = "rejected"
+    UNTOUCHED = word("untouched")
+    IN_PROGRESS = word("in progress")
+    DONE = word("done")
+    APPROVED = word("approved")
+    REJECTED = word("rejected")
 
 
 class OriginKind(StrEnum):
