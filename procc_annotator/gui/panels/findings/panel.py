@@ -300,7 +300,7 @@ def _pieces(text: str) -> Iterator[str]:
     """A text in parts between which a line may end; not every language has spaces there."""
     finder = QTextBoundaryFinder(QTextBoundaryFinder.BoundaryType.Line, text)
     start = 0
-    while (end := finder.toNextPosition()) >= 0:
+    while (end := finder.toNextBoundary()) >= 0:
         yield text[start:end]
         start = end
 
