@@ -49,18 +49,18 @@ BAD_POINT_SIZE = 17.0
 SECOND = "#FFFFFF"  # what a second annotator clicked
 LANDING, LANDING_SIZE = "#FFFFFF", 9.0  # where snapping would put a click
 
-# How a point came to be (said by `tr` where it is shown): its tone and shape.
+# How a point came to be, by the values of `OriginKind`: its tone and shape.
 ORIGINS: dict[str, tuple[str, str]] = {
-    word("clicked"): ("#56B4E9", "handle"),
-    word("snapped"): ("#009E73", "dot"),
-    word("regularised"): ("#F0E442", "dot"),
-    word("copied"): ("#0072B2", "ring"),
-    word("moved"): ("#E69F00", "handle"),
-    word("accepted suggestion"): ("#CC79A7", "ring"),
-    word("proposed"): ("#CC79A7", "cross"),
-    word("accepted proposal"): ("#CC79A7", "dot"),
-    word("unconfirmed by paint"): ("#D55E00", "cross"),
-    word("from the file"): ("#B0B0B0", "handle"),
+    "clicked": ("#56B4E9", "handle"),
+    "snapped": ("#009E73", "dot"),
+    "regularised": ("#F0E442", "dot"),
+    "copied": ("#0072B2", "ring"),
+    "moved": ("#E69F00", "handle"),
+    "accepted suggestion": ("#CC79A7", "ring"),  # not shown
+    "proposed": ("#CC79A7", "cross"),
+    "accepted proposal": ("#CC79A7", "dot"),  # not shown
+    "unconfirmed by paint": ("#D55E00", "cross"),  # not shown
+    "from the file": ("#B0B0B0", "handle"),  # not shown
 }
 AUTHORS: tuple[tuple[str, str], ...] = (
     ("#56B4E9", "handle"),

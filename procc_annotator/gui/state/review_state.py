@@ -119,13 +119,13 @@ class ReviewState(QObject):
             self.set_status(frame, earlier)
             if earlier not in _JUDGED and not revealed:
                 return ""
-            return tr("{frame} is {status} again", frame=frame, status=tr(earlier.value))
+            return tr("{frame} is {status} again", frame=frame, status=tr(earlier.value, "a frame"))
         # The annotator's own "done" stands, unless it said that the clicks are blind work.
         if was is Status.IN_PROGRESS or (was is Status.DONE and not revealed):
             return ""
         self._before_edits[frame] = was, before
         self.set_status(frame, Status.IN_PROGRESS)
-        status = tr(was.value)
+        status = tr(was.value, "a frame")
         if revealed:
             return tr(
                 "{frame} was {status} and is in progress again: edited after the cameras were"
