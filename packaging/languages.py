@@ -203,6 +203,11 @@ class _Unsaid(ast.NodeVisitor):
         for one in (node.func, *node.args[skipped:], *(k.value for k in node.keywords)):
             self.visit(one)
 
+    def visit_Compare(self, node: ast.Compare) -> None:
+        for one in (node.left, *node.comparators):  # a text that is compared is a name
+            if not isinstance(one, ast.Constant | ast.Tuple):
+                self.visit(one)
+
     def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
         words = "".join(_constant(part) or "{}" for part in node.values)
         if any(word not in _UNITS for word in _A_WORD.findall(words.replace("{}", " {} "))):
