@@ -33,6 +33,11 @@ def speak(look_up: LookUp | None) -> None:
     _look_up = look_up or _as_it_is
 
 
+def is_english() -> bool:
+    """Whether texts are said as they are written."""
+    return _look_up is _as_it_is
+
+
 def tr(text: str, /, about: str = "", **values: object) -> str:
     """A text in the language of the window.
 

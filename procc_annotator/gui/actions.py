@@ -11,7 +11,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Literal
 
-MENUS = ("File", "Edit", "Frame", "Element", "View", "Camera", "Help")
+from procc_annotator.language import word
+
+MENUS = (
+    word("File"), word("Edit"), word("Frame"), word("Element"), word("View"), word("Camera"),
+    word("Help"),
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +56,8 @@ _ARROW_STEPS = (("", "", 1.0), ("_fine", "Shift+", 0.1), ("_far", "Ctrl+", 10.0)
 
 def _arrows() -> Iterator[ActionSpec]:
     for suffix, held, step in _ARROW_STEPS:
-        for arrow in ("Left", "Right", "Up", "Down"):
-            group = "-" if suffix and arrow == "Left" else ""
+        for arrow in ("Left", "Right", "Up", "Down"):  # not shown
+            group = "-" if suffix and arrow == "Left" else ""  # not shown
             yield _spec(
                 "Edit/By the arrows",
                 f"nudge_{arrow.lower()}{suffix}",
