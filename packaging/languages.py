@@ -325,7 +325,8 @@ def faults_of(text: Text, language: str, forms: tuple[str, ...]) -> str:
 
 
 def _places_of(text: str) -> set[str]:
-    return set(re.findall(r"{\w*(?:[.!:][^{}]*)?}", text))
+    """Where values stand, and the patterns of files that a dialog filters by."""
+    return set(re.findall(r"{\w*(?:[.!:][^{}]*)?}|\(\*[^()]*\)", text))
 
 
 def compile_all() -> None:

@@ -195,7 +195,9 @@ class VersionsModel(QAbstractListModel):
     def lines(self, row: int) -> tuple[str, str, str, str]:
         """Time, author, reason and content of a row, in words."""
         version, annotation = self.rows[row], self.annotation(row)
-        when = datetime.fromtimestamp(version.time).strftime("%d %b %Y, %H:%M:%S")
+        when = datetime.fromtimestamp(version.time).strftime(
+            tr("%d %b %Y, %H:%M:%S", "a moment; the month as %b is English, as %m a number")
+        )
         content = tr("cannot be read")
         if isinstance(annotation, FrameAnnotation):
             content = content_words(annotation)
