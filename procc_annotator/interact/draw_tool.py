@@ -17,7 +17,7 @@ from procc_annotator.interact.gesture import (
     line_direction,
     point_key,
 )
-from procc_annotator.interact.overlay_shapes import Draft
+from procc_annotator.interact.overlay_shapes import NO_HAND, Draft, Hand
 from procc_annotator.session.dataset import edits
 
 
@@ -45,10 +45,13 @@ class DrawTool:
         selected_class: str | None,
         cursor: Position | None,
         landing: Position | None = None,
+        hand: Hand = NO_HAND,
     ) -> Draft | None:
         """What to show: the polyline under way, or the class the next click begins."""
         name = self.class_name if self.busy else selected_class
-        return Draft(name, tuple(self.points), cursor, landing) if name is not None else None
+        if name is None:
+            return None
+        return Draft(name, tuple(self.points), cursor, landing, hand)
 
     def landing(
         self, position: Position, modifiers: Modifiers, context: Context

@@ -5,43 +5,1251 @@
   <name>procc</name>
   <message>
    <source>File</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Datei</translation>
   </message>
   <message>
    <source>Edit</source>
-   <extracomment>[the action edit_mode, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the action edit_mode, the menus]</extracomment>
    <translation>Bearbeiten</translation>
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/context_menu.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
    <translation>Bild</translation>
   </message>
   <message>
    <source>Element</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
    <translation>Element</translation>
   </message>
   <message>
    <source>View</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Ansicht</translation>
   </message>
   <message>
    <source>Camera</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/palette_entries.py, the menus]</extracomment>
    <translation>Kamera</translation>
   </message>
   <message>
    <source>Help</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Hilfe</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, symmetries: {turns}</source>
+   <extracomment>{n} element, symmetries: {turns} / {n} elements, symmetries: {turns} [procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element, Symmetrien: {turns}</numerusform>
+    <numerusform>{n} Elemente, Symmetrien: {turns}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>There is no field to show yet.</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>Es gibt noch kein Feld zu zeigen.</translation>
+  </message>
+  <message>
+   <source>{dimension}: {value:.10g} m (the rules allow {least:g} to {most:g} m)</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>{dimension}: {value:.10g} m (die Regeln erlauben {least:g} bis {most:g} m)</translation>
+  </message>
+  <message>
+   <source>... and {n} more</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>... und {n} weitere</translation>
+  </message>
+  <message>
+   <source>none</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>keine</translation>
+  </message>
+  <message>
+   <source>Wheel</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mausrad</translation>
+  </message>
+  <message>
+   <source>zoom at the cursor</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>am Mauszeiger vergrößern</translation>
+  </message>
+  <message>
+   <source>Two fingers</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Zwei Finger</translation>
+  </message>
+  <message>
+   <source>pan; pinched, zoom</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>verschieben; gespreizt vergrößern</translation>
+  </message>
+  <message>
+   <source>Shift + wheel</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Umschalt + Mausrad</translation>
+  </message>
+  <message>
+   <source>pan sideways, as a tilted wheel does</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>seitwärts verschieben, wie ein Kipprad</translation>
+  </message>
+  <message>
+   <source>Space + drag</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Leertaste + ziehen</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>verschieben</translation>
+  </message>
+  <message>
+   <source>Middle button</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mittlere Taste</translation>
+  </message>
+  <message>
+   <source>Hold X</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>X halten</translation>
+  </message>
+  <message>
+   <source>hide all overlays</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>alle Überlagerungen ausblenden</translation>
+  </message>
+  <message>
+   <source>Hold Z</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Z halten</translation>
+  </message>
+  <message>
+   <source>loupe: eight times the picture's pixels</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Lupe: achtfache Bildpixel</translation>
+  </message>
+  <message>
+   <source>Hold ,</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>, halten</translation>
+  </message>
+  <message>
+   <source>look at the compared camera source</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>die verglichene Kameraquelle ansehen</translation>
+  </message>
+  <message>
+   <source>Tap ,</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>, tippen</translation>
+  </message>
+  <message>
+   <source>judge with the compared source, compare with this one</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>mit der verglichenen Quelle beurteilen, mit dieser vergleichen</translation>
+  </message>
+  <message>
+   <source>Hold Ctrl</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Strg halten</translation>
+  </message>
+  <message>
+   <source>click beside the line: no snapping</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>neben die Linie klicken: kein Einrasten</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + drag a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Strg+Alt + Linie ziehen</translation>
+  </message>
+  <message>
+   <source>camera: it follows, the place stays as a peg</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Kamera: sie folgt, die Stelle bleibt als Pflock</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + click a peg</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Strg+Alt + Pflock klicken</translation>
+  </message>
+  <message>
+   <source>camera: take the peg away</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Kamera: den Pflock wegnehmen</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Pfeiltasten</translation>
+  </message>
+  <message>
+   <source>crosshair: the keys point; chosen points are moved instead</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Fadenkreuz: die Tasten zeigen; gewählte Punkte werden statt dessen bewegt</translation>
+  </message>
+  <message>
+   <source>Space at the crosshair</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Leertaste am Fadenkreuz</translation>
+  </message>
+  <message>
+   <source>what a click does there (with Ctrl: no snapping)</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>was ein Klick dort tut (mit Strg: ohne Einrasten)</translation>
+  </message>
+  <message>
+   <source>Right button</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Rechte Taste</translation>
+  </message>
+  <message>
+   <source>menu of what is under the cursor</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Menü zu dem, was unter dem Mauszeiger ist</translation>
+  </message>
+  <message>
+   <source>Enter</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Eingabe</translation>
+  </message>
+  <message>
+   <source>accept the current ghost</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>den aktuellen Geist annehmen</translation>
+  </message>
+  <message>
+   <source>Shift+Enter</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Umschalt+Eingabe</translation>
+  </message>
+  <message>
+   <source>accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>alle Geister annehmen</translation>
+  </message>
+  <message>
+   <source>Click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Klick</translation>
+  </message>
+  <message>
+   <source>draw: add a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Zeichnen: einen Punkt hinzufügen</translation>
+  </message>
+  <message>
+   <source>Double-click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Doppelklick</translation>
+  </message>
+  <message>
+   <source>draw: finish</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Zeichnen: beenden</translation>
+  </message>
+  <message>
+   <source>Drag a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Punkt ziehen</translation>
+  </message>
+  <message>
+   <source>edit: move it</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Bearbeiten: ihn verschieben</translation>
+  </message>
+  <message>
+   <source>Shift+click a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Umschalt+Klick auf Punkt</translation>
+  </message>
+  <message>
+   <source>edit: choose several</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Bearbeiten: mehrere wählen</translation>
+  </message>
+  <message>
+   <source>Drag on empty ground</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Auf freiem Grund ziehen</translation>
+  </message>
+  <message>
+   <source>edit: choose the points inside</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Bearbeiten: die Punkte darin wählen</translation>
+  </message>
+  <message>
+   <source>Drag a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Linie ziehen</translation>
+  </message>
+  <message>
+   <source>edit: move the element, unless elements are pinned</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Bearbeiten: das Element verschieben, außer es ist festgehalten</translation>
+  </message>
+  <message>
+   <source>Alt+click a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Alt+Klick auf Linie</translation>
+  </message>
+  <message>
+   <source>edit: insert a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Bearbeiten: einen Punkt einfügen</translation>
+  </message>
+  <message>
+   <source>Alt+Shift+click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Alt+Umschalt+Klick</translation>
+  </message>
+  <message>
+   <source>edit: remove the point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Bearbeiten: den Punkt entfernen</translation>
+  </message>
+  <message>
+   <source>Click or drag on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Streifen klicken oder ziehen</translation>
+  </message>
+  <message>
+   <source>go to a frame</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>zu einem Bild gehen</translation>
+  </message>
+  <message>
+   <source>Wheel on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mausrad auf dem Streifen</translation>
+  </message>
+  <message>
+   <source>zoom; with Shift, scroll</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>vergrößern; mit Umschalt rollen</translation>
+  </message>
+  <message>
+   <source>Shift+drag on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Umschalt+ziehen auf dem Streifen</translation>
+  </message>
+  <message>
+   <source>mark a stretch (a double click lets go of it)</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>einen Abschnitt markieren (Doppelklick hebt ihn auf)</translation>
+  </message>
+  <message>
+   <source>what is held down in the picture</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>was im Bild gehalten wird</translation>
+  </message>
+  <message>
+   <source>Usual</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Üblich</translation>
+  </message>
+  <message>
+   <source>Left-handed</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Linkshändig</translation>
+  </message>
+  <message>
+   <source>Like CVAT</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Wie CVAT</translation>
+  </message>
+  <message>
+   <source>Like labelme</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Wie labelme</translation>
+  </message>
+  <message>
+   <source>expected an object with "actions" and "elements"</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>erwartet: ein Objekt mit "actions" und "elements"</translation>
+  </message>
+  <message>
+   <source>"actions" and "elements": expected objects</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>"actions" und "elements": erwartet sind Objekte</translation>
+  </message>
+  <message>
+   <source>{place}: {value!r} is no key; expected one like {one}</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>{place}: {value!r} ist keine Taste; erwartet ist eine wie {one}</translation>
+  </message>
+  <message>
+   <source>{place}: expected a list of keys, like {one}</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>{place}: erwartet ist eine Liste von Tasten wie {one}</translation>
+  </message>
+  <message>
+   <source>Panels</source>
+   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
+   <translation>Bereiche</translation>
+  </message>
+  <message>
+   <source>{what} is there already, and says something else.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{what} gibt es schon, und es steht etwas anderes darin.</translation>
+  </message>
+  <message>
+   <source>{text}.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{text}.</translation>
+  </message>
+  <message>
+   <source>Delete {what}?</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{what} löschen?</translation>
+  </message>
+  <message>
+   <source>Delete</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Löschen</translation>
+  </message>
+  <message>
+   <source>Replace it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Ersetzen</translation>
+  </message>
+  <message>
+   <source>Keep it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Behalten</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames are not saved, and saving failed again just now.</source>
+   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
+   <translation>
+    <numerusform>{n} Bild ist nicht gespeichert, und das Speichern misslang eben noch einmal.</numerusform>
+    <numerusform>{n} Bilder sind nicht gespeichert, und das Speichern misslang eben noch einmal.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Stay</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Bleiben</translation>
+  </message>
+  <message>
+   <source>Close and lose them</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Schließen und verlieren</translation>
+  </message>
+  <message>
+   <source>Dismiss this message</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Diese Meldung wegnehmen</translation>
+  </message>
+  <message>
+   <source>Reload theirs</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Fremde neu laden</translation>
+  </message>
+  <message>
+   <source>Show what is in the file; undo brings your version back</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Zeigen, was in der Datei steht; Rückgängig bringt Ihre Fassung zurück</translation>
+  </message>
+  <message>
+   <source>Overwrite with mine</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Mit eigener überschreiben</translation>
+  </message>
+  <message>
+   <source>Write what you see on screen over the file</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Was Sie sehen, über die Datei schreiben</translation>
+  </message>
+  <message>
+   <source>This frame is not editable. {problem}</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Dieses Bild lässt sich nicht bearbeiten. {problem}</translation>
+  </message>
+  <message>
+   <source>Fit and ghosts</source>
+   <extracomment>[procc_annotator/gui/settings.py, the setting fit_model, the setting ghost_support]</extracomment>
+   <translation>Anpassung und Geister</translation>
+  </message>
+  <message>
+   <source>Annotating</source>
+   <extracomment>[procc_annotator/gui/settings.py, the setting author, the setting auto_advance]</extracomment>
+   <translation>Annotieren</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py, the setting evidence]</extracomment>
+   <translation>Bild</translation>
+  </message>
+  <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>keine Kamera</translation>
+  </message>
+  <message>
+   <source>Jaccard index of this frame at tau</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>Jaccard-Index dieses Bildes bei tau</translation>
+  </message>
+  <message>
+   <source>The camera set that is judged (C switches)</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>Der Kamerasatz, der beurteilt wird (C wechselt)</translation>
+  </message>
+  <message>
+   <source>What the score is computed with: {terms}</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>Womit die Bewertung berechnet ist: {terms}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; der Anpassung</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;blind&lt;/b&gt;: abgeben, um den JaC zu sehen</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>Kamera unlesbar</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>hier keine Kamera</translation>
+  </message>
+  <message>
+   <source>Three steps to a frame</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>In drei Schritten zum Bild</translation>
+  </message>
+  <message>
+   <source>Click the two ends of a painted line, then Enter</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Die zwei Enden einer gemalten Linie klicken, dann Eingabe</translation>
+  </message>
+  <message>
+   <source>{keys}: points along every line, on its paint</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{keys}: Punkte entlang jeder Linie, auf ihrer Farbe</translation>
+  </message>
+  <message>
+   <source>{keys}, then Enter: take what the camera expects</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{keys}, dann Eingabe: nehmen, was die Kamera erwartet</translation>
+  </message>
+  <message>
+   <source>Put the three steps away for ever (Help has the user guide)</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Die drei Schritte für immer weglegen (das Handbuch ist unter Hilfe)</translation>
+  </message>
+  <message>
+   <source>Put the three steps away</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Die drei Schritte weglegen</translation>
+  </message>
+  <message>
+   <source>{step}, done</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{step}, getan</translation>
+  </message>
+  <message>
+   <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Eingabe führt aus · ↑ ↓ wählt · Esc schließt</translation>
+  </message>
+  <message>
+   <source>Nothing is called “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Nichts heißt „{text}“.</translation>
+  </message>
+  <message>
+   <source>An action, element, frame, camera source, folder, number</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Aktion, Element, Bild, Kameraquelle, Ordner, Zahl</translation>
+  </message>
+  <message>
+   <source>Find anything</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Alles finden</translation>
+  </message>
+  <message>
+   <source>What fits</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Was passt</translation>
+  </message>
+  <message>
+   <source>on</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>an</translation>
+  </message>
+  <message>
+   <source>off</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>aus</translation>
+  </message>
+  <message>
+   <source>this installation came without its user guide</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>diese Installation kam ohne ihr Handbuch</translation>
+  </message>
+  <message>
+   <source>About ProCC Annotator</source>
+   <extracomment>[procc_annotator/gui/window/commands.py, the action about]</extracomment>
+   <translation>Über ProCC Annotator</translation>
+  </message>
+  <message>
+   <source>ProCC Annotator {version}
+Annotate and audit sports-camera calibrations.</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>ProCC Annotator {version}
+Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.</translation>
+  </message>
+  <message>
+   <source>no cameras are loaded (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>keine Kameras geladen (Strg+L)</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to see side by side (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>laden Sie einen zweiten Kamerasatz, um beide nebeneinander zu sehen (Strg+L)</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to compare (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>laden Sie einen zweiten Kamerasatz zum Vergleichen (Strg+L)</translation>
+  </message>
+  <message>
+   <source>Without geometry</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Ohne Geometrie</translation>
+  </message>
+  <message>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Geist von {title}</translation>
+  </message>
+  <message>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Annehmen</translation>
+  </message>
+  <message>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Genau ansehen</translation>
+  </message>
+  <message>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py, the action not_visible]</extracomment>
+   <translation>Hier nicht sichtbar</translation>
+  </message>
+  <message>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title} wird gezeichnet</translation>
+  </message>
+  <message>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Hier teilen: der Rest wird</translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
+   <translation>Diesen Befund übergehen</translation>
+  </message>
+  <message>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Hier nicht sichtbar: zurücknehmen</translation>
+  </message>
+  <message>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Klasse ändern in (tauscht mit einer annotierten)</translation>
+  </message>
+  <message>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Punkt {number} von {title}</translation>
+  </message>
+  <message>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Vereinen mit</translation>
+  </message>
+  <message>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title}, unbestätigt</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt</numerusform>
+    <numerusform>{n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Annotate</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Annotieren</translation>
+  </message>
+  <message>
+   <source>Judge</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Beurteilen</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Prüfen</translation>
+  </message>
+  <message>
+   <source>Desks</source>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Arbeitsplätze</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Bilder</translation>
+  </message>
+  <message>
+   <source>Field map</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Feldkarte</translation>
+  </message>
+  <message>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Elemente</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Kameras</translation>
+  </message>
+  <message>
+   <source>Scores</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Bewertung</translation>
+  </message>
+  <message>
+   <source>Fit</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Anpassung</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Prüfung</translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Landmarken</translation>
+  </message>
+  <message>
+   <source>Plots</source>
+   <extracomment>[procc_annotator/gui/window/docks.py, the action plots]</extracomment>
+   <translation>Diagramme</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Durchsicht</translation>
+  </message>
+  <message>
+   <source>Agreement</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Übereinstimmung</translation>
+  </message>
+  <message>
+   <source>Find words in this page</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>Wörter auf dieser Seite suchen</translation>
+  </message>
+  <message>
+   <source>The user guide is in English.</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>Das Handbuch ist auf Englisch.</translation>
+  </message>
+  <message>
+   <source>User guide</source>
+   <extracomment>[procc_annotator/gui/window/guide.py, the action guide]</extracomment>
+   <translation>Handbuch</translation>
+  </message>
+  <message>
+   <source>Headings</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>Überschriften</translation>
+  </message>
+  <message>
+   <source>{one} or {other}</source>
+   <extracomment>[procc_annotator/gui/window/key_columns.py]</extracomment>
+   <translation>{one} oder {other}</translation>
+  </message>
+  <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Im Bild</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py, procc_annotator/gui/window/keymap_dialog.py, the action keys]</extracomment>
+   <translation>Tasten</translation>
+  </message>
+  <message>
+   <source>Search: a word, or a key. A click does what a row says.</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Suche: ein Wort oder eine Taste. Ein Klick tut, was die Zeile sagt.</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Tasten durchsuchen</translation>
+  </message>
+  <message>
+   <source>Actions and their keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Aktionen und ihre Tasten</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Keine Taste, keine Aktion und kein Element hat „{text}“.</translation>
+  </message>
+  <message>
+   <source>Choose an element</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Element wählen</translation>
+  </message>
+  <message>
+   <source>Keys of your own</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Eigene Tasten</translation>
+  </message>
+  <message>
+   <source>Keys (*.json)</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Tasten (*.json)</translation>
+  </message>
+  <message>
+   <source>{menu}: {action}</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{menu}: {action}</translation>
+  </message>
+  <message>
+   <source>Search: a word, or a key</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Suche: ein Wort oder eine Taste</translation>
+  </message>
+  <message>
+   <source>Choose a row, then press its keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Eine Zeile wählen, dann ihre Tasten drücken</translation>
+  </message>
+  <message>
+   <source>Change keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Tasten ändern</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Suche</translation>
+  </message>
+  <message>
+   <source>All keys at once</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Alle Tasten auf einmal</translation>
+  </message>
+  <message>
+   <source>Add</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Hinzufügen</translation>
+  </message>
+  <message>
+   <source>Only these</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Nur diese</translation>
+  </message>
+  <message>
+   <source>No keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Keine Tasten</translation>
+  </message>
+  <message>
+   <source>Usual keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Übliche Tasten</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Exportieren…</translation>
+  </message>
+  <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Importieren…</translation>
+  </message>
+  <message>
+   <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>⚠ Tasten, die zwei Aktionen rufen, rufen keine: geben Sie einer davon andere Tasten.</translation>
+  </message>
+  <message>
+   <source>Export keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Tasten exportieren</translation>
+  </message>
+  <message>
+   <source>Import keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Tasten importieren</translation>
+  </message>
+  <message>
+   <source>⚠ also: {what}</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>⚠ auch: {what}</translation>
+  </message>
+  <message>
+   <source>New keys: press them here</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Neue Tasten: hier drücken</translation>
+  </message>
+  <message>
+   <source>{file}: {error}; the keys stay as they are</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>{file}: {error}; die Tasten bleiben, wie sie sind</translation>
+  </message>
+  <message>
+   <source>Action or element</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Aktion oder Element</translation>
+  </message>
+  <message>
+   <source>{action}: {step}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{action}: {step}</translation>
+  </message>
+  <message>
+   <source>Panel</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Bereich</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Einstellung</translation>
+  </message>
+  <message>
+   <source>Open</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Öffnen</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Bild {number} von {count}</translation>
+  </message>
+  <message>
+   <source>Go to this frame</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Zu diesem Bild gehen</translation>
+  </message>
+  <message>
+   <source>Judge {source}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Beurteilen: {source}</translation>
+  </message>
+  <message>
+   <source>Judge with this source</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Mit dieser Quelle beurteilen</translation>
+  </message>
+  <message>
+   <source>Live fit: model {model}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Laufende Anpassung: Modell {model}</translation>
+  </message>
+  <message>
+   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Dieses Modell an die Klicks anpassen; auto nimmt das einfachste, das sie hergeben</translation>
+  </message>
+  <message>
+   <source>Panel {title}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Bereich {title}</translation>
+  </message>
+  <message>
+   <source>Open this panel and bring it to the front</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Diesen Bereich öffnen und nach vorn holen</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Schwelle {px:g} px</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Elemente mit diesem tau beurteilen</translation>
+  </message>
+  <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>Werkzeugleiste</translation>
+  </message>
+  <message>
+   <source>Picture
+Brightness, contrast, gamma, line enhance: only what you see changes</source>
+   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>Bild
+Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich</translation>
+  </message>
+  <message>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>gespeichert {time}</translation>
+  </message>
+  <message numerus="yes">
+   <source>NOT SAVED: {n} frames</source>
+   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>
+    <numerusform>NICHT GESPEICHERT: {n} Bild</numerusform>
+    <numerusform>NICHT GESPEICHERT: {n} Bilder</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>saving...</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>speichert...</translation>
+  </message>
+  <message>
+   <source>no changes</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>keine Änderungen</translation>
+  </message>
+  <message>
+   <source>Search the settings</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Einstellungen durchsuchen</translation>
+  </message>
+  <message>
+   <source>{setting}: back to {value}</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>{setting}: zurück auf {value}</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Einstellungen</translation>
+  </message>
+  <message>
+   <source>All to their defaults</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Alle auf die Vorgaben</translation>
+  </message>
+  <message>
+   <source>Change keys…</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py, the action keymap]</extracomment>
+   <translation>Tasten ändern…</translation>
+  </message>
+  <message>
+   <source>No setting has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Keine Einstellung hat „{text}“.</translation>
+  </message>
+  <message>
+   <source>none of your own</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>kein eigener</translation>
+  </message>
+  <message>
+   <source>ground ±{metres:.2f} m</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Boden ±{metres:.2f} m</translation>
+  </message>
+  <message>
+   <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Mauszeiger in Bildpixeln; die Mitte des Pixels oben links ist 0 0</translation>
+  </message>
+  <message>
+   <source>Cursor on the ground of the field, in metres from its centre</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Mauszeiger auf dem Boden des Feldes, in Metern von seiner Mitte</translation>
+  </message>
+  <message>
+   <source>How far apart the active and the compared camera see the cursor:
+on the ground, and in pixels of the evaluation size</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Wie weit auseinander die aktive und die verglichene Kamera den Mauszeiger sehen:
+am Boden, und in Pixeln der Auswertungsgröße</translation>
+  </message>
+  <message>
+   <source>How surely the fitted camera knows the ground point at the cursor: standard
+deviation in the worst direction, whatever the cursor itself is off by</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Wie sicher die angepasste Kamera den Bodenpunkt am Mauszeiger kennt: Standard-
+abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebenliegt</translation>
+  </message>
+  <message>
+   <source>scoring {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>bewertet {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>Camera &gt; Stop scoring the set ends it</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>Kamera &gt; Bewertung des Satzes anhalten beendet es</translation>
+  </message>
+  <message>
+   <source>comparing {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>vergleicht {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>ghosts {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>Geister {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>Esc ends it</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>Esc beendet es</translation>
+  </message>
+  <message>
+   <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
+   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <translation>Schwelle tau: ein Element besteht, wenn alle seine Punkte näher liegen (+ und -)</translation>
+  </message>
+  <message>
+   <source>Threshold tau</source>
+   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <translation>Schwelle tau</translation>
+  </message>
+  <message>
+   <source>Top bar</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Obere Leiste</translation>
+  </message>
+  <message>
+   <source>Status of this frame (panel Review)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Status dieses Bildes (Bereich Durchsicht)</translation>
+  </message>
+  <message>
+   <source>Field: {field}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Feld: {field}</translation>
+  </message>
+  <message>
+   <source>Click to choose another one</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Klicken, um ein anderes zu wählen</translation>
+  </message>
+  <message>
+   <source>Drop a folder of pictures here</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Einen Ordner mit Bildern hierher ziehen</translation>
+  </message>
+  <message>
+   <source>Annotations are read from and saved to SoccerNet JSON beside the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Annotationen werden als SoccerNet-JSON neben den Bildern gelesen und gespeichert. Ein Ordner mit Kameras, später hierher gezogen, wird an Ihren Klicks gemessen.</translation>
+  </message>
+  <message>
+   <source>Open recent</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Zuletzt geöffnet</translation>
   </message>
   <message>
    <source>Open folder…</source>
-   <extracomment>[the action open_folder]</extracomment>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_folder]</extracomment>
    <translation>Ordner öffnen…</translation>
+  </message>
+  <message>
+   <source>Open picture…</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_picture]</extracomment>
+   <translation>Bild öffnen…</translation>
+  </message>
+  <message>
+   <source>Open video…</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_video]</extracomment>
+   <translation>Video öffnen…</translation>
+  </message>
+  <message>
+   <source>Try the sample</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Beispiel ausprobieren</translation>
+  </message>
+  <message>
+   <source>Go on with</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Weitermachen mit</translation>
+  </message>
+  <message>
+   <source>Nothing was opened yet</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Noch nichts geöffnet</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what}); the terminal says more</source>
+   <extracomment>[procc_annotator/gui/worker.py]</extracomment>
+   <translation>unerwarteter Fehler ({what}); im Terminal steht mehr</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/writing.py]</extracomment>
+   <translation>öffnen Sie zuerst einen Ordner mit Bildern</translation>
+  </message>
+  <message>
+   <source>what was saved elsewhere</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>was anderswo gespeichert wurde</translation>
+  </message>
+  <message>
+   <source>overwritten</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>überschrieben</translation>
+  </message>
+  <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>wie vorgefunden</translation>
+  </message>
+  <message>
+   <source>taken back</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>zurückgenommen</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>gespeichert</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -49,19 +1257,9 @@
    <translation>Alle Bilder eines Ordners annotieren</translation>
   </message>
   <message>
-   <source>Open picture…</source>
-   <extracomment>[the action open_picture]</extracomment>
-   <translation>Bild öffnen…</translation>
-  </message>
-  <message>
    <source>Annotate a single picture</source>
    <extracomment>[the action open_picture]</extracomment>
    <translation>Ein einzelnes Bild annotieren</translation>
-  </message>
-  <message>
-   <source>Open video…</source>
-   <extracomment>[the action open_video]</extracomment>
-   <translation>Video öffnen…</translation>
   </message>
   <message>
    <source>Annotate frames of a video without extracting them first</source>
@@ -532,11 +1730,6 @@
    <source>Mend the current finding: relabel, swap, remove the bad point, or look at it</source>
    <extracomment>[the action apply_remedy]</extracomment>
    <translation>Den aktuellen Befund beheben: umbenennen, tauschen, den falschen Punkt entfernen, oder ansehen</translation>
-  </message>
-  <message>
-   <source>Ignore this finding</source>
-   <extracomment>[the action ignore_finding]</extracomment>
-   <translation>Diesen Befund übergehen</translation>
   </message>
   <message>
    <source>Do not show it again until the points of its elements change</source>
@@ -1109,11 +2302,6 @@
    <translation>Wie viel der gemalten Linie eines Geistes zu sehen sein muss, damit er mit allen angenommen wird</translation>
   </message>
   <message>
-   <source>Not visible here</source>
-   <extracomment>[the action not_visible]</extracomment>
-   <translation>Hier nicht sichtbar</translation>
-  </message>
-  <message>
    <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
    <translation>Der Geist oder das gewählte Element ist in diesem Bild nicht zu sehen; noch einmal nimmt es zurück</translation>
@@ -1304,6 +2492,16 @@
    <translation>Die Lupe am Mauszeiger behalten (oder Z halten; sie kommt auch beim Ziehen eines Punktes)</translation>
   </message>
   <message>
+   <source>Turn the field map to the camera</source>
+   <extracomment>[the action turn_map, the setting turn_map]</extracomment>
+   <translation>Feldkarte zur Kamera drehen</translation>
+  </message>
+  <message>
+   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
+   <extracomment>[the action turn_map, the setting turn_map]</extracomment>
+   <translation>Auf der Feldkarte liegt die Seite unten, auf der die Kamera steht, und was sie nicht sieht, ist blass; die Hälfte außer Sicht überlässt ihren Platz der anderen</translation>
+  </message>
+  <message>
    <source>Strip of frames</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>Bilderstreifen</translation>
@@ -1312,11 +2510,6 @@
    <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>Unter dem Bild: bei einem Video oder aufeinanderfolgenden Bildern, wie gut ihre Kameras sind und wo annotiert ist; bei anderen kleine Bilder mit ihrem Zustand</translation>
-  </message>
-  <message>
-   <source>Plots</source>
-   <extracomment>[the action plots]</extracomment>
-   <translation>Diagramme</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources</source>
@@ -1654,19 +2847,9 @@
    <translation>Die Befehlspalette: jede Aktion, jedes Element, Bild, jede Kameraquelle und jeder letzte Ordner nach ein paar Buchstaben des Namens</translation>
   </message>
   <message>
-   <source>Keys</source>
-   <extracomment>[the action keys]</extracomment>
-   <translation>Tasten</translation>
-  </message>
-  <message>
    <source>Show all actions and their keys on one sheet</source>
    <extracomment>[the action keys]</extracomment>
    <translation>Alle Aktionen und ihre Tasten auf einem Blatt zeigen</translation>
-  </message>
-  <message>
-   <source>Change keys…</source>
-   <extracomment>[the action keymap]</extracomment>
-   <translation>Tasten ändern…</translation>
   </message>
   <message>
    <source>Give actions and elements other keys, or take those of another program</source>
@@ -1674,19 +2857,9 @@
    <translation>Aktionen und Elementen andere Tasten geben, oder die eines anderen Programms übernehmen</translation>
   </message>
   <message>
-   <source>User guide</source>
-   <extracomment>[the action guide]</extracomment>
-   <translation>Handbuch</translation>
-  </message>
-  <message>
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
    <translation>Das mitgelieferte Handbuch; es braucht kein Netz</translation>
-  </message>
-  <message>
-   <source>About ProCC Annotator</source>
-   <extracomment>[the action about]</extracomment>
-   <translation>Über ProCC Annotator</translation>
   </message>
   <message>
    <source>Version</source>
@@ -1710,7 +2883,7 @@
   </message>
   <message>
    <source>As the system</source>
-   <extracomment>[the setting language, the setting theme]</extracomment>
+   <extracomment>[the setting theme]</extracomment>
    <translation>Wie das System</translation>
   </message>
   <message>
@@ -1744,44 +2917,9 @@
    <translation>Die Sprache des Fensters; ab dem nächsten Start. Dateien bleiben, wie sie sind</translation>
   </message>
   <message>
-   <source>English</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>English</translation>
-  </message>
-  <message>
-   <source>Deutsch</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Deutsch</translation>
-  </message>
-  <message>
-   <source>Español</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Español</translation>
-  </message>
-  <message>
-   <source>Français</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Français</translation>
-  </message>
-  <message>
-   <source>日本語</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>日本語</translation>
-  </message>
-  <message>
-   <source>简体中文</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>简体中文</translation>
-  </message>
-  <message>
    <source>What the colours over the picture say</source>
    <extracomment>[the setting colour_by]</extracomment>
    <translation>Was die Farben über dem Bild sagen</translation>
-  </message>
-  <message>
-   <source>Annotating</source>
-   <extracomment>[the setting author, the setting auto_advance, the setting draw_first]</extracomment>
-   <translation>Annotieren</translation>
   </message>
   <message>
    <source>Your name</source>
@@ -1827,11 +2965,6 @@
    <source>How elements count that a homography cannot project: goals, baskets, nets</source>
    <extracomment>[the setting off_plane]</extracomment>
    <translation>Wie Elemente zählen, die eine Homographie nicht projizieren kann: Tore, Körbe, Netze</translation>
-  </message>
-  <message>
-   <source>Fit and ghosts</source>
-   <extracomment>[the setting fit_model, the setting ghost_support, the setting ghosts]</extracomment>
-   <translation>Anpassung und Geister</translation>
   </message>
   <message>
    <source>Model of the live fit</source>
@@ -1897,11 +3030,6 @@
    <source>How much of a ghost's line must be seen to accept it with all others</source>
    <extracomment>[the setting ghost_support]</extracomment>
    <translation>Wie viel der Linie eines Geistes zu sehen sein muss, um ihn mit allen anderen anzunehmen</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[the setting evidence, the setting keep_zoom, the setting loupe]</extracomment>
-   <translation>Bild</translation>
   </message>
   <message>
    <source>American football (NFL)</source>

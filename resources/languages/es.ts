@@ -5,43 +5,1251 @@
   <name>procc</name>
   <message>
    <source>File</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Archivo</translation>
   </message>
   <message>
    <source>Edit</source>
-   <extracomment>[the action edit_mode, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the action edit_mode, the menus]</extracomment>
    <translation>Editar</translation>
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/context_menu.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
    <translation>Imagen</translation>
   </message>
   <message>
    <source>Element</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
    <translation>Elemento</translation>
   </message>
   <message>
    <source>View</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Ver</translation>
   </message>
   <message>
    <source>Camera</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/palette_entries.py, the menus]</extracomment>
    <translation>Cámara</translation>
   </message>
   <message>
    <source>Help</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Ayuda</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, symmetries: {turns}</source>
+   <extracomment>{n} element, symmetries: {turns} / {n} elements, symmetries: {turns} [procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento, simetrías: {turns}</numerusform>
+    <numerusform>{n} elementos, simetrías: {turns}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>There is no field to show yet.</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>Aún no hay ningún campo que mostrar.</translation>
+  </message>
+  <message>
+   <source>{dimension}: {value:.10g} m (the rules allow {least:g} to {most:g} m)</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>{dimension}: {value:.10g} m (las reglas permiten de {least:g} a {most:g} m)</translation>
+  </message>
+  <message>
+   <source>... and {n} more</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>... y {n} más</translation>
+  </message>
+  <message>
+   <source>none</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>ninguna</translation>
+  </message>
+  <message>
+   <source>Wheel</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Rueda</translation>
+  </message>
+  <message>
+   <source>zoom at the cursor</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>zoom en el cursor</translation>
+  </message>
+  <message>
+   <source>Two fingers</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Dos dedos</translation>
+  </message>
+  <message>
+   <source>pan; pinched, zoom</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>desplazar; al pellizcar, zoom</translation>
+  </message>
+  <message>
+   <source>Shift + wheel</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mayús + rueda</translation>
+  </message>
+  <message>
+   <source>pan sideways, as a tilted wheel does</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>desplazar a los lados, como una rueda inclinada</translation>
+  </message>
+  <message>
+   <source>Space + drag</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Espacio + arrastrar</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>desplazar</translation>
+  </message>
+  <message>
+   <source>Middle button</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Botón central</translation>
+  </message>
+  <message>
+   <source>Hold X</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mantener X</translation>
+  </message>
+  <message>
+   <source>hide all overlays</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>ocultar todas las superposiciones</translation>
+  </message>
+  <message>
+   <source>Hold Z</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mantener Z</translation>
+  </message>
+  <message>
+   <source>loupe: eight times the picture's pixels</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>lupa: ocho veces los píxeles de la imagen</translation>
+  </message>
+  <message>
+   <source>Hold ,</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mantener ,</translation>
+  </message>
+  <message>
+   <source>look at the compared camera source</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>mirar la fuente de cámaras comparada</translation>
+  </message>
+  <message>
+   <source>Tap ,</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Pulsar ,</translation>
+  </message>
+  <message>
+   <source>judge with the compared source, compare with this one</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>juzgar con la fuente comparada, comparar con esta</translation>
+  </message>
+  <message>
+   <source>Hold Ctrl</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mantener Ctrl</translation>
+  </message>
+  <message>
+   <source>click beside the line: no snapping</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>marcar junto a la línea: sin ajuste</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + drag a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Ctrl+Alt + arrastrar una línea</translation>
+  </message>
+  <message>
+   <source>camera: it follows, the place stays as a peg</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>cámara: sigue, y el lugar queda como estaca</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + click a peg</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Ctrl+Alt + clic en una estaca</translation>
+  </message>
+  <message>
+   <source>camera: take the peg away</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>cámara: quitar la estaca</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Flechas</translation>
+  </message>
+  <message>
+   <source>crosshair: the keys point; chosen points are moved instead</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>retícula: las teclas señalan; si hay puntos elegidos, se mueven ellos</translation>
+  </message>
+  <message>
+   <source>Space at the crosshair</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Espacio en la retícula</translation>
+  </message>
+  <message>
+   <source>what a click does there (with Ctrl: no snapping)</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>lo que hace allí un clic (con Ctrl: sin ajuste)</translation>
+  </message>
+  <message>
+   <source>Right button</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Botón derecho</translation>
+  </message>
+  <message>
+   <source>menu of what is under the cursor</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>menú de lo que hay bajo el cursor</translation>
+  </message>
+  <message>
+   <source>Enter</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Intro</translation>
+  </message>
+  <message>
+   <source>accept the current ghost</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>aceptar el fantasma actual</translation>
+  </message>
+  <message>
+   <source>Shift+Enter</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mayús+Intro</translation>
+  </message>
+  <message>
+   <source>accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>aceptar todos los fantasmas</translation>
+  </message>
+  <message>
+   <source>Click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Clic</translation>
+  </message>
+  <message>
+   <source>draw: add a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>dibujar: añadir un punto</translation>
+  </message>
+  <message>
+   <source>Double-click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Doble clic</translation>
+  </message>
+  <message>
+   <source>draw: finish</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>dibujar: terminar</translation>
+  </message>
+  <message>
+   <source>Drag a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Arrastrar un punto</translation>
+  </message>
+  <message>
+   <source>edit: move it</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>editar: moverlo</translation>
+  </message>
+  <message>
+   <source>Shift+click a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mayús+clic en un punto</translation>
+  </message>
+  <message>
+   <source>edit: choose several</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>editar: elegir varios</translation>
+  </message>
+  <message>
+   <source>Drag on empty ground</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Arrastrar sobre un lugar vacío</translation>
+  </message>
+  <message>
+   <source>edit: choose the points inside</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>editar: elegir los puntos de dentro</translation>
+  </message>
+  <message>
+   <source>Drag a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Arrastrar una línea</translation>
+  </message>
+  <message>
+   <source>edit: move the element, unless elements are pinned</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>editar: mover el elemento, salvo que estén fijados</translation>
+  </message>
+  <message>
+   <source>Alt+click a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Alt+clic en una línea</translation>
+  </message>
+  <message>
+   <source>edit: insert a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>editar: insertar un punto</translation>
+  </message>
+  <message>
+   <source>Alt+Shift+click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Alt+Mayús+clic</translation>
+  </message>
+  <message>
+   <source>edit: remove the point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>editar: quitar el punto</translation>
+  </message>
+  <message>
+   <source>Click or drag on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Clic o arrastrar en la tira</translation>
+  </message>
+  <message>
+   <source>go to a frame</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>ir a una imagen</translation>
+  </message>
+  <message>
+   <source>Wheel on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Rueda sobre la tira</translation>
+  </message>
+  <message>
+   <source>zoom; with Shift, scroll</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>zoom; con Mayús, desplazar</translation>
+  </message>
+  <message>
+   <source>Shift+drag on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Mayús+arrastrar en la tira</translation>
+  </message>
+  <message>
+   <source>mark a stretch (a double click lets go of it)</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>marcar un tramo (un doble clic lo suelta)</translation>
+  </message>
+  <message>
+   <source>what is held down in the picture</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>lo que se mantiene pulsado en la imagen</translation>
+  </message>
+  <message>
+   <source>Usual</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Habituales</translation>
+  </message>
+  <message>
+   <source>Left-handed</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Para zurdos</translation>
+  </message>
+  <message>
+   <source>Like CVAT</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Como CVAT</translation>
+  </message>
+  <message>
+   <source>Like labelme</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Como labelme</translation>
+  </message>
+  <message>
+   <source>expected an object with "actions" and "elements"</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>se esperaba un objeto con "actions" y "elements"</translation>
+  </message>
+  <message>
+   <source>"actions" and "elements": expected objects</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>"actions" y "elements": se esperaban objetos</translation>
+  </message>
+  <message>
+   <source>{place}: {value!r} is no key; expected one like {one}</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>{place}: {value!r} no es una tecla; se esperaba una como {one}</translation>
+  </message>
+  <message>
+   <source>{place}: expected a list of keys, like {one}</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>{place}: se esperaba una lista de teclas, como {one}</translation>
+  </message>
+  <message>
+   <source>Panels</source>
+   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
+   <translation>Paneles</translation>
+  </message>
+  <message>
+   <source>{what} is there already, and says something else.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{what} ya existe y dice otra cosa.</translation>
+  </message>
+  <message>
+   <source>{text}.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{text}.</translation>
+  </message>
+  <message>
+   <source>Delete {what}?</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>¿Borrar {what}?</translation>
+  </message>
+  <message>
+   <source>Delete</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Borrar</translation>
+  </message>
+  <message>
+   <source>Replace it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Reemplazarlo</translation>
+  </message>
+  <message>
+   <source>Keep it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Conservarlo</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames are not saved, and saving failed again just now.</source>
+   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
+   <translation>
+    <numerusform>{n} imagen no está guardada, y guardar acaba de fallar otra vez.</numerusform>
+    <numerusform>{n} imágenes no están guardadas, y guardar acaba de fallar otra vez.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Stay</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Quedarse</translation>
+  </message>
+  <message>
+   <source>Close and lose them</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Cerrar y perderlas</translation>
+  </message>
+  <message>
+   <source>Dismiss this message</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Quitar este mensaje</translation>
+  </message>
+  <message>
+   <source>Reload theirs</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Recargar lo suyo</translation>
+  </message>
+  <message>
+   <source>Show what is in the file; undo brings your version back</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Mostrar lo que hay en el archivo; deshacer devuelve su versión</translation>
+  </message>
+  <message>
+   <source>Overwrite with mine</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Sobrescribir con lo mío</translation>
+  </message>
+  <message>
+   <source>Write what you see on screen over the file</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Escribir lo que ve en pantalla sobre el archivo</translation>
+  </message>
+  <message>
+   <source>This frame is not editable. {problem}</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Esta imagen no se puede editar. {problem}</translation>
+  </message>
+  <message>
+   <source>Fit and ghosts</source>
+   <extracomment>[procc_annotator/gui/settings.py, the setting fit_model, the setting ghost_support]</extracomment>
+   <translation>Ajuste y fantasmas</translation>
+  </message>
+  <message>
+   <source>Annotating</source>
+   <extracomment>[procc_annotator/gui/settings.py, the setting author, the setting auto_advance]</extracomment>
+   <translation>Anotación</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py, the setting evidence]</extracomment>
+   <translation>Imagen</translation>
+  </message>
+  <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>sin cámara</translation>
+  </message>
+  <message>
+   <source>Jaccard index of this frame at tau</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>Índice de Jaccard de esta imagen con tau</translation>
+  </message>
+  <message>
+   <source>The camera set that is judged (C switches)</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>El conjunto de cámaras que se juzga (C cambia)</translation>
+  </message>
+  <message>
+   <source>What the score is computed with: {terms}</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>Con qué se calcula la puntuación: {terms}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; del ajuste</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;ciego&lt;/b&gt;: entregar para ver el JaC</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>cámara ilegible</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>aquí no hay cámara</translation>
+  </message>
+  <message>
+   <source>Three steps to a frame</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Una imagen en tres pasos</translation>
+  </message>
+  <message>
+   <source>Click the two ends of a painted line, then Enter</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Marcar los dos extremos de una línea pintada y luego Intro</translation>
+  </message>
+  <message>
+   <source>{keys}: points along every line, on its paint</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{keys}: puntos a lo largo de cada línea, sobre su pintura</translation>
+  </message>
+  <message>
+   <source>{keys}, then Enter: take what the camera expects</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{keys} y luego Intro: tomar lo que espera la cámara</translation>
+  </message>
+  <message>
+   <source>Put the three steps away for ever (Help has the user guide)</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Quitar los tres pasos para siempre (la guía está en Ayuda)</translation>
+  </message>
+  <message>
+   <source>Put the three steps away</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Quitar los tres pasos</translation>
+  </message>
+  <message>
+   <source>{step}, done</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{step}, hecho</translation>
+  </message>
+  <message>
+   <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Intro lo ejecuta · ↑ ↓ eligen · Esc cierra</translation>
+  </message>
+  <message>
+   <source>Nothing is called “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Nada se llama «{text}».</translation>
+  </message>
+  <message>
+   <source>An action, element, frame, camera source, folder, number</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Una acción, elemento, imagen, fuente de cámaras, carpeta o número</translation>
+  </message>
+  <message>
+   <source>Find anything</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Buscar todo</translation>
+  </message>
+  <message>
+   <source>What fits</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Lo que encaja</translation>
+  </message>
+  <message>
+   <source>on</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>activado</translation>
+  </message>
+  <message>
+   <source>off</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>desactivado</translation>
+  </message>
+  <message>
+   <source>this installation came without its user guide</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>esta instalación vino sin su guía</translation>
+  </message>
+  <message>
+   <source>About ProCC Annotator</source>
+   <extracomment>[procc_annotator/gui/window/commands.py, the action about]</extracomment>
+   <translation>Acerca de ProCC Annotator</translation>
+  </message>
+  <message>
+   <source>ProCC Annotator {version}
+Annotate and audit sports-camera calibrations.</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>ProCC Annotator {version}
+Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</translation>
+  </message>
+  <message>
+   <source>no cameras are loaded (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>no hay cámaras cargadas (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to see side by side (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>cargue un segundo conjunto de cámaras para verlos lado a lado (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to compare (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>cargue un segundo conjunto de cámaras para comparar (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>Without geometry</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Sin geometría</translation>
+  </message>
+  <message>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Fantasma de {title}</translation>
+  </message>
+  <message>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Aceptar</translation>
+  </message>
+  <message>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Mirar de cerca</translation>
+  </message>
+  <message>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py, the action not_visible]</extracomment>
+   <translation>No visible aquí</translation>
+  </message>
+  <message>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Dibujando {title}</translation>
+  </message>
+  <message>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Dividir aquí: el resto pasa a ser</translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
+   <translation>Ignorar este hallazgo</translation>
+  </message>
+  <message>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>No visible aquí: retirar</translation>
+  </message>
+  <message>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Cambiar la clase a (intercambia con una anotada)</translation>
+  </message>
+  <message>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Punto {number} de {title}</translation>
+  </message>
+  <message>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Unir con</translation>
+  </message>
+  <message>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title}, sin confirmar</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} punto</numerusform>
+    <numerusform>{n} puntos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Annotate</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Anotar</translation>
+  </message>
+  <message>
+   <source>Judge</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Juzgar</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Revisar</translation>
+  </message>
+  <message>
+   <source>Desks</source>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Puestos de trabajo</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Imágenes</translation>
+  </message>
+  <message>
+   <source>Field map</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Mapa del campo</translation>
+  </message>
+  <message>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Elementos</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Cámaras</translation>
+  </message>
+  <message>
+   <source>Scores</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Puntuación</translation>
+  </message>
+  <message>
+   <source>Fit</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Ajuste</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Comprobación</translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Referencias</translation>
+  </message>
+  <message>
+   <source>Plots</source>
+   <extracomment>[procc_annotator/gui/window/docks.py, the action plots]</extracomment>
+   <translation>Gráficos</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Revisión</translation>
+  </message>
+  <message>
+   <source>Agreement</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Concordancia</translation>
+  </message>
+  <message>
+   <source>Find words in this page</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>Buscar palabras en esta página</translation>
+  </message>
+  <message>
+   <source>The user guide is in English.</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>La guía está en inglés.</translation>
+  </message>
+  <message>
+   <source>User guide</source>
+   <extracomment>[procc_annotator/gui/window/guide.py, the action guide]</extracomment>
+   <translation>Guía</translation>
+  </message>
+  <message>
+   <source>Headings</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>Títulos</translation>
+  </message>
+  <message>
+   <source>{one} or {other}</source>
+   <extracomment>[procc_annotator/gui/window/key_columns.py]</extracomment>
+   <translation>{one} o {other}</translation>
+  </message>
+  <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>En la imagen</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py, procc_annotator/gui/window/keymap_dialog.py, the action keys]</extracomment>
+   <translation>Teclas</translation>
+  </message>
+  <message>
+   <source>Search: a word, or a key. A click does what a row says.</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Búsqueda: una palabra o una tecla. Un clic hace lo que dice la fila.</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Buscar en las teclas</translation>
+  </message>
+  <message>
+   <source>Actions and their keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Acciones y sus teclas</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Ninguna tecla, acción ni elemento tiene «{text}».</translation>
+  </message>
+  <message>
+   <source>Choose an element</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Elegir un elemento</translation>
+  </message>
+  <message>
+   <source>Keys of your own</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Teclas propias</translation>
+  </message>
+  <message>
+   <source>Keys (*.json)</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Teclas (*.json)</translation>
+  </message>
+  <message>
+   <source>{menu}: {action}</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{menu}: {action}</translation>
+  </message>
+  <message>
+   <source>Search: a word, or a key</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Búsqueda: una palabra o una tecla</translation>
+  </message>
+  <message>
+   <source>Choose a row, then press its keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Elija una fila y pulse sus teclas</translation>
+  </message>
+  <message>
+   <source>Change keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Cambiar teclas</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Búsqueda</translation>
+  </message>
+  <message>
+   <source>All keys at once</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Todas las teclas a la vez</translation>
+  </message>
+  <message>
+   <source>Add</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Añadir</translation>
+  </message>
+  <message>
+   <source>Only these</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Solo estas</translation>
+  </message>
+  <message>
+   <source>No keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Ninguna tecla</translation>
+  </message>
+  <message>
+   <source>Usual keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Teclas habituales</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Exportar…</translation>
+  </message>
+  <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Importar…</translation>
+  </message>
+  <message>
+   <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>⚠ Las teclas que llaman a dos acciones no llaman a ninguna: dé otras a una de ellas.</translation>
+  </message>
+  <message>
+   <source>Export keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Exportar teclas</translation>
+  </message>
+  <message>
+   <source>Import keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Importar teclas</translation>
+  </message>
+  <message>
+   <source>⚠ also: {what}</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>⚠ también: {what}</translation>
+  </message>
+  <message>
+   <source>New keys: press them here</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Teclas nuevas: púlselas aquí</translation>
+  </message>
+  <message>
+   <source>{file}: {error}; the keys stay as they are</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>{file}: {error}; las teclas quedan como están</translation>
+  </message>
+  <message>
+   <source>Action or element</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Acción o elemento</translation>
+  </message>
+  <message>
+   <source>{action}: {step}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{action}: {step}</translation>
+  </message>
+  <message>
+   <source>Panel</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Panel</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Ajuste</translation>
+  </message>
+  <message>
+   <source>Open</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Abrir</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Imagen {number} de {count}</translation>
+  </message>
+  <message>
+   <source>Go to this frame</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Ir a esta imagen</translation>
+  </message>
+  <message>
+   <source>Judge {source}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Juzgar {source}</translation>
+  </message>
+  <message>
+   <source>Judge with this source</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Juzgar con esta fuente</translation>
+  </message>
+  <message>
+   <source>Live fit: model {model}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Ajuste continuo: modelo {model}</translation>
+  </message>
+  <message>
+   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Ajustar este modelo a los clics; auto toma el más sencillo que permiten</translation>
+  </message>
+  <message>
+   <source>Panel {title}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Panel {title}</translation>
+  </message>
+  <message>
+   <source>Open this panel and bring it to the front</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Abrir este panel y traerlo al frente</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Umbral {px:g} px</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Juzgar los elementos con este tau</translation>
+  </message>
+  <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>Barra de herramientas</translation>
+  </message>
+  <message>
+   <source>Picture
+Brightness, contrast, gamma, line enhance: only what you see changes</source>
+   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>Imagen
+Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</translation>
+  </message>
+  <message>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>guardado {time}</translation>
+  </message>
+  <message numerus="yes">
+   <source>NOT SAVED: {n} frames</source>
+   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>
+    <numerusform>SIN GUARDAR: {n} imagen</numerusform>
+    <numerusform>SIN GUARDAR: {n} imágenes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>saving...</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>guardando...</translation>
+  </message>
+  <message>
+   <source>no changes</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>sin cambios</translation>
+  </message>
+  <message>
+   <source>Search the settings</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Buscar en los ajustes</translation>
+  </message>
+  <message>
+   <source>{setting}: back to {value}</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>{setting}: volver a {value}</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Ajustes</translation>
+  </message>
+  <message>
+   <source>All to their defaults</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Todo por defecto</translation>
+  </message>
+  <message>
+   <source>Change keys…</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py, the action keymap]</extracomment>
+   <translation>Cambiar teclas…</translation>
+  </message>
+  <message>
+   <source>No setting has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Ningún ajuste tiene «{text}».</translation>
+  </message>
+  <message>
+   <source>none of your own</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>ninguno propio</translation>
+  </message>
+  <message>
+   <source>ground ±{metres:.2f} m</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>suelo ±{metres:.2f} m</translation>
+  </message>
+  <message>
+   <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Cursor en píxeles de la imagen; el centro del píxel superior izquierdo es 0 0</translation>
+  </message>
+  <message>
+   <source>Cursor on the ground of the field, in metres from its centre</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Cursor sobre el suelo del campo, en metros desde su centro</translation>
+  </message>
+  <message>
+   <source>How far apart the active and the compared camera see the cursor:
+on the ground, and in pixels of the evaluation size</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>A qué distancia ven el cursor la cámara activa y la comparada:
+sobre el suelo, y en píxeles del tamaño de evaluación</translation>
+  </message>
+  <message>
+   <source>How surely the fitted camera knows the ground point at the cursor: standard
+deviation in the worst direction, whatever the cursor itself is off by</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Con qué seguridad conoce la cámara ajustada el punto del suelo en el cursor: desviación
+típica en la peor dirección, sea cual sea el error del propio cursor</translation>
+  </message>
+  <message>
+   <source>scoring {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>puntuando {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>Camera &gt; Stop scoring the set ends it</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>Cámara &gt; Detener la puntuación del conjunto lo termina</translation>
+  </message>
+  <message>
+   <source>comparing {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>comparando {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>ghosts {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>fantasmas {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>Esc ends it</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>Esc lo termina</translation>
+  </message>
+  <message>
+   <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
+   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <translation>Umbral tau: un elemento pasa si todos sus puntos están más cerca (+ y -)</translation>
+  </message>
+  <message>
+   <source>Threshold tau</source>
+   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <translation>Umbral tau</translation>
+  </message>
+  <message>
+   <source>Top bar</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Barra superior</translation>
+  </message>
+  <message>
+   <source>Status of this frame (panel Review)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Estado de esta imagen (panel Revisión)</translation>
+  </message>
+  <message>
+   <source>Field: {field}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Campo: {field}</translation>
+  </message>
+  <message>
+   <source>Click to choose another one</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Clic para elegir otro</translation>
+  </message>
+  <message>
+   <source>Drop a folder of pictures here</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Suelte aquí una carpeta de imágenes</translation>
+  </message>
+  <message>
+   <source>Annotations are read from and saved to SoccerNet JSON beside the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Las anotaciones se leen y guardan como JSON de SoccerNet junto a las imágenes. Suelte más tarde una carpeta de cámaras para verlas juzgadas con sus clics.</translation>
+  </message>
+  <message>
+   <source>Open recent</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Abrir reciente</translation>
   </message>
   <message>
    <source>Open folder…</source>
-   <extracomment>[the action open_folder]</extracomment>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_folder]</extracomment>
    <translation>Abrir carpeta…</translation>
+  </message>
+  <message>
+   <source>Open picture…</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_picture]</extracomment>
+   <translation>Abrir imagen…</translation>
+  </message>
+  <message>
+   <source>Open video…</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_video]</extracomment>
+   <translation>Abrir vídeo…</translation>
+  </message>
+  <message>
+   <source>Try the sample</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Probar el ejemplo</translation>
+  </message>
+  <message>
+   <source>Go on with</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Continuar con</translation>
+  </message>
+  <message>
+   <source>Nothing was opened yet</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Aún no se ha abierto nada</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what}); the terminal says more</source>
+   <extracomment>[procc_annotator/gui/worker.py]</extracomment>
+   <translation>error inesperado ({what}); el terminal dice más</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/writing.py]</extracomment>
+   <translation>abra primero una carpeta de imágenes</translation>
+  </message>
+  <message>
+   <source>what was saved elsewhere</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>lo que se guardó en otra parte</translation>
+  </message>
+  <message>
+   <source>overwritten</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>sobrescrito</translation>
+  </message>
+  <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>como se encontró</translation>
+  </message>
+  <message>
+   <source>taken back</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>retirado</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>guardado</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -49,19 +1257,9 @@
    <translation>Anotar todas las imágenes de una carpeta</translation>
   </message>
   <message>
-   <source>Open picture…</source>
-   <extracomment>[the action open_picture]</extracomment>
-   <translation>Abrir imagen…</translation>
-  </message>
-  <message>
    <source>Annotate a single picture</source>
    <extracomment>[the action open_picture]</extracomment>
    <translation>Anotar una sola imagen</translation>
-  </message>
-  <message>
-   <source>Open video…</source>
-   <extracomment>[the action open_video]</extracomment>
-   <translation>Abrir vídeo…</translation>
   </message>
   <message>
    <source>Annotate frames of a video without extracting them first</source>
@@ -532,11 +1730,6 @@
    <source>Mend the current finding: relabel, swap, remove the bad point, or look at it</source>
    <extracomment>[the action apply_remedy]</extracomment>
    <translation>Reparar el hallazgo actual: cambiar la clase, intercambiar, quitar el punto malo, o mirarlo</translation>
-  </message>
-  <message>
-   <source>Ignore this finding</source>
-   <extracomment>[the action ignore_finding]</extracomment>
-   <translation>Ignorar este hallazgo</translation>
   </message>
   <message>
    <source>Do not show it again until the points of its elements change</source>
@@ -1109,11 +2302,6 @@
    <translation>Cuánto de su línea pintada debe verse para aceptar un fantasma junto con los demás</translation>
   </message>
   <message>
-   <source>Not visible here</source>
-   <extracomment>[the action not_visible]</extracomment>
-   <translation>No visible aquí</translation>
-  </message>
-  <message>
    <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
    <translation>El fantasma, o el elemento elegido, no se ve en esta imagen; otra vez lo retira</translation>
@@ -1304,6 +2492,16 @@
    <translation>Mantener la lupa en el cursor (o mantener Z; también aparece al arrastrar un punto)</translation>
   </message>
   <message>
+   <source>Turn the field map to the camera</source>
+   <extracomment>[the action turn_map, the setting turn_map]</extracomment>
+   <translation>Girar el mapa hacia la cámara</translation>
+  </message>
+  <message>
+   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
+   <extracomment>[the action turn_map, the setting turn_map]</extracomment>
+   <translation>El mapa tiene abajo el lado en que está la cámara, y lo que esta no ve es tenue; la mitad fuera de vista deja su sitio a la otra</translation>
+  </message>
+  <message>
    <source>Strip of frames</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>Tira de imágenes</translation>
@@ -1312,11 +2510,6 @@
    <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>Bajo la imagen: en un vídeo o en imágenes seguidas, cómo van sus cámaras y dónde están anotadas; en otras, miniaturas con su estado</translation>
-  </message>
-  <message>
-   <source>Plots</source>
-   <extracomment>[the action plots]</extracomment>
-   <translation>Gráficos</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources</source>
@@ -1654,19 +2847,9 @@
    <translation>La paleta de órdenes: toda acción, elemento, imagen, fuente de cámaras y carpeta reciente, con unas letras de su nombre</translation>
   </message>
   <message>
-   <source>Keys</source>
-   <extracomment>[the action keys]</extracomment>
-   <translation>Teclas</translation>
-  </message>
-  <message>
    <source>Show all actions and their keys on one sheet</source>
    <extracomment>[the action keys]</extracomment>
    <translation>Mostrar todas las acciones y sus teclas en una hoja</translation>
-  </message>
-  <message>
-   <source>Change keys…</source>
-   <extracomment>[the action keymap]</extracomment>
-   <translation>Cambiar teclas…</translation>
   </message>
   <message>
    <source>Give actions and elements other keys, or take those of another program</source>
@@ -1674,19 +2857,9 @@
    <translation>Dar otras teclas a acciones y elementos, o tomar las de otro programa</translation>
   </message>
   <message>
-   <source>User guide</source>
-   <extracomment>[the action guide]</extracomment>
-   <translation>Guía</translation>
-  </message>
-  <message>
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
    <translation>La guía que trae el programa; no necesita red</translation>
-  </message>
-  <message>
-   <source>About ProCC Annotator</source>
-   <extracomment>[the action about]</extracomment>
-   <translation>Acerca de ProCC Annotator</translation>
   </message>
   <message>
    <source>Version</source>
@@ -1710,7 +2883,7 @@
   </message>
   <message>
    <source>As the system</source>
-   <extracomment>[the setting language, the setting theme]</extracomment>
+   <extracomment>[the setting theme]</extracomment>
    <translation>Como el sistema</translation>
   </message>
   <message>
@@ -1744,44 +2917,9 @@
    <translation>El idioma de la ventana; desde el próximo inicio. Los archivos quedan como están</translation>
   </message>
   <message>
-   <source>English</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>English</translation>
-  </message>
-  <message>
-   <source>Deutsch</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Deutsch</translation>
-  </message>
-  <message>
-   <source>Español</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Español</translation>
-  </message>
-  <message>
-   <source>Français</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Français</translation>
-  </message>
-  <message>
-   <source>日本語</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>日本語</translation>
-  </message>
-  <message>
-   <source>简体中文</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>简体中文</translation>
-  </message>
-  <message>
    <source>What the colours over the picture say</source>
    <extracomment>[the setting colour_by]</extracomment>
    <translation>Lo que dicen los colores sobre la imagen</translation>
-  </message>
-  <message>
-   <source>Annotating</source>
-   <extracomment>[the setting author, the setting auto_advance, the setting draw_first]</extracomment>
-   <translation>Anotación</translation>
   </message>
   <message>
    <source>Your name</source>
@@ -1827,11 +2965,6 @@
    <source>How elements count that a homography cannot project: goals, baskets, nets</source>
    <extracomment>[the setting off_plane]</extracomment>
    <translation>Cómo cuentan los elementos que una homografía no puede proyectar: porterías, canastas, redes</translation>
-  </message>
-  <message>
-   <source>Fit and ghosts</source>
-   <extracomment>[the setting fit_model, the setting ghost_support, the setting ghosts]</extracomment>
-   <translation>Ajuste y fantasmas</translation>
   </message>
   <message>
    <source>Model of the live fit</source>
@@ -1897,11 +3030,6 @@
    <source>How much of a ghost's line must be seen to accept it with all others</source>
    <extracomment>[the setting ghost_support]</extracomment>
    <translation>Cuánto de la línea de un fantasma debe verse para aceptarlo con todos los demás</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[the setting evidence, the setting keep_zoom, the setting loupe]</extracomment>
-   <translation>Imagen</translation>
   </message>
   <message>
    <source>American football (NFL)</source>

@@ -5,43 +5,1251 @@
   <name>procc</name>
   <message>
    <source>File</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Fichier</translation>
   </message>
   <message>
    <source>Edit</source>
-   <extracomment>[the action edit_mode, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the action edit_mode, the menus]</extracomment>
    <translation>Édition</translation>
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/context_menu.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
    <translation>Image</translation>
   </message>
   <message>
    <source>Element</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
    <translation>Élément</translation>
   </message>
   <message>
    <source>View</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Affichage</translation>
   </message>
   <message>
    <source>Camera</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/palette_entries.py, the menus]</extracomment>
    <translation>Caméra</translation>
   </message>
   <message>
    <source>Help</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Aide</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, symmetries: {turns}</source>
+   <extracomment>{n} element, symmetries: {turns} / {n} elements, symmetries: {turns} [procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>
+    <numerusform>{n} élément, symétries : {turns}</numerusform>
+    <numerusform>{n} éléments, symétries : {turns}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>There is no field to show yet.</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>Il n’y a pas encore de terrain à montrer.</translation>
+  </message>
+  <message>
+   <source>{dimension}: {value:.10g} m (the rules allow {least:g} to {most:g} m)</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>{dimension} : {value:.10g} m (les règles permettent de {least:g} à {most:g} m)</translation>
+  </message>
+  <message>
+   <source>... and {n} more</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>... et {n} de plus</translation>
+  </message>
+  <message>
+   <source>none</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>aucune</translation>
+  </message>
+  <message>
+   <source>Wheel</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Molette</translation>
+  </message>
+  <message>
+   <source>zoom at the cursor</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>zoom au curseur</translation>
+  </message>
+  <message>
+   <source>Two fingers</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Deux doigts</translation>
+  </message>
+  <message>
+   <source>pan; pinched, zoom</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>déplacer ; pincés, zoom</translation>
+  </message>
+  <message>
+   <source>Shift + wheel</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Maj + molette</translation>
+  </message>
+  <message>
+   <source>pan sideways, as a tilted wheel does</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>déplacer de côté, comme une molette inclinée</translation>
+  </message>
+  <message>
+   <source>Space + drag</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Espace + glisser</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>déplacer</translation>
+  </message>
+  <message>
+   <source>Middle button</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Bouton du milieu</translation>
+  </message>
+  <message>
+   <source>Hold X</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Tenir X</translation>
+  </message>
+  <message>
+   <source>hide all overlays</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>cacher toutes les superpositions</translation>
+  </message>
+  <message>
+   <source>Hold Z</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Tenir Z</translation>
+  </message>
+  <message>
+   <source>loupe: eight times the picture's pixels</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>loupe : huit fois les pixels de l’image</translation>
+  </message>
+  <message>
+   <source>Hold ,</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Tenir ,</translation>
+  </message>
+  <message>
+   <source>look at the compared camera source</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>regarder la source de caméras comparée</translation>
+  </message>
+  <message>
+   <source>Tap ,</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Taper ,</translation>
+  </message>
+  <message>
+   <source>judge with the compared source, compare with this one</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>juger avec la source comparée, comparer avec celle-ci</translation>
+  </message>
+  <message>
+   <source>Hold Ctrl</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Tenir Ctrl</translation>
+  </message>
+  <message>
+   <source>click beside the line: no snapping</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>cliquer à côté de la ligne : sans aimant</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + drag a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Ctrl+Alt + glisser une ligne</translation>
+  </message>
+  <message>
+   <source>camera: it follows, the place stays as a peg</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>caméra : elle suit, l’endroit reste comme piquet</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + click a peg</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Ctrl+Alt + cliquer un piquet</translation>
+  </message>
+  <message>
+   <source>camera: take the peg away</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>caméra : retirer le piquet</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Flèches</translation>
+  </message>
+  <message>
+   <source>crosshair: the keys point; chosen points are moved instead</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>réticule : les touches pointent ; les points choisis sont plutôt déplacés</translation>
+  </message>
+  <message>
+   <source>Space at the crosshair</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Espace au réticule</translation>
+  </message>
+  <message>
+   <source>what a click does there (with Ctrl: no snapping)</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>ce qu’un clic y fait (avec Ctrl : sans aimant)</translation>
+  </message>
+  <message>
+   <source>Right button</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Bouton droit</translation>
+  </message>
+  <message>
+   <source>menu of what is under the cursor</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>menu de ce qui est sous le curseur</translation>
+  </message>
+  <message>
+   <source>Enter</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Entrée</translation>
+  </message>
+  <message>
+   <source>accept the current ghost</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>accepter le fantôme actuel</translation>
+  </message>
+  <message>
+   <source>Shift+Enter</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Maj+Entrée</translation>
+  </message>
+  <message>
+   <source>accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>accepter tous les fantômes</translation>
+  </message>
+  <message>
+   <source>Click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Clic</translation>
+  </message>
+  <message>
+   <source>draw: add a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>dessin : ajouter un point</translation>
+  </message>
+  <message>
+   <source>Double-click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Double-clic</translation>
+  </message>
+  <message>
+   <source>draw: finish</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>dessin : terminer</translation>
+  </message>
+  <message>
+   <source>Drag a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Glisser un point</translation>
+  </message>
+  <message>
+   <source>edit: move it</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>édition : le déplacer</translation>
+  </message>
+  <message>
+   <source>Shift+click a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Maj+clic sur un point</translation>
+  </message>
+  <message>
+   <source>edit: choose several</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>édition : en choisir plusieurs</translation>
+  </message>
+  <message>
+   <source>Drag on empty ground</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Glisser sur un endroit vide</translation>
+  </message>
+  <message>
+   <source>edit: choose the points inside</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>édition : choisir les points à l’intérieur</translation>
+  </message>
+  <message>
+   <source>Drag a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Glisser une ligne</translation>
+  </message>
+  <message>
+   <source>edit: move the element, unless elements are pinned</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>édition : déplacer l’élément, sauf si les éléments sont épinglés</translation>
+  </message>
+  <message>
+   <source>Alt+click a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Alt+clic sur une ligne</translation>
+  </message>
+  <message>
+   <source>edit: insert a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>édition : insérer un point</translation>
+  </message>
+  <message>
+   <source>Alt+Shift+click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Alt+Maj+clic</translation>
+  </message>
+  <message>
+   <source>edit: remove the point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>édition : retirer le point</translation>
+  </message>
+  <message>
+   <source>Click or drag on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Cliquer ou glisser sur la bande</translation>
+  </message>
+  <message>
+   <source>go to a frame</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>aller à une image</translation>
+  </message>
+  <message>
+   <source>Wheel on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Molette sur la bande</translation>
+  </message>
+  <message>
+   <source>zoom; with Shift, scroll</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>zoom ; avec Maj, défiler</translation>
+  </message>
+  <message>
+   <source>Shift+drag on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Maj+glisser sur la bande</translation>
+  </message>
+  <message>
+   <source>mark a stretch (a double click lets go of it)</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>marquer un passage (un double-clic le lâche)</translation>
+  </message>
+  <message>
+   <source>what is held down in the picture</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>ce qui se tient enfoncé dans l’image</translation>
+  </message>
+  <message>
+   <source>Usual</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Habituelles</translation>
+  </message>
+  <message>
+   <source>Left-handed</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Gaucher</translation>
+  </message>
+  <message>
+   <source>Like CVAT</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Comme CVAT</translation>
+  </message>
+  <message>
+   <source>Like labelme</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>Comme labelme</translation>
+  </message>
+  <message>
+   <source>expected an object with "actions" and "elements"</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>attendu : un objet avec "actions" et "elements"</translation>
+  </message>
+  <message>
+   <source>"actions" and "elements": expected objects</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>"actions" et "elements" : des objets sont attendus</translation>
+  </message>
+  <message>
+   <source>{place}: {value!r} is no key; expected one like {one}</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>{place} : {value!r} n’est pas une touche ; il en faut une comme {one}</translation>
+  </message>
+  <message>
+   <source>{place}: expected a list of keys, like {one}</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>{place} : une liste de touches est attendue, comme {one}</translation>
+  </message>
+  <message>
+   <source>Panels</source>
+   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
+   <translation>Panneaux</translation>
+  </message>
+  <message>
+   <source>{what} is there already, and says something else.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{what} existe déjà, et dit autre chose.</translation>
+  </message>
+  <message>
+   <source>{text}.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{text}.</translation>
+  </message>
+  <message>
+   <source>Delete {what}?</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Supprimer {what} ?</translation>
+  </message>
+  <message>
+   <source>Delete</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Supprimer</translation>
+  </message>
+  <message>
+   <source>Replace it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Le remplacer</translation>
+  </message>
+  <message>
+   <source>Keep it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Le garder</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames are not saved, and saving failed again just now.</source>
+   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
+   <translation>
+    <numerusform>{n} image n’est pas enregistrée, et l’enregistrement vient d’échouer encore.</numerusform>
+    <numerusform>{n} images ne sont pas enregistrées, et l’enregistrement vient d’échouer encore.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Stay</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Rester</translation>
+  </message>
+  <message>
+   <source>Close and lose them</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Fermer et les perdre</translation>
+  </message>
+  <message>
+   <source>Dismiss this message</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Fermer ce message</translation>
+  </message>
+  <message>
+   <source>Reload theirs</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Recharger les leurs</translation>
+  </message>
+  <message>
+   <source>Show what is in the file; undo brings your version back</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Montrer ce qui est dans le fichier ; annuler ramène votre version</translation>
+  </message>
+  <message>
+   <source>Overwrite with mine</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Écraser avec les miennes</translation>
+  </message>
+  <message>
+   <source>Write what you see on screen over the file</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Écrire ce que vous voyez par-dessus le fichier</translation>
+  </message>
+  <message>
+   <source>This frame is not editable. {problem}</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Cette image n’est pas modifiable. {problem}</translation>
+  </message>
+  <message>
+   <source>Fit and ghosts</source>
+   <extracomment>[procc_annotator/gui/settings.py, the setting fit_model, the setting ghost_support]</extracomment>
+   <translation>Ajustement et fantômes</translation>
+  </message>
+  <message>
+   <source>Annotating</source>
+   <extracomment>[procc_annotator/gui/settings.py, the setting author, the setting auto_advance]</extracomment>
+   <translation>Annotation</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py, the setting evidence]</extracomment>
+   <translation>Image</translation>
+  </message>
+  <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>pas de caméra</translation>
+  </message>
+  <message>
+   <source>Jaccard index of this frame at tau</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>Indice de Jaccard de cette image à tau</translation>
+  </message>
+  <message>
+   <source>The camera set that is judged (C switches)</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>Le jeu de caméras qui est jugé (C change)</translation>
+  </message>
+  <message>
+   <source>What the score is computed with: {terms}</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>Avec quoi le score est calculé : {terms}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; de l’ajustement</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;aveugle&lt;/b&gt; : remettre pour voir le JaC</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>caméra illisible</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>pas de caméra ici</translation>
+  </message>
+  <message>
+   <source>Three steps to a frame</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Une image en trois étapes</translation>
+  </message>
+  <message>
+   <source>Click the two ends of a painted line, then Enter</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Cliquer les deux bouts d’une ligne peinte, puis Entrée</translation>
+  </message>
+  <message>
+   <source>{keys}: points along every line, on its paint</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{keys} : des points le long de chaque ligne, sur sa peinture</translation>
+  </message>
+  <message>
+   <source>{keys}, then Enter: take what the camera expects</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{keys}, puis Entrée : prendre ce que la caméra attend</translation>
+  </message>
+  <message>
+   <source>Put the three steps away for ever (Help has the user guide)</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Ranger les trois étapes pour toujours (le guide est dans Aide)</translation>
+  </message>
+  <message>
+   <source>Put the three steps away</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>Ranger les trois étapes</translation>
+  </message>
+  <message>
+   <source>{step}, done</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{step}, fait</translation>
+  </message>
+  <message>
+   <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Entrée exécute · ↑ ↓ choisissent · Échap ferme</translation>
+  </message>
+  <message>
+   <source>Nothing is called “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Rien ne s’appelle « {text} ».</translation>
+  </message>
+  <message>
+   <source>An action, element, frame, camera source, folder, number</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Une action, un élément, une image, une source, un dossier, un nombre</translation>
+  </message>
+  <message>
+   <source>Find anything</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Tout trouver</translation>
+  </message>
+  <message>
+   <source>What fits</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Ce qui convient</translation>
+  </message>
+  <message>
+   <source>on</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>activé</translation>
+  </message>
+  <message>
+   <source>off</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>désactivé</translation>
+  </message>
+  <message>
+   <source>this installation came without its user guide</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>cette installation est venue sans son guide</translation>
+  </message>
+  <message>
+   <source>About ProCC Annotator</source>
+   <extracomment>[procc_annotator/gui/window/commands.py, the action about]</extracomment>
+   <translation>À propos de ProCC Annotator</translation>
+  </message>
+  <message>
+   <source>ProCC Annotator {version}
+Annotate and audit sports-camera calibrations.</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>ProCC Annotator {version}
+Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC.</translation>
+  </message>
+  <message>
+   <source>no cameras are loaded (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>aucune caméra n’est chargée (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to see side by side (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>chargez un second jeu de caméras pour les voir côte à côte (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to compare (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>chargez un second jeu de caméras pour comparer (Ctrl+L)</translation>
+  </message>
+  <message>
+   <source>Without geometry</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Sans géométrie</translation>
+  </message>
+  <message>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Fantôme de {title}</translation>
+  </message>
+  <message>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Accepter</translation>
+  </message>
+  <message>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Regarder de près</translation>
+  </message>
+  <message>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py, the action not_visible]</extracomment>
+   <translation>Pas visible ici</translation>
+  </message>
+  <message>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Dessin de {title}</translation>
+  </message>
+  <message>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Couper ici : le reste devient</translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
+   <translation>Ignorer ce constat</translation>
+  </message>
+  <message>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Pas visible ici : revenir dessus</translation>
+  </message>
+  <message>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Changer la classe en (échange avec une annotée)</translation>
+  </message>
+  <message>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Point {number} de {title}</translation>
+  </message>
+  <message>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Fusionner dans</translation>
+  </message>
+  <message>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title}, non confirmé</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} point</numerusform>
+    <numerusform>{n} points</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Annotate</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Annoter</translation>
+  </message>
+  <message>
+   <source>Judge</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Juger</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Relire</translation>
+  </message>
+  <message>
+   <source>Desks</source>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>Postes de travail</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Images</translation>
+  </message>
+  <message>
+   <source>Field map</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Plan du terrain</translation>
+  </message>
+  <message>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Éléments</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Caméras</translation>
+  </message>
+  <message>
+   <source>Scores</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Scores</translation>
+  </message>
+  <message>
+   <source>Fit</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Ajustement</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Vérification</translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Repères</translation>
+  </message>
+  <message>
+   <source>Plots</source>
+   <extracomment>[procc_annotator/gui/window/docks.py, the action plots]</extracomment>
+   <translation>Graphiques</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Relecture</translation>
+  </message>
+  <message>
+   <source>Agreement</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Accord</translation>
+  </message>
+  <message>
+   <source>Find words in this page</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>Chercher des mots dans cette page</translation>
+  </message>
+  <message>
+   <source>The user guide is in English.</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>Le guide est en anglais.</translation>
+  </message>
+  <message>
+   <source>User guide</source>
+   <extracomment>[procc_annotator/gui/window/guide.py, the action guide]</extracomment>
+   <translation>Guide</translation>
+  </message>
+  <message>
+   <source>Headings</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>Titres</translation>
+  </message>
+  <message>
+   <source>{one} or {other}</source>
+   <extracomment>[procc_annotator/gui/window/key_columns.py]</extracomment>
+   <translation>{one} ou {other}</translation>
+  </message>
+  <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Dans l’image</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py, procc_annotator/gui/window/keymap_dialog.py, the action keys]</extracomment>
+   <translation>Touches</translation>
+  </message>
+  <message>
+   <source>Search: a word, or a key. A click does what a row says.</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Recherche : un mot ou une touche. Un clic fait ce que dit une ligne.</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Chercher dans les touches</translation>
+  </message>
+  <message>
+   <source>Actions and their keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Actions et leurs touches</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Aucune touche, action ni élément ne contient « {text} ».</translation>
+  </message>
+  <message>
+   <source>Choose an element</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>Choisir un élément</translation>
+  </message>
+  <message>
+   <source>Keys of your own</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Vos propres touches</translation>
+  </message>
+  <message>
+   <source>Keys (*.json)</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Touches (*.json)</translation>
+  </message>
+  <message>
+   <source>{menu}: {action}</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{menu} : {action}</translation>
+  </message>
+  <message>
+   <source>Search: a word, or a key</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Recherche : un mot ou une touche</translation>
+  </message>
+  <message>
+   <source>Choose a row, then press its keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Choisir une ligne, puis presser ses touches</translation>
+  </message>
+  <message>
+   <source>Change keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Changer les touches</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Recherche</translation>
+  </message>
+  <message>
+   <source>All keys at once</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Toutes les touches d’un coup</translation>
+  </message>
+  <message>
+   <source>Add</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Ajouter</translation>
+  </message>
+  <message>
+   <source>Only these</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Seulement celles-ci</translation>
+  </message>
+  <message>
+   <source>No keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Aucune touche</translation>
+  </message>
+  <message>
+   <source>Usual keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Touches habituelles</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Exporter…</translation>
+  </message>
+  <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Importer…</translation>
+  </message>
+  <message>
+   <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>⚠ Des touches qui appellent deux actions n’en appellent aucune : donnez-en d’autres à l’une d’elles.</translation>
+  </message>
+  <message>
+   <source>Export keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Exporter les touches</translation>
+  </message>
+  <message>
+   <source>Import keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Importer des touches</translation>
+  </message>
+  <message>
+   <source>⚠ also: {what}</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>⚠ aussi : {what}</translation>
+  </message>
+  <message>
+   <source>New keys: press them here</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Nouvelles touches : pressez-les ici</translation>
+  </message>
+  <message>
+   <source>{file}: {error}; the keys stay as they are</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>{file} : {error} ; les touches restent ce qu’elles sont</translation>
+  </message>
+  <message>
+   <source>Action or element</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Action ou élément</translation>
+  </message>
+  <message>
+   <source>{action}: {step}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{action} : {step}</translation>
+  </message>
+  <message>
+   <source>Panel</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Panneau</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Paramètre</translation>
+  </message>
+  <message>
+   <source>Open</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Ouvrir</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Image {number} sur {count}</translation>
+  </message>
+  <message>
+   <source>Go to this frame</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Aller à cette image</translation>
+  </message>
+  <message>
+   <source>Judge {source}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Juger {source}</translation>
+  </message>
+  <message>
+   <source>Judge with this source</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Juger avec cette source</translation>
+  </message>
+  <message>
+   <source>Live fit: model {model}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Ajustement continu : modèle {model}</translation>
+  </message>
+  <message>
+   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Ajuster ce modèle aux clics ; auto prend le plus simple qu’ils permettent</translation>
+  </message>
+  <message>
+   <source>Panel {title}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Panneau {title}</translation>
+  </message>
+  <message>
+   <source>Open this panel and bring it to the front</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Ouvrir ce panneau et le mettre devant</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Seuil {px:g} px</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Juger les éléments avec ce tau</translation>
+  </message>
+  <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>Barre d’outils</translation>
+  </message>
+  <message>
+   <source>Picture
+Brightness, contrast, gamma, line enhance: only what you see changes</source>
+   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>Image
+Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez change</translation>
+  </message>
+  <message>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>enregistré {time}</translation>
+  </message>
+  <message numerus="yes">
+   <source>NOT SAVED: {n} frames</source>
+   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>
+    <numerusform>NON ENREGISTRÉE : {n} image</numerusform>
+    <numerusform>NON ENREGISTRÉES : {n} images</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>saving...</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>enregistrement...</translation>
+  </message>
+  <message>
+   <source>no changes</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>aucun changement</translation>
+  </message>
+  <message>
+   <source>Search the settings</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Chercher dans les paramètres</translation>
+  </message>
+  <message>
+   <source>{setting}: back to {value}</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>{setting} : revenir à {value}</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Paramètres</translation>
+  </message>
+  <message>
+   <source>All to their defaults</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Tout par défaut</translation>
+  </message>
+  <message>
+   <source>Change keys…</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py, the action keymap]</extracomment>
+   <translation>Changer les touches…</translation>
+  </message>
+  <message>
+   <source>No setting has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>Aucun paramètre ne contient « {text} ».</translation>
+  </message>
+  <message>
+   <source>none of your own</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>aucun de votre choix</translation>
+  </message>
+  <message>
+   <source>ground ±{metres:.2f} m</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>sol ±{metres:.2f} m</translation>
+  </message>
+  <message>
+   <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Curseur en pixels de l’image ; le centre du pixel en haut à gauche est 0 0</translation>
+  </message>
+  <message>
+   <source>Cursor on the ground of the field, in metres from its centre</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Curseur au sol du terrain, en mètres depuis son centre</translation>
+  </message>
+  <message>
+   <source>How far apart the active and the compared camera see the cursor:
+on the ground, and in pixels of the evaluation size</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>À quelle distance la caméra active et la caméra comparée voient le curseur :
+au sol, et en pixels de la taille d’évaluation</translation>
+  </message>
+  <message>
+   <source>How surely the fitted camera knows the ground point at the cursor: standard
+deviation in the worst direction, whatever the cursor itself is off by</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>Avec quelle sûreté la caméra ajustée connaît le point du sol au curseur : écart type
+dans la pire direction, quelle que soit l’erreur du curseur lui-même</translation>
+  </message>
+  <message>
+   <source>scoring {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>notation {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>Camera &gt; Stop scoring the set ends it</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>Caméra &gt; Arrêter de noter le jeu y met fin</translation>
+  </message>
+  <message>
+   <source>comparing {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>comparaison {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>ghosts {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>fantômes {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>Esc ends it</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>Échap y met fin</translation>
+  </message>
+  <message>
+   <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
+   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <translation>Seuil tau : un élément passe si tous ses points sont plus proches (+ et -)</translation>
+  </message>
+  <message>
+   <source>Threshold tau</source>
+   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <translation>Seuil tau</translation>
+  </message>
+  <message>
+   <source>Top bar</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Barre supérieure</translation>
+  </message>
+  <message>
+   <source>Status of this frame (panel Review)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>État de cette image (panneau Relecture)</translation>
+  </message>
+  <message>
+   <source>Field: {field}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Terrain : {field}</translation>
+  </message>
+  <message>
+   <source>Click to choose another one</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>Cliquer pour en choisir un autre</translation>
+  </message>
+  <message>
+   <source>Drop a folder of pictures here</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Déposez un dossier d’images ici</translation>
+  </message>
+  <message>
+   <source>Annotations are read from and saved to SoccerNet JSON beside the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Les annotations sont lues et enregistrées en JSON SoccerNet à côté des images. Déposez plus tard un dossier de caméras pour les voir jugées d’après vos clics.</translation>
+  </message>
+  <message>
+   <source>Open recent</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Ouvrir un récent</translation>
   </message>
   <message>
    <source>Open folder…</source>
-   <extracomment>[the action open_folder]</extracomment>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_folder]</extracomment>
    <translation>Ouvrir un dossier…</translation>
+  </message>
+  <message>
+   <source>Open picture…</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_picture]</extracomment>
+   <translation>Ouvrir une image…</translation>
+  </message>
+  <message>
+   <source>Open video…</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_video]</extracomment>
+   <translation>Ouvrir une vidéo…</translation>
+  </message>
+  <message>
+   <source>Try the sample</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Essayer l’exemple</translation>
+  </message>
+  <message>
+   <source>Go on with</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Continuer avec</translation>
+  </message>
+  <message>
+   <source>Nothing was opened yet</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>Rien n’a encore été ouvert</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what}); the terminal says more</source>
+   <extracomment>[procc_annotator/gui/worker.py]</extracomment>
+   <translation>erreur inattendue ({what}) ; le terminal en dit plus</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/writing.py]</extracomment>
+   <translation>ouvrez d’abord un dossier d’images</translation>
+  </message>
+  <message>
+   <source>what was saved elsewhere</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>ce qui a été enregistré ailleurs</translation>
+  </message>
+  <message>
+   <source>overwritten</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>écrasé</translation>
+  </message>
+  <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>comme trouvé</translation>
+  </message>
+  <message>
+   <source>taken back</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>repris</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>enregistré</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -49,19 +1257,9 @@
    <translation>Annoter toutes les images d’un dossier</translation>
   </message>
   <message>
-   <source>Open picture…</source>
-   <extracomment>[the action open_picture]</extracomment>
-   <translation>Ouvrir une image…</translation>
-  </message>
-  <message>
    <source>Annotate a single picture</source>
    <extracomment>[the action open_picture]</extracomment>
    <translation>Annoter une seule image</translation>
-  </message>
-  <message>
-   <source>Open video…</source>
-   <extracomment>[the action open_video]</extracomment>
-   <translation>Ouvrir une vidéo…</translation>
   </message>
   <message>
    <source>Annotate frames of a video without extracting them first</source>
@@ -532,11 +1730,6 @@
    <source>Mend the current finding: relabel, swap, remove the bad point, or look at it</source>
    <extracomment>[the action apply_remedy]</extracomment>
    <translation>Corriger le constat actuel : renommer, échanger, retirer le mauvais point, ou aller voir</translation>
-  </message>
-  <message>
-   <source>Ignore this finding</source>
-   <extracomment>[the action ignore_finding]</extracomment>
-   <translation>Ignorer ce constat</translation>
   </message>
   <message>
    <source>Do not show it again until the points of its elements change</source>
@@ -1109,11 +2302,6 @@
    <translation>Quelle part de sa ligne peinte doit se voir pour qu’un fantôme soit accepté avec tous les autres</translation>
   </message>
   <message>
-   <source>Not visible here</source>
-   <extracomment>[the action not_visible]</extracomment>
-   <translation>Pas visible ici</translation>
-  </message>
-  <message>
    <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
    <translation>Le fantôme, ou l’élément choisi, ne se voit pas sur cette image ; une fois de plus revient dessus</translation>
@@ -1304,6 +2492,16 @@
    <translation>Garder la loupe au curseur (ou tenir Z ; elle vient aussi quand un point est glissé)</translation>
   </message>
   <message>
+   <source>Turn the field map to the camera</source>
+   <extracomment>[the action turn_map, the setting turn_map]</extracomment>
+   <translation>Tourner le plan vers la caméra</translation>
+  </message>
+  <message>
+   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
+   <extracomment>[the action turn_map, the setting turn_map]</extracomment>
+   <translation>Le plan a en bas le côté où se tient la caméra, et ce qu’elle ne voit pas est pâle ; la moitié hors de vue laisse sa place à l’autre</translation>
+  </message>
+  <message>
    <source>Strip of frames</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>Bande d’images</translation>
@@ -1312,11 +2510,6 @@
    <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>Sous l’image : pour une vidéo ou des images qui se suivent, comment vont leurs caméras et où elles sont annotées ; pour d’autres, des vignettes avec leur état</translation>
-  </message>
-  <message>
-   <source>Plots</source>
-   <extracomment>[the action plots]</extracomment>
-   <translation>Graphiques</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources</source>
@@ -1654,19 +2847,9 @@
    <translation>La palette de commandes : toute action, tout élément, image, source de caméras et dossier récent, par quelques lettres de son nom</translation>
   </message>
   <message>
-   <source>Keys</source>
-   <extracomment>[the action keys]</extracomment>
-   <translation>Touches</translation>
-  </message>
-  <message>
    <source>Show all actions and their keys on one sheet</source>
    <extracomment>[the action keys]</extracomment>
    <translation>Montrer toutes les actions et leurs touches sur une feuille</translation>
-  </message>
-  <message>
-   <source>Change keys…</source>
-   <extracomment>[the action keymap]</extracomment>
-   <translation>Changer les touches…</translation>
   </message>
   <message>
    <source>Give actions and elements other keys, or take those of another program</source>
@@ -1674,19 +2857,9 @@
    <translation>Donner d’autres touches aux actions et aux éléments, ou prendre celles d’un autre programme</translation>
   </message>
   <message>
-   <source>User guide</source>
-   <extracomment>[the action guide]</extracomment>
-   <translation>Guide</translation>
-  </message>
-  <message>
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
    <translation>Le guide fourni avec le programme ; il n’a pas besoin du réseau</translation>
-  </message>
-  <message>
-   <source>About ProCC Annotator</source>
-   <extracomment>[the action about]</extracomment>
-   <translation>À propos de ProCC Annotator</translation>
   </message>
   <message>
    <source>Version</source>
@@ -1710,7 +2883,7 @@
   </message>
   <message>
    <source>As the system</source>
-   <extracomment>[the setting language, the setting theme]</extracomment>
+   <extracomment>[the setting theme]</extracomment>
    <translation>Comme le système</translation>
   </message>
   <message>
@@ -1744,44 +2917,9 @@
    <translation>La langue de la fenêtre ; dès le prochain démarrage. Les fichiers restent ce qu’ils sont</translation>
   </message>
   <message>
-   <source>English</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>English</translation>
-  </message>
-  <message>
-   <source>Deutsch</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Deutsch</translation>
-  </message>
-  <message>
-   <source>Español</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Español</translation>
-  </message>
-  <message>
-   <source>Français</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Français</translation>
-  </message>
-  <message>
-   <source>日本語</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>日本語</translation>
-  </message>
-  <message>
-   <source>简体中文</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>简体中文</translation>
-  </message>
-  <message>
    <source>What the colours over the picture say</source>
    <extracomment>[the setting colour_by]</extracomment>
    <translation>Ce que disent les couleurs sur l’image</translation>
-  </message>
-  <message>
-   <source>Annotating</source>
-   <extracomment>[the setting author, the setting auto_advance, the setting draw_first]</extracomment>
-   <translation>Annotation</translation>
   </message>
   <message>
    <source>Your name</source>
@@ -1827,11 +2965,6 @@
    <source>How elements count that a homography cannot project: goals, baskets, nets</source>
    <extracomment>[the setting off_plane]</extracomment>
    <translation>Comment comptent les éléments qu’une homographie ne peut pas projeter : buts, paniers, filets</translation>
-  </message>
-  <message>
-   <source>Fit and ghosts</source>
-   <extracomment>[the setting fit_model, the setting ghost_support, the setting ghosts]</extracomment>
-   <translation>Ajustement et fantômes</translation>
   </message>
   <message>
    <source>Model of the live fit</source>
@@ -1897,11 +3030,6 @@
    <source>How much of a ghost's line must be seen to accept it with all others</source>
    <extracomment>[the setting ghost_support]</extracomment>
    <translation>Quelle part de la ligne d’un fantôme doit se voir pour l’accepter avec tous les autres</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[the setting evidence, the setting keep_zoom, the setting loupe]</extracomment>
-   <translation>Image</translation>
   </message>
   <message>
    <source>American football (NFL)</source>

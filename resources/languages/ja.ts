@@ -5,43 +5,1247 @@
   <name>procc</name>
   <message>
    <source>File</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>ファイル</translation>
   </message>
   <message>
    <source>Edit</source>
-   <extracomment>[the action edit_mode, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the action edit_mode, the menus]</extracomment>
    <translation>編集</translation>
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/context_menu.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
    <translation>フレーム</translation>
   </message>
   <message>
    <source>Element</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
    <translation>要素</translation>
   </message>
   <message>
    <source>View</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>表示</translation>
   </message>
   <message>
    <source>Camera</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/palette_entries.py, the menus]</extracomment>
    <translation>カメラ</translation>
   </message>
   <message>
    <source>Help</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>ヘルプ</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, symmetries: {turns}</source>
+   <extracomment>{n} element, symmetries: {turns} / {n} elements, symmetries: {turns} [procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n} 個、対称：{turns}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>There is no field to show yet.</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>表示するフィールドがまだありません。</translation>
+  </message>
+  <message>
+   <source>{dimension}: {value:.10g} m (the rules allow {least:g} to {most:g} m)</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>{dimension}：{value:.10g} m（規則では {least:g}～{most:g} m）</translation>
+  </message>
+  <message>
+   <source>... and {n} more</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>... ほか {n} 件</translation>
+  </message>
+  <message>
+   <source>none</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>なし</translation>
+  </message>
+  <message>
+   <source>Wheel</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>ホイール</translation>
+  </message>
+  <message>
+   <source>zoom at the cursor</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>カーソル位置で拡大・縮小</translation>
+  </message>
+  <message>
+   <source>Two fingers</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>2 本指</translation>
+  </message>
+  <message>
+   <source>pan; pinched, zoom</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>移動。つまむと拡大・縮小</translation>
+  </message>
+  <message>
+   <source>Shift + wheel</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Shift + ホイール</translation>
+  </message>
+  <message>
+   <source>pan sideways, as a tilted wheel does</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>チルトホイールのように横へ移動</translation>
+  </message>
+  <message>
+   <source>Space + drag</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Space + ドラッグ</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>移動</translation>
+  </message>
+  <message>
+   <source>Middle button</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>中ボタン</translation>
+  </message>
+  <message>
+   <source>Hold X</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>X を押し続ける</translation>
+  </message>
+  <message>
+   <source>hide all overlays</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>重ね描きをすべて隠す</translation>
+  </message>
+  <message>
+   <source>Hold Z</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Z を押し続ける</translation>
+  </message>
+  <message>
+   <source>loupe: eight times the picture's pixels</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>ルーペ：画像ピクセルの 8 倍</translation>
+  </message>
+  <message>
+   <source>Hold ,</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>, を押し続ける</translation>
+  </message>
+  <message>
+   <source>look at the compared camera source</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>比較中のカメラソースを見る</translation>
+  </message>
+  <message>
+   <source>Tap ,</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>, を押す</translation>
+  </message>
+  <message>
+   <source>judge with the compared source, compare with this one</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>比較中のソースで評価し、今のソースと比べる</translation>
+  </message>
+  <message>
+   <source>Hold Ctrl</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Ctrl を押し続ける</translation>
+  </message>
+  <message>
+   <source>click beside the line: no snapping</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>線の横をクリック：吸着なし</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + drag a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Ctrl+Alt + 線をドラッグ</translation>
+  </message>
+  <message>
+   <source>camera: it follows, the place stays as a peg</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>カメラ：追従し、その場所は杭として残る</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + click a peg</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Ctrl+Alt + 杭をクリック</translation>
+  </message>
+  <message>
+   <source>camera: take the peg away</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>カメラ：杭を取り除く</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>矢印キー</translation>
+  </message>
+  <message>
+   <source>crosshair: the keys point; chosen points are moved instead</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>十字カーソル：キーで指す。選んだ点があればそれを動かす</translation>
+  </message>
+  <message>
+   <source>Space at the crosshair</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>十字カーソルで Space</translation>
+  </message>
+  <message>
+   <source>what a click does there (with Ctrl: no snapping)</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>そこでのクリックと同じ（Ctrl で吸着なし）</translation>
+  </message>
+  <message>
+   <source>Right button</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>右ボタン</translation>
+  </message>
+  <message>
+   <source>menu of what is under the cursor</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>カーソルの下にあるもののメニュー</translation>
+  </message>
+  <message>
+   <source>Enter</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Enter</translation>
+  </message>
+  <message>
+   <source>accept the current ghost</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>現在のゴーストを採用</translation>
+  </message>
+  <message>
+   <source>Shift+Enter</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Shift+Enter</translation>
+  </message>
+  <message>
+   <source>accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>すべてのゴーストを採用</translation>
+  </message>
+  <message>
+   <source>Click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>クリック</translation>
+  </message>
+  <message>
+   <source>draw: add a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>描画：点を加える</translation>
+  </message>
+  <message>
+   <source>Double-click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>ダブルクリック</translation>
+  </message>
+  <message>
+   <source>draw: finish</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>描画：終える</translation>
+  </message>
+  <message>
+   <source>Drag a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>点をドラッグ</translation>
+  </message>
+  <message>
+   <source>edit: move it</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>編集：動かす</translation>
+  </message>
+  <message>
+   <source>Shift+click a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>点を Shift+クリック</translation>
+  </message>
+  <message>
+   <source>edit: choose several</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>編集：複数を選ぶ</translation>
+  </message>
+  <message>
+   <source>Drag on empty ground</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>何もない所をドラッグ</translation>
+  </message>
+  <message>
+   <source>edit: choose the points inside</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>編集：中の点を選ぶ</translation>
+  </message>
+  <message>
+   <source>Drag a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>線をドラッグ</translation>
+  </message>
+  <message>
+   <source>edit: move the element, unless elements are pinned</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>編集：要素を動かす（固定中を除く）</translation>
+  </message>
+  <message>
+   <source>Alt+click a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>線を Alt+クリック</translation>
+  </message>
+  <message>
+   <source>edit: insert a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>編集：点を挿入</translation>
+  </message>
+  <message>
+   <source>Alt+Shift+click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Alt+Shift+クリック</translation>
+  </message>
+  <message>
+   <source>edit: remove the point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>編集：点を取り除く</translation>
+  </message>
+  <message>
+   <source>Click or drag on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>帯をクリックまたはドラッグ</translation>
+  </message>
+  <message>
+   <source>go to a frame</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>フレームへ移る</translation>
+  </message>
+  <message>
+   <source>Wheel on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>帯の上でホイール</translation>
+  </message>
+  <message>
+   <source>zoom; with Shift, scroll</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>拡大・縮小。Shift でスクロール</translation>
+  </message>
+  <message>
+   <source>Shift+drag on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>帯の上で Shift+ドラッグ</translation>
+  </message>
+  <message>
+   <source>mark a stretch (a double click lets go of it)</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>区間に印を付ける（ダブルクリックで解除）</translation>
+  </message>
+  <message>
+   <source>what is held down in the picture</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>画像で押し続けるキー</translation>
+  </message>
+  <message>
+   <source>Usual</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>標準</translation>
+  </message>
+  <message>
+   <source>Left-handed</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>左利き</translation>
+  </message>
+  <message>
+   <source>Like CVAT</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>CVAT 風</translation>
+  </message>
+  <message>
+   <source>Like labelme</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>labelme 風</translation>
+  </message>
+  <message>
+   <source>expected an object with "actions" and "elements"</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>"actions" と "elements" を持つオブジェクトが必要です</translation>
+  </message>
+  <message>
+   <source>"actions" and "elements": expected objects</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>"actions" と "elements"：オブジェクトが必要です</translation>
+  </message>
+  <message>
+   <source>{place}: {value!r} is no key; expected one like {one}</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>{place}：{value!r} はキーではありません。{one} のように書いてください</translation>
+  </message>
+  <message>
+   <source>{place}: expected a list of keys, like {one}</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>{place}：{one} のようなキーの一覧が必要です</translation>
+  </message>
+  <message>
+   <source>Panels</source>
+   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
+   <translation>パネル</translation>
+  </message>
+  <message>
+   <source>{what} is there already, and says something else.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{what} はすでにあり、内容が異なります。</translation>
+  </message>
+  <message>
+   <source>{text}.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{text}。</translation>
+  </message>
+  <message>
+   <source>Delete {what}?</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{what} を削除しますか？</translation>
+  </message>
+  <message>
+   <source>Delete</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>削除</translation>
+  </message>
+  <message>
+   <source>Replace it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>置き換える</translation>
+  </message>
+  <message>
+   <source>Keep it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>そのまま残す</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames are not saved, and saving failed again just now.</source>
+   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
+   <translation>
+    <numerusform>{n} フレームが保存されておらず、今また保存に失敗しました。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Stay</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>とどまる</translation>
+  </message>
+  <message>
+   <source>Close and lose them</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>閉じて失う</translation>
+  </message>
+  <message>
+   <source>Dismiss this message</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>このメッセージを閉じる</translation>
+  </message>
+  <message>
+   <source>Reload theirs</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>相手の内容を読み込む</translation>
+  </message>
+  <message>
+   <source>Show what is in the file; undo brings your version back</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>ファイルの内容を表示します。元に戻すと自分の版に戻ります</translation>
+  </message>
+  <message>
+   <source>Overwrite with mine</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>自分の内容で上書き</translation>
+  </message>
+  <message>
+   <source>Write what you see on screen over the file</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>画面の内容をファイルに上書きします</translation>
+  </message>
+  <message>
+   <source>This frame is not editable. {problem}</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>このフレームは編集できません。{problem}</translation>
+  </message>
+  <message>
+   <source>Fit and ghosts</source>
+   <extracomment>[procc_annotator/gui/settings.py, the setting fit_model, the setting ghost_support]</extracomment>
+   <translation>当てはめとゴースト</translation>
+  </message>
+  <message>
+   <source>Annotating</source>
+   <extracomment>[procc_annotator/gui/settings.py, the setting author, the setting auto_advance]</extracomment>
+   <translation>注釈</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py, the setting evidence]</extracomment>
+   <translation>画像</translation>
+  </message>
+  <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>カメラなし</translation>
+  </message>
+  <message>
+   <source>Jaccard index of this frame at tau</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>tau でのこのフレームの Jaccard 指数</translation>
+  </message>
+  <message>
+   <source>The camera set that is judged (C switches)</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>評価されるカメラのセット（C で切り替え）</translation>
+  </message>
+  <message>
+   <source>What the score is computed with: {terms}</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>スコアの計算条件：{terms}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>当てはめの &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;ブラインド&lt;/b&gt;：提出すると JaC が見えます</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>カメラを読めません</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>ここにはカメラなし</translation>
+  </message>
+  <message>
+   <source>Three steps to a frame</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>1 フレームまで 3 ステップ</translation>
+  </message>
+  <message>
+   <source>Click the two ends of a painted line, then Enter</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>塗られた線の両端をクリックし、Enter</translation>
+  </message>
+  <message>
+   <source>{keys}: points along every line, on its paint</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{keys}：各線の塗りに沿って点を置く</translation>
+  </message>
+  <message>
+   <source>{keys}, then Enter: take what the camera expects</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{keys}、次に Enter：カメラの予想を採用</translation>
+  </message>
+  <message>
+   <source>Put the three steps away for ever (Help has the user guide)</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>3 ステップを今後表示しない（ガイドはヘルプに）</translation>
+  </message>
+  <message>
+   <source>Put the three steps away</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>3 ステップを閉じる</translation>
+  </message>
+  <message>
+   <source>{step}, done</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{step}（済み）</translation>
+  </message>
+  <message>
+   <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>Enter で実行 · ↑ ↓ で選択 · Esc で閉じる</translation>
+  </message>
+  <message>
+   <source>Nothing is called “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>「{text}」という名前のものはありません。</translation>
+  </message>
+  <message>
+   <source>An action, element, frame, camera source, folder, number</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>操作、要素、フレーム、カメラソース、フォルダー、数値</translation>
+  </message>
+  <message>
+   <source>Find anything</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>何でも探す</translation>
+  </message>
+  <message>
+   <source>What fits</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>一致するもの</translation>
+  </message>
+  <message>
+   <source>on</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>オン</translation>
+  </message>
+  <message>
+   <source>off</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>オフ</translation>
+  </message>
+  <message>
+   <source>this installation came without its user guide</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>このインストールにはユーザーガイドが含まれていません</translation>
+  </message>
+  <message>
+   <source>About ProCC Annotator</source>
+   <extracomment>[procc_annotator/gui/window/commands.py, the action about]</extracomment>
+   <translation>ProCC Annotator について</translation>
+  </message>
+  <message>
+   <source>ProCC Annotator {version}
+Annotate and audit sports-camera calibrations.</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>ProCC Annotator {version}
+ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</translation>
+  </message>
+  <message>
+   <source>no cameras are loaded (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>カメラが読み込まれていません（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to see side by side (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>並べて見るには 2 つ目のカメラセットを読み込んでください（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to compare (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>比較するには 2 つ目のカメラセットを読み込んでください（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>Without geometry</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>形状なし</translation>
+  </message>
+  <message>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title} のゴースト</translation>
+  </message>
+  <message>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>採用</translation>
+  </message>
+  <message>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>拡大して見る</translation>
+  </message>
+  <message>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py, the action not_visible]</extracomment>
+   <translation>ここでは見えない</translation>
+  </message>
+  <message>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title} を描画中</translation>
+  </message>
+  <message>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>ここで分割：残りのクラス</translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
+   <translation>この指摘を無視</translation>
+  </message>
+  <message>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>ここでは見えない：取り消す</translation>
+  </message>
+  <message>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>クラスを変更（注釈済みなら入れ替え）</translation>
+  </message>
+  <message>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title} の点 {number}</translation>
+  </message>
+  <message>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>統合先</translation>
+  </message>
+  <message>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title}（未確定）</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} 点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Annotate</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>注釈</translation>
+  </message>
+  <message>
+   <source>Judge</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>評価</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>レビュー</translation>
+  </message>
+  <message>
+   <source>Desks</source>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>作業画面</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>フレーム</translation>
+  </message>
+  <message>
+   <source>Field map</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>フィールド図</translation>
+  </message>
+  <message>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>要素</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>カメラ</translation>
+  </message>
+  <message>
+   <source>Scores</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>スコア</translation>
+  </message>
+  <message>
+   <source>Fit</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>当てはめ</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>検査</translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>目印</translation>
+  </message>
+  <message>
+   <source>Plots</source>
+   <extracomment>[procc_annotator/gui/window/docks.py, the action plots]</extracomment>
+   <translation>グラフ</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>レビュー</translation>
+  </message>
+  <message>
+   <source>Agreement</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>一致度</translation>
+  </message>
+  <message>
+   <source>Find words in this page</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>このページ内を検索</translation>
+  </message>
+  <message>
+   <source>The user guide is in English.</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>ユーザーガイドは英語です。</translation>
+  </message>
+  <message>
+   <source>User guide</source>
+   <extracomment>[procc_annotator/gui/window/guide.py, the action guide]</extracomment>
+   <translation>ユーザーガイド</translation>
+  </message>
+  <message>
+   <source>Headings</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>見出し</translation>
+  </message>
+  <message>
+   <source>{one} or {other}</source>
+   <extracomment>[procc_annotator/gui/window/key_columns.py]</extracomment>
+   <translation>{one} または {other}</translation>
+  </message>
+  <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>画像で</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py, procc_annotator/gui/window/keymap_dialog.py, the action keys]</extracomment>
+   <translation>キー一覧</translation>
+  </message>
+  <message>
+   <source>Search: a word, or a key. A click does what a row says.</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>検索：単語またはキー。行をクリックすると実行します。</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>キーを検索</translation>
+  </message>
+  <message>
+   <source>Actions and their keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>操作とそのキー</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>「{text}」を含むキー、操作、要素はありません。</translation>
+  </message>
+  <message>
+   <source>Choose an element</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>要素を選ぶ</translation>
+  </message>
+  <message>
+   <source>Keys of your own</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>自分のキー</translation>
+  </message>
+  <message>
+   <source>Keys (*.json)</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>キー (*.json)</translation>
+  </message>
+  <message>
+   <source>{menu}: {action}</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{menu}：{action}</translation>
+  </message>
+  <message>
+   <source>Search: a word, or a key</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>検索：単語またはキー</translation>
+  </message>
+  <message>
+   <source>Choose a row, then press its keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>行を選び、割り当てるキーを押してください</translation>
+  </message>
+  <message>
+   <source>Change keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>キーを変更</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>検索</translation>
+  </message>
+  <message>
+   <source>All keys at once</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>すべてのキーをまとめて</translation>
+  </message>
+  <message>
+   <source>Add</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>追加</translation>
+  </message>
+  <message>
+   <source>Only these</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>これだけ</translation>
+  </message>
+  <message>
+   <source>No keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>キーなし</translation>
+  </message>
+  <message>
+   <source>Usual keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>標準のキー</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>書き出す…</translation>
+  </message>
+  <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>取り込む…</translation>
+  </message>
+  <message>
+   <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>⚠ 2 つの操作に割り当てたキーはどちらも呼びません。一方に別のキーを割り当ててください。</translation>
+  </message>
+  <message>
+   <source>Export keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>キーを書き出す</translation>
+  </message>
+  <message>
+   <source>Import keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>キーを取り込む</translation>
+  </message>
+  <message>
+   <source>⚠ also: {what}</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>⚠ 重複：{what}</translation>
+  </message>
+  <message>
+   <source>New keys: press them here</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>新しいキー：ここで押す</translation>
+  </message>
+  <message>
+   <source>{file}: {error}; the keys stay as they are</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>{file}：{error}。キーは変わりません</translation>
+  </message>
+  <message>
+   <source>Action or element</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>操作または要素</translation>
+  </message>
+  <message>
+   <source>{action}: {step}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{action}：{step}</translation>
+  </message>
+  <message>
+   <source>Panel</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>パネル</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>設定</translation>
+  </message>
+  <message>
+   <source>Open</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>開く</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>フレーム {number} / {count}</translation>
+  </message>
+  <message>
+   <source>Go to this frame</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>このフレームへ移る</translation>
+  </message>
+  <message>
+   <source>Judge {source}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>{source} を評価</translation>
+  </message>
+  <message>
+   <source>Judge with this source</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>このソースで評価します</translation>
+  </message>
+  <message>
+   <source>Live fit: model {model}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>自動当てはめ：モデル {model}</translation>
+  </message>
+  <message>
+   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>このモデルをクリックに当てはめます。auto はクリックが支える最も単純なもの</translation>
+  </message>
+  <message>
+   <source>Panel {title}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>パネル {title}</translation>
+  </message>
+  <message>
+   <source>Open this panel and bring it to the front</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>このパネルを開いて手前に出します</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>しきい値 {px:g} px</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>この tau で要素を評価します</translation>
+  </message>
+  <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>ツールバー</translation>
+  </message>
+  <message>
+   <source>Picture
+Brightness, contrast, gamma, line enhance: only what you see changes</source>
+   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>画像
+明るさ、コントラスト、ガンマ、線の強調：見え方だけが変わります</translation>
+  </message>
+  <message>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>保存 {time}</translation>
+  </message>
+  <message numerus="yes">
+   <source>NOT SAVED: {n} frames</source>
+   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>
+    <numerusform>未保存：{n} フレーム</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>saving...</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>保存中...</translation>
+  </message>
+  <message>
+   <source>no changes</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>変更なし</translation>
+  </message>
+  <message>
+   <source>Search the settings</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>設定を検索</translation>
+  </message>
+  <message>
+   <source>{setting}: back to {value}</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>{setting}：{value} に戻す</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>設定</translation>
+  </message>
+  <message>
+   <source>All to their defaults</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>すべて既定値に</translation>
+  </message>
+  <message>
+   <source>Change keys…</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py, the action keymap]</extracomment>
+   <translation>キーを変更…</translation>
+  </message>
+  <message>
+   <source>No setting has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>「{text}」を含む設定はありません。</translation>
+  </message>
+  <message>
+   <source>none of your own</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>指定なし</translation>
+  </message>
+  <message>
+   <source>ground ±{metres:.2f} m</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>地面 ±{metres:.2f} m</translation>
+  </message>
+  <message>
+   <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>カーソルの画像ピクセル座標。左上のピクセルの中心が 0 0</translation>
+  </message>
+  <message>
+   <source>Cursor on the ground of the field, in metres from its centre</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>カーソルの地面上の位置。フィールド中心からのメートル</translation>
+  </message>
+  <message>
+   <source>How far apart the active and the compared camera see the cursor:
+on the ground, and in pixels of the evaluation size</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>使用中と比較中のカメラがカーソルをどれだけずれて見るか：
+地面上と、評価サイズのピクセル</translation>
+  </message>
+  <message>
+   <source>How surely the fitted camera knows the ground point at the cursor: standard
+deviation in the worst direction, whatever the cursor itself is off by</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>当てはめたカメラがカーソルの地面点をどれだけ確かに知るか：
+最悪方向の標準偏差（カーソル自体のずれは含まない）</translation>
+  </message>
+  <message>
+   <source>scoring {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>採点 {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>Camera &gt; Stop scoring the set ends it</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>カメラ &gt; セットの採点を止める で終わります</translation>
+  </message>
+  <message>
+   <source>comparing {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>比較 {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>ghosts {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>ゴースト {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>Esc ends it</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>Esc で終わります</translation>
+  </message>
+  <message>
+   <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
+   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <translation>しきい値 tau：すべての点がこれより近ければ要素は合格（+ と -）</translation>
+  </message>
+  <message>
+   <source>Threshold tau</source>
+   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <translation>しきい値 tau</translation>
+  </message>
+  <message>
+   <source>Top bar</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>上部バー</translation>
+  </message>
+  <message>
+   <source>Status of this frame (panel Review)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>このフレームの状態（レビューパネル）</translation>
+  </message>
+  <message>
+   <source>Field: {field}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>フィールド：{field}</translation>
+  </message>
+  <message>
+   <source>Click to choose another one</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>クリックで別のものを選択</translation>
+  </message>
+  <message>
+   <source>Drop a folder of pictures here</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>画像のフォルダーをここにドロップ</translation>
+  </message>
+  <message>
+   <source>Annotations are read from and saved to SoccerNet JSON beside the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>注釈は画像の横の SoccerNet JSON から読み込み、そこに保存します。後でカメラのフォルダーをドロップすると、クリックと照らして評価します。</translation>
+  </message>
+  <message>
+   <source>Open recent</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>最近使った項目</translation>
   </message>
   <message>
    <source>Open folder…</source>
-   <extracomment>[the action open_folder]</extracomment>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_folder]</extracomment>
    <translation>フォルダーを開く…</translation>
+  </message>
+  <message>
+   <source>Open picture…</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_picture]</extracomment>
+   <translation>画像を開く…</translation>
+  </message>
+  <message>
+   <source>Open video…</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_video]</extracomment>
+   <translation>動画を開く…</translation>
+  </message>
+  <message>
+   <source>Try the sample</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>サンプルを試す</translation>
+  </message>
+  <message>
+   <source>Go on with</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>続きから</translation>
+  </message>
+  <message>
+   <source>Nothing was opened yet</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>まだ何も開いていません</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what}); the terminal says more</source>
+   <extracomment>[procc_annotator/gui/worker.py]</extracomment>
+   <translation>予期しないエラー（{what}）。詳しくは端末を見てください</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/writing.py]</extracomment>
+   <translation>まず画像のフォルダーを開いてください</translation>
+  </message>
+  <message>
+   <source>what was saved elsewhere</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>別の場所で保存されたもの</translation>
+  </message>
+  <message>
+   <source>overwritten</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>上書き</translation>
+  </message>
+  <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>元の状態</translation>
+  </message>
+  <message>
+   <source>taken back</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>取り消し</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>保存済み</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -49,19 +1253,9 @@
    <translation>フォルダー内のすべての画像に注釈を付けます</translation>
   </message>
   <message>
-   <source>Open picture…</source>
-   <extracomment>[the action open_picture]</extracomment>
-   <translation>画像を開く…</translation>
-  </message>
-  <message>
    <source>Annotate a single picture</source>
    <extracomment>[the action open_picture]</extracomment>
    <translation>1 枚の画像に注釈を付けます</translation>
-  </message>
-  <message>
-   <source>Open video…</source>
-   <extracomment>[the action open_video]</extracomment>
-   <translation>動画を開く…</translation>
   </message>
   <message>
    <source>Annotate frames of a video without extracting them first</source>
@@ -532,11 +1726,6 @@
    <source>Mend the current finding: relabel, swap, remove the bad point, or look at it</source>
    <extracomment>[the action apply_remedy]</extracomment>
    <translation>現在の指摘を直します：クラス変更、入れ替え、誤った点の削除、または確認</translation>
-  </message>
-  <message>
-   <source>Ignore this finding</source>
-   <extracomment>[the action ignore_finding]</extracomment>
-   <translation>この指摘を無視</translation>
   </message>
   <message>
    <source>Do not show it again until the points of its elements change</source>
@@ -1109,11 +2298,6 @@
    <translation>ほかと一緒に採用するには、ゴーストの塗られた線がどれだけ見える必要があるか</translation>
   </message>
   <message>
-   <source>Not visible here</source>
-   <extracomment>[the action not_visible]</extracomment>
-   <translation>ここでは見えない</translation>
-  </message>
-  <message>
    <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
    <translation>ゴースト、または選択中の要素はこのフレームで見えません。もう一度で取り消し</translation>
@@ -1304,6 +2488,16 @@
    <translation>カーソルにルーペを出したままにします（Z を押す間も可。点を動かすときも現れます）</translation>
   </message>
   <message>
+   <source>Turn the field map to the camera</source>
+   <extracomment>[the action turn_map, the setting turn_map]</extracomment>
+   <translation>フィールド図をカメラの向きに</translation>
+  </message>
+  <message>
+   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
+   <extracomment>[the action turn_map, the setting turn_map]</extracomment>
+   <translation>フィールド図の下側がカメラのある側になり、見えない部分は淡くなります。見えない半分は場所をもう半分に譲ります</translation>
+  </message>
+  <message>
    <source>Strip of frames</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>フレームの帯</translation>
@@ -1312,11 +2506,6 @@
    <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>画像の下：動画や連続するフレームではカメラの良し悪しと注釈の場所、それ以外では状態付きの小さな画像</translation>
-  </message>
-  <message>
-   <source>Plots</source>
-   <extracomment>[the action plots]</extracomment>
-   <translation>グラフ</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources</source>
@@ -1654,19 +2843,9 @@
    <translation>コマンドパレット：操作、要素、フレーム、カメラソース、最近のフォルダーを名前の数文字で呼び出します</translation>
   </message>
   <message>
-   <source>Keys</source>
-   <extracomment>[the action keys]</extracomment>
-   <translation>キー一覧</translation>
-  </message>
-  <message>
    <source>Show all actions and their keys on one sheet</source>
    <extracomment>[the action keys]</extracomment>
    <translation>すべての操作とそのキーを一覧で示します</translation>
-  </message>
-  <message>
-   <source>Change keys…</source>
-   <extracomment>[the action keymap]</extracomment>
-   <translation>キーを変更…</translation>
   </message>
   <message>
    <source>Give actions and elements other keys, or take those of another program</source>
@@ -1674,19 +2853,9 @@
    <translation>操作や要素に別のキーを割り当てるか、ほかのプログラムのキーを使います</translation>
   </message>
   <message>
-   <source>User guide</source>
-   <extracomment>[the action guide]</extracomment>
-   <translation>ユーザーガイド</translation>
-  </message>
-  <message>
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
    <translation>プログラム付属のガイド。ネットワークは不要です</translation>
-  </message>
-  <message>
-   <source>About ProCC Annotator</source>
-   <extracomment>[the action about]</extracomment>
-   <translation>ProCC Annotator について</translation>
   </message>
   <message>
    <source>Version</source>
@@ -1710,7 +2879,7 @@
   </message>
   <message>
    <source>As the system</source>
-   <extracomment>[the setting language, the setting theme]</extracomment>
+   <extracomment>[the setting theme]</extracomment>
    <translation>システムに合わせる</translation>
   </message>
   <message>
@@ -1744,44 +2913,9 @@
    <translation>ウィンドウの言語。次回の起動から有効。ファイルは変わりません</translation>
   </message>
   <message>
-   <source>English</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>English</translation>
-  </message>
-  <message>
-   <source>Deutsch</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Deutsch</translation>
-  </message>
-  <message>
-   <source>Español</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Español</translation>
-  </message>
-  <message>
-   <source>Français</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Français</translation>
-  </message>
-  <message>
-   <source>日本語</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>日本語</translation>
-  </message>
-  <message>
-   <source>简体中文</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>简体中文</translation>
-  </message>
-  <message>
    <source>What the colours over the picture say</source>
    <extracomment>[the setting colour_by]</extracomment>
    <translation>画像上の色が表すもの</translation>
-  </message>
-  <message>
-   <source>Annotating</source>
-   <extracomment>[the setting author, the setting auto_advance, the setting draw_first]</extracomment>
-   <translation>注釈</translation>
   </message>
   <message>
    <source>Your name</source>
@@ -1827,11 +2961,6 @@
    <source>How elements count that a homography cannot project: goals, baskets, nets</source>
    <extracomment>[the setting off_plane]</extracomment>
    <translation>ホモグラフィで投影できない要素（ゴール、リング、ネット）の数え方</translation>
-  </message>
-  <message>
-   <source>Fit and ghosts</source>
-   <extracomment>[the setting fit_model, the setting ghost_support, the setting ghosts]</extracomment>
-   <translation>当てはめとゴースト</translation>
   </message>
   <message>
    <source>Model of the live fit</source>
@@ -1897,11 +3026,6 @@
    <source>How much of a ghost's line must be seen to accept it with all others</source>
    <extracomment>[the setting ghost_support]</extracomment>
    <translation>ほかのすべてと一緒に採用するには、ゴーストの線がどれだけ見える必要があるか</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[the setting evidence, the setting keep_zoom, the setting loupe]</extracomment>
-   <translation>画像</translation>
   </message>
   <message>
    <source>American football (NFL)</source>

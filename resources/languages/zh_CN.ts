@@ -5,43 +5,1247 @@
   <name>procc</name>
   <message>
    <source>File</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>文件</translation>
   </message>
   <message>
    <source>Edit</source>
-   <extracomment>[the action edit_mode, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the action edit_mode, the menus]</extracomment>
    <translation>编辑</translation>
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/context_menu.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
    <translation>帧</translation>
   </message>
   <message>
    <source>Element</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
    <translation>元素</translation>
   </message>
   <message>
    <source>View</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>视图</translation>
   </message>
   <message>
    <source>Camera</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/palette_entries.py, the menus]</extracomment>
    <translation>相机</translation>
   </message>
   <message>
    <source>Help</source>
-   <extracomment>[the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>帮助</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, symmetries: {turns}</source>
+   <extracomment>{n} element, symmetries: {turns} / {n} elements, symmetries: {turns} [procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个元素，对称：{turns}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>There is no field to show yet.</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>还没有可显示的场地。</translation>
+  </message>
+  <message>
+   <source>{dimension}: {value:.10g} m (the rules allow {least:g} to {most:g} m)</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>{dimension}：{value:.10g} m（规则允许 {least:g} 至 {most:g} m）</translation>
+  </message>
+  <message>
+   <source>... and {n} more</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>... 以及另外 {n} 个</translation>
+  </message>
+  <message>
+   <source>none</source>
+   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <translation>无</translation>
+  </message>
+  <message>
+   <source>Wheel</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>滚轮</translation>
+  </message>
+  <message>
+   <source>zoom at the cursor</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>在光标处缩放</translation>
+  </message>
+  <message>
+   <source>Two fingers</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>双指</translation>
+  </message>
+  <message>
+   <source>pan; pinched, zoom</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>平移；捏合则缩放</translation>
+  </message>
+  <message>
+   <source>Shift + wheel</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Shift + 滚轮</translation>
+  </message>
+  <message>
+   <source>pan sideways, as a tilted wheel does</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>横向平移，如同倾斜滚轮</translation>
+  </message>
+  <message>
+   <source>Space + drag</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>空格 + 拖动</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>平移</translation>
+  </message>
+  <message>
+   <source>Middle button</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>中键</translation>
+  </message>
+  <message>
+   <source>Hold X</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>按住 X</translation>
+  </message>
+  <message>
+   <source>hide all overlays</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>隐藏所有叠加层</translation>
+  </message>
+  <message>
+   <source>Hold Z</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>按住 Z</translation>
+  </message>
+  <message>
+   <source>loupe: eight times the picture's pixels</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>放大镜：图片像素的八倍</translation>
+  </message>
+  <message>
+   <source>Hold ,</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>按住 ,</translation>
+  </message>
+  <message>
+   <source>look at the compared camera source</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>查看对比的相机源</translation>
+  </message>
+  <message>
+   <source>Tap ,</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>轻按 ,</translation>
+  </message>
+  <message>
+   <source>judge with the compared source, compare with this one</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>用对比源评判，与当前源比较</translation>
+  </message>
+  <message>
+   <source>Hold Ctrl</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>按住 Ctrl</translation>
+  </message>
+  <message>
+   <source>click beside the line: no snapping</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>点在线旁：不吸附</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + drag a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Ctrl+Alt + 拖动线</translation>
+  </message>
+  <message>
+   <source>camera: it follows, the place stays as a peg</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>相机：随之移动，该处成为固定桩</translation>
+  </message>
+  <message>
+   <source>Ctrl+Alt + click a peg</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Ctrl+Alt + 点击固定桩</translation>
+  </message>
+  <message>
+   <source>camera: take the peg away</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>相机：移除固定桩</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>方向键</translation>
+  </message>
+  <message>
+   <source>crosshair: the keys point; chosen points are moved instead</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>十字光标：用键指点；若有选中的点则移动它们</translation>
+  </message>
+  <message>
+   <source>Space at the crosshair</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>十字光标处按空格</translation>
+  </message>
+  <message>
+   <source>what a click does there (with Ctrl: no snapping)</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>等同在该处点击（加 Ctrl：不吸附）</translation>
+  </message>
+  <message>
+   <source>Right button</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>右键</translation>
+  </message>
+  <message>
+   <source>menu of what is under the cursor</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>光标下内容的菜单</translation>
+  </message>
+  <message>
+   <source>Enter</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>回车</translation>
+  </message>
+  <message>
+   <source>accept the current ghost</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>接受当前虚影</translation>
+  </message>
+  <message>
+   <source>Shift+Enter</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Shift+回车</translation>
+  </message>
+  <message>
+   <source>accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>接受所有虚影</translation>
+  </message>
+  <message>
+   <source>Click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>点击</translation>
+  </message>
+  <message>
+   <source>draw: add a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>绘制：添加点</translation>
+  </message>
+  <message>
+   <source>Double-click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>双击</translation>
+  </message>
+  <message>
+   <source>draw: finish</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>绘制：完成</translation>
+  </message>
+  <message>
+   <source>Drag a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>拖动点</translation>
+  </message>
+  <message>
+   <source>edit: move it</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>编辑：移动它</translation>
+  </message>
+  <message>
+   <source>Shift+click a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Shift+点击点</translation>
+  </message>
+  <message>
+   <source>edit: choose several</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>编辑：选择多个</translation>
+  </message>
+  <message>
+   <source>Drag on empty ground</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>在空白处拖动</translation>
+  </message>
+  <message>
+   <source>edit: choose the points inside</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>编辑：选择其中的点</translation>
+  </message>
+  <message>
+   <source>Drag a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>拖动线</translation>
+  </message>
+  <message>
+   <source>edit: move the element, unless elements are pinned</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>编辑：移动元素，除非元素已固定</translation>
+  </message>
+  <message>
+   <source>Alt+click a line</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Alt+点击线</translation>
+  </message>
+  <message>
+   <source>edit: insert a point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>编辑：插入点</translation>
+  </message>
+  <message>
+   <source>Alt+Shift+click</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>Alt+Shift+点击</translation>
+  </message>
+  <message>
+   <source>edit: remove the point</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>编辑：移除该点</translation>
+  </message>
+  <message>
+   <source>Click or drag on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>在帧条上点击或拖动</translation>
+  </message>
+  <message>
+   <source>go to a frame</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>前往某帧</translation>
+  </message>
+  <message>
+   <source>Wheel on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>帧条上滚轮</translation>
+  </message>
+  <message>
+   <source>zoom; with Shift, scroll</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>缩放；加 Shift 则滚动</translation>
+  </message>
+  <message>
+   <source>Shift+drag on the strip</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>帧条上 Shift+拖动</translation>
+  </message>
+  <message>
+   <source>mark a stretch (a double click lets go of it)</source>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <translation>标记区段（双击取消）</translation>
+  </message>
+  <message>
+   <source>what is held down in the picture</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>在图片中按住的键</translation>
+  </message>
+  <message>
+   <source>Usual</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>默认</translation>
+  </message>
+  <message>
+   <source>Left-handed</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>左手</translation>
+  </message>
+  <message>
+   <source>Like CVAT</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>类似 CVAT</translation>
+  </message>
+  <message>
+   <source>Like labelme</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>类似 labelme</translation>
+  </message>
+  <message>
+   <source>expected an object with "actions" and "elements"</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>应为含 "actions" 和 "elements" 的对象</translation>
+  </message>
+  <message>
+   <source>"actions" and "elements": expected objects</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>"actions" 和 "elements"：应为对象</translation>
+  </message>
+  <message>
+   <source>{place}: {value!r} is no key; expected one like {one}</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>{place}：{value!r} 不是按键；应类似 {one}</translation>
+  </message>
+  <message>
+   <source>{place}: expected a list of keys, like {one}</source>
+   <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
+   <translation>{place}：应为按键列表，如 {one}</translation>
+  </message>
+  <message>
+   <source>Panels</source>
+   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
+   <translation>面板</translation>
+  </message>
+  <message>
+   <source>{what} is there already, and says something else.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{what} 已存在，且内容不同。</translation>
+  </message>
+  <message>
+   <source>{text}.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>{text}。</translation>
+  </message>
+  <message>
+   <source>Delete {what}?</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>删除 {what}？</translation>
+  </message>
+  <message>
+   <source>Delete</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>删除</translation>
+  </message>
+  <message>
+   <source>Replace it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>替换</translation>
+  </message>
+  <message>
+   <source>Keep it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>保留</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames are not saved, and saving failed again just now.</source>
+   <extracomment>{n} frame is not saved, and saving failed again just now. / {n} frames are not saved, and saving failed again just now. [procc_annotator/gui/messages.py]</extracomment>
+   <translation>
+    <numerusform>{n} 帧未保存，刚才再次保存失败。</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Stay</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>留下</translation>
+  </message>
+  <message>
+   <source>Close and lose them</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>关闭并丢失</translation>
+  </message>
+  <message>
+   <source>Dismiss this message</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>关闭此消息</translation>
+  </message>
+  <message>
+   <source>Reload theirs</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>载入对方的版本</translation>
+  </message>
+  <message>
+   <source>Show what is in the file; undo brings your version back</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>显示文件中的内容；撤销可恢复您的版本</translation>
+  </message>
+  <message>
+   <source>Overwrite with mine</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>用我的覆盖</translation>
+  </message>
+  <message>
+   <source>Write what you see on screen over the file</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>将屏幕上的内容覆盖写入文件</translation>
+  </message>
+  <message>
+   <source>This frame is not editable. {problem}</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>本帧不可编辑。{problem}</translation>
+  </message>
+  <message>
+   <source>Fit and ghosts</source>
+   <extracomment>[procc_annotator/gui/settings.py, the setting fit_model, the setting ghost_support]</extracomment>
+   <translation>拟合与虚影</translation>
+  </message>
+  <message>
+   <source>Annotating</source>
+   <extracomment>[procc_annotator/gui/settings.py, the setting author, the setting auto_advance]</extracomment>
+   <translation>标注</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py, the setting evidence]</extracomment>
+   <translation>图片</translation>
+  </message>
+  <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>无相机</translation>
+  </message>
+  <message>
+   <source>Jaccard index of this frame at tau</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>本帧在 tau 下的 Jaccard 指数</translation>
+  </message>
+  <message>
+   <source>The camera set that is judged (C switches)</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>被评判的相机集（按 C 切换）</translation>
+  </message>
+  <message>
+   <source>What the score is computed with: {terms}</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>得分的计算条件：{terms}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>拟合的 &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>&lt;b&gt;盲标&lt;/b&gt;：提交后可见 JaC</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>相机无法读取</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>此处无相机</translation>
+  </message>
+  <message>
+   <source>Three steps to a frame</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>三步完成一帧</translation>
+  </message>
+  <message>
+   <source>Click the two ends of a painted line, then Enter</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>点击一条画线的两端，然后按回车</translation>
+  </message>
+  <message>
+   <source>{keys}: points along every line, on its paint</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{keys}：沿每条线在画线上取点</translation>
+  </message>
+  <message>
+   <source>{keys}, then Enter: take what the camera expects</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{keys}，然后按回车：采用相机所预期的</translation>
+  </message>
+  <message>
+   <source>Put the three steps away for ever (Help has the user guide)</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>永久收起三个步骤（用户指南在“帮助”中）</translation>
+  </message>
+  <message>
+   <source>Put the three steps away</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>收起三个步骤</translation>
+  </message>
+  <message>
+   <source>{step}, done</source>
+   <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
+   <translation>{step}，已完成</translation>
+  </message>
+  <message>
+   <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>回车执行 · ↑ ↓ 选择 · Esc 关闭</translation>
+  </message>
+  <message>
+   <source>Nothing is called “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>没有名为“{text}”的内容。</translation>
+  </message>
+  <message>
+   <source>An action, element, frame, camera source, folder, number</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>操作、元素、帧、相机源、文件夹、数字</translation>
+  </message>
+  <message>
+   <source>Find anything</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>查找任何内容</translation>
+  </message>
+  <message>
+   <source>What fits</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
+   <translation>匹配项</translation>
+  </message>
+  <message>
+   <source>on</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>开</translation>
+  </message>
+  <message>
+   <source>off</source>
+   <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>关</translation>
+  </message>
+  <message>
+   <source>this installation came without its user guide</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>此安装未附带用户指南</translation>
+  </message>
+  <message>
+   <source>About ProCC Annotator</source>
+   <extracomment>[procc_annotator/gui/window/commands.py, the action about]</extracomment>
+   <translation>关于 ProCC Annotator</translation>
+  </message>
+  <message>
+   <source>ProCC Annotator {version}
+Annotate and audit sports-camera calibrations.</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>ProCC Annotator {version}
+用 ProCC 协议标注并审核体育相机标定。</translation>
+  </message>
+  <message>
+   <source>no cameras are loaded (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>未加载相机（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to see side by side (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>请加载第二组相机以并排查看（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to compare (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
+   <translation>请加载第二组相机以进行比较（Ctrl+L）</translation>
+  </message>
+  <message>
+   <source>Without geometry</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>无几何</translation>
+  </message>
+  <message>
+   <source>Ghost of {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title} 的虚影</translation>
+  </message>
+  <message>
+   <source>Accept</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>接受</translation>
+  </message>
+  <message>
+   <source>Look closely</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>近看</translation>
+  </message>
+  <message>
+   <source>Not visible here</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py, the action not_visible]</extracomment>
+   <translation>此处不可见</translation>
+  </message>
+  <message>
+   <source>Drawing {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>正在绘制 {title}</translation>
+  </message>
+  <message>
+   <source>Split here: the rest becomes</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>在此分割：其余部分变为</translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
+   <translation>忽略此检查结果</translation>
+  </message>
+  <message>
+   <source>Not visible here: take back</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>此处不可见：撤回</translation>
+  </message>
+  <message>
+   <source>Change class to (swaps with an annotated one)</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>更改类别为（与已标注的互换）</translation>
+  </message>
+  <message>
+   <source>Point {number} of {title}</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title} 的点 {number}</translation>
+  </message>
+  <message>
+   <source>Merge into</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>合并到</translation>
+  </message>
+  <message>
+   <source>{title}, unconfirmed</source>
+   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>{title}，未确认</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Annotate</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>标注</translation>
+  </message>
+  <message>
+   <source>Judge</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>评判</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <comment>desk</comment>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>审核</translation>
+  </message>
+  <message>
+   <source>Desks</source>
+   <extracomment>[procc_annotator/gui/window/desk_switch.py]</extracomment>
+   <translation>工作台</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>帧</translation>
+  </message>
+  <message>
+   <source>Field map</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>场地图</translation>
+  </message>
+  <message>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>元素</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>相机</translation>
+  </message>
+  <message>
+   <source>Scores</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>得分</translation>
+  </message>
+  <message>
+   <source>Fit</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>拟合</translation>
+  </message>
+  <message>
+   <source>Check</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>检查</translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>地标</translation>
+  </message>
+  <message>
+   <source>Plots</source>
+   <extracomment>[procc_annotator/gui/window/docks.py, the action plots]</extracomment>
+   <translation>图表</translation>
+  </message>
+  <message>
+   <source>Review</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>审核</translation>
+  </message>
+  <message>
+   <source>Agreement</source>
+   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>一致性</translation>
+  </message>
+  <message>
+   <source>Find words in this page</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>在本页查找</translation>
+  </message>
+  <message>
+   <source>The user guide is in English.</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>用户指南为英文。</translation>
+  </message>
+  <message>
+   <source>User guide</source>
+   <extracomment>[procc_annotator/gui/window/guide.py, the action guide]</extracomment>
+   <translation>用户指南</translation>
+  </message>
+  <message>
+   <source>Headings</source>
+   <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
+   <translation>标题</translation>
+  </message>
+  <message>
+   <source>{one} or {other}</source>
+   <extracomment>[procc_annotator/gui/window/key_columns.py]</extracomment>
+   <translation>{one} 或 {other}</translation>
+  </message>
+  <message>
+   <source>In the picture</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>在图片中</translation>
+  </message>
+  <message>
+   <source>Keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py, procc_annotator/gui/window/keymap_dialog.py, the action keys]</extracomment>
+   <translation>按键</translation>
+  </message>
+  <message>
+   <source>Search: a word, or a key. A click does what a row says.</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>搜索：词或按键。点击某行即执行。</translation>
+  </message>
+  <message>
+   <source>Search the keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>搜索按键</translation>
+  </message>
+  <message>
+   <source>Actions and their keys</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>操作及其按键</translation>
+  </message>
+  <message>
+   <source>No key, action or element has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>没有含“{text}”的按键、操作或元素。</translation>
+  </message>
+  <message>
+   <source>Choose an element</source>
+   <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
+   <translation>选择元素</translation>
+  </message>
+  <message>
+   <source>Keys of your own</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>自定义按键</translation>
+  </message>
+  <message>
+   <source>Keys (*.json)</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>按键 (*.json)</translation>
+  </message>
+  <message>
+   <source>{menu}: {action}</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{menu}：{action}</translation>
+  </message>
+  <message>
+   <source>Search: a word, or a key</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>搜索：词或按键</translation>
+  </message>
+  <message>
+   <source>Choose a row, then press its keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>选择一行，然后按下其按键</translation>
+  </message>
+  <message>
+   <source>Change keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>更改按键</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>搜索</translation>
+  </message>
+  <message>
+   <source>All keys at once</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>一次设置所有按键</translation>
+  </message>
+  <message>
+   <source>Add</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>添加</translation>
+  </message>
+  <message>
+   <source>Only these</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>仅这些</translation>
+  </message>
+  <message>
+   <source>No keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>无按键</translation>
+  </message>
+  <message>
+   <source>Usual keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>默认按键</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>导出…</translation>
+  </message>
+  <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>导入…</translation>
+  </message>
+  <message>
+   <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>⚠ 对应两个操作的按键都不起作用：请为其中之一设置其他按键。</translation>
+  </message>
+  <message>
+   <source>Export keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>导出按键</translation>
+  </message>
+  <message>
+   <source>Import keys</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>导入按键</translation>
+  </message>
+  <message>
+   <source>⚠ also: {what}</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>⚠ 还有：{what}</translation>
+  </message>
+  <message>
+   <source>New keys: press them here</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>新按键：在此按下</translation>
+  </message>
+  <message>
+   <source>{file}: {error}; the keys stay as they are</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>{file}：{error}；按键保持不变</translation>
+  </message>
+  <message>
+   <source>Action or element</source>
+   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>操作或元素</translation>
+  </message>
+  <message>
+   <source>{action}: {step}</source>
+   <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
+   <translation>{action}：{step}</translation>
+  </message>
+  <message>
+   <source>Panel</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>面板</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>设置</translation>
+  </message>
+  <message>
+   <source>Open</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>打开</translation>
+  </message>
+  <message>
+   <source>Frame {number} of {count}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>第 {number} 帧，共 {count} 帧</translation>
+  </message>
+  <message>
+   <source>Go to this frame</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>前往此帧</translation>
+  </message>
+  <message>
+   <source>Judge {source}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>评判 {source}</translation>
+  </message>
+  <message>
+   <source>Judge with this source</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>用此源评判</translation>
+  </message>
+  <message>
+   <source>Live fit: model {model}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>实时拟合：模型 {model}</translation>
+  </message>
+  <message>
+   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>用此模型拟合点击；auto 采用点击所能支持的最简模型</translation>
+  </message>
+  <message>
+   <source>Panel {title}</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>面板 {title}</translation>
+  </message>
+  <message>
+   <source>Open this panel and bring it to the front</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>打开此面板并置于最前</translation>
+  </message>
+  <message>
+   <source>Threshold {px:g} px</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>阈值 {px:g} px</translation>
+  </message>
+  <message>
+   <source>Judge elements by this tau</source>
+   <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>用此 tau 评判元素</translation>
+  </message>
+  <message>
+   <source>Rail</source>
+   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>工具栏</translation>
+  </message>
+  <message>
+   <source>Picture
+Brightness, contrast, gamma, line enhance: only what you see changes</source>
+   <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>图片
+亮度、对比度、伽马、线条增强：只改变您所看到的</translation>
+  </message>
+  <message>
+   <source>saved {time}</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>已保存 {time}</translation>
+  </message>
+  <message numerus="yes">
+   <source>NOT SAVED: {n} frames</source>
+   <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>
+    <numerusform>未保存：{n} 帧</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>saving...</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>正在保存...</translation>
+  </message>
+  <message>
+   <source>no changes</source>
+   <extracomment>[procc_annotator/gui/window/save_state.py]</extracomment>
+   <translation>无更改</translation>
+  </message>
+  <message>
+   <source>Search the settings</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>搜索设置</translation>
+  </message>
+  <message>
+   <source>{setting}: back to {value}</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>{setting}：恢复为 {value}</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>设置</translation>
+  </message>
+  <message>
+   <source>All to their defaults</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>全部恢复默认</translation>
+  </message>
+  <message>
+   <source>Change keys…</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py, the action keymap]</extracomment>
+   <translation>更改按键…</translation>
+  </message>
+  <message>
+   <source>No setting has “{text}”.</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>没有含“{text}”的设置。</translation>
+  </message>
+  <message>
+   <source>none of your own</source>
+   <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
+   <translation>未指定</translation>
+  </message>
+  <message>
+   <source>ground ±{metres:.2f} m</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>地面 ±{metres:.2f} m</translation>
+  </message>
+  <message>
+   <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>光标的图片像素坐标；左上角像素的中心为 0 0</translation>
+  </message>
+  <message>
+   <source>Cursor on the ground of the field, in metres from its centre</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>光标在场地地面上的位置，以距中心的米数表示</translation>
+  </message>
+  <message>
+   <source>How far apart the active and the compared camera see the cursor:
+on the ground, and in pixels of the evaluation size</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>当前相机与对比相机看光标处的差距：
+地面上的距离，以及评测尺寸的像素</translation>
+  </message>
+  <message>
+   <source>How surely the fitted camera knows the ground point at the cursor: standard
+deviation in the worst direction, whatever the cursor itself is off by</source>
+   <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
+   <translation>拟合相机对光标处地面点的确定程度：
+最差方向的标准差，不计光标本身的偏差</translation>
+  </message>
+  <message>
+   <source>scoring {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>评分 {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>Camera &gt; Stop scoring the set ends it</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>“相机 &gt; 停止为数据集评分”可结束</translation>
+  </message>
+  <message>
+   <source>comparing {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>比较 {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>ghosts {done:,} / {total:,}</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>虚影 {done:,} / {total:,}</translation>
+  </message>
+  <message>
+   <source>Esc ends it</source>
+   <extracomment>[procc_annotator/gui/window/status_report.py]</extracomment>
+   <translation>Esc 结束</translation>
+  </message>
+  <message>
+   <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
+   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <translation>阈值 tau：元素的所有点都更近时即通过（+ 和 -）</translation>
+  </message>
+  <message>
+   <source>Threshold tau</source>
+   <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
+   <translation>阈值 tau</translation>
+  </message>
+  <message>
+   <source>Top bar</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>顶栏</translation>
+  </message>
+  <message>
+   <source>Status of this frame (panel Review)</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>本帧的状态（“审核”面板）</translation>
+  </message>
+  <message>
+   <source>Field: {field}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>场地：{field}</translation>
+  </message>
+  <message>
+   <source>Click to choose another one</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation>点击以选择其他</translation>
+  </message>
+  <message>
+   <source>Drop a folder of pictures here</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>将图片文件夹拖放到此处</translation>
+  </message>
+  <message>
+   <source>Annotations are read from and saved to SoccerNet JSON beside the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>标注以 SoccerNet JSON 形式读取并保存在图片旁。之后拖入相机文件夹，即可用您的点击评判它们。</translation>
+  </message>
+  <message>
+   <source>Open recent</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>打开最近的</translation>
   </message>
   <message>
    <source>Open folder…</source>
-   <extracomment>[the action open_folder]</extracomment>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_folder]</extracomment>
    <translation>打开文件夹…</translation>
+  </message>
+  <message>
+   <source>Open picture…</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_picture]</extracomment>
+   <translation>打开图片…</translation>
+  </message>
+  <message>
+   <source>Open video…</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action open_video]</extracomment>
+   <translation>打开视频…</translation>
+  </message>
+  <message>
+   <source>Try the sample</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>试用示例</translation>
+  </message>
+  <message>
+   <source>Go on with</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>继续</translation>
+  </message>
+  <message>
+   <source>Nothing was opened yet</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
+   <translation>尚未打开任何内容</translation>
+  </message>
+  <message>
+   <source>unexpected error ({what}); the terminal says more</source>
+   <extracomment>[procc_annotator/gui/worker.py]</extracomment>
+   <translation>意外错误（{what}）；详情见终端</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/writing.py]</extracomment>
+   <translation>请先打开图片文件夹</translation>
+  </message>
+  <message>
+   <source>what was saved elsewhere</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>在别处保存的内容</translation>
+  </message>
+  <message>
+   <source>overwritten</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>已覆盖</translation>
+  </message>
+  <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>原始状态</translation>
+  </message>
+  <message>
+   <source>taken back</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>已撤回</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>已保存</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -49,19 +1253,9 @@
    <translation>标注文件夹中的所有图片</translation>
   </message>
   <message>
-   <source>Open picture…</source>
-   <extracomment>[the action open_picture]</extracomment>
-   <translation>打开图片…</translation>
-  </message>
-  <message>
    <source>Annotate a single picture</source>
    <extracomment>[the action open_picture]</extracomment>
    <translation>标注单张图片</translation>
-  </message>
-  <message>
-   <source>Open video…</source>
-   <extracomment>[the action open_video]</extracomment>
-   <translation>打开视频…</translation>
   </message>
   <message>
    <source>Annotate frames of a video without extracting them first</source>
@@ -532,11 +1726,6 @@
    <source>Mend the current finding: relabel, swap, remove the bad point, or look at it</source>
    <extracomment>[the action apply_remedy]</extracomment>
    <translation>修复当前检查结果：改类别、互换、移除坏点，或查看</translation>
-  </message>
-  <message>
-   <source>Ignore this finding</source>
-   <extracomment>[the action ignore_finding]</extracomment>
-   <translation>忽略此检查结果</translation>
   </message>
   <message>
    <source>Do not show it again until the points of its elements change</source>
@@ -1109,11 +2298,6 @@
    <translation>虚影的画线要有多少可见，才能与其他一并接受</translation>
   </message>
   <message>
-   <source>Not visible here</source>
-   <extracomment>[the action not_visible]</extracomment>
-   <translation>此处不可见</translation>
-  </message>
-  <message>
    <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
    <translation>该虚影或所选元素在本帧不可见；再按一次撤回</translation>
@@ -1304,6 +2488,16 @@
    <translation>将放大镜保持在光标处（或按住 Z；拖动点时也会出现）</translation>
   </message>
   <message>
+   <source>Turn the field map to the camera</source>
+   <extracomment>[the action turn_map, the setting turn_map]</extracomment>
+   <translation>将场地图转向相机</translation>
+  </message>
+  <message>
+   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
+   <extracomment>[the action turn_map, the setting turn_map]</extracomment>
+   <translation>场地图下方为相机所在一侧，相机看不到的部分变淡；看不见的半场将空间让给另一半</translation>
+  </message>
+  <message>
    <source>Strip of frames</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>帧条</translation>
@@ -1312,11 +2506,6 @@
    <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
    <translation>图片下方：视频或连续帧显示相机的好坏和已标注处；其他则显示带状态的缩略图</translation>
-  </message>
-  <message>
-   <source>Plots</source>
-   <extracomment>[the action plots]</extracomment>
-   <translation>图表</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources</source>
@@ -1654,19 +2843,9 @@
    <translation>命令面板：用名称的几个字母找到任何操作、元素、帧、相机源和最近的文件夹</translation>
   </message>
   <message>
-   <source>Keys</source>
-   <extracomment>[the action keys]</extracomment>
-   <translation>按键</translation>
-  </message>
-  <message>
    <source>Show all actions and their keys on one sheet</source>
    <extracomment>[the action keys]</extracomment>
    <translation>在一张表上显示所有操作及其按键</translation>
-  </message>
-  <message>
-   <source>Change keys…</source>
-   <extracomment>[the action keymap]</extracomment>
-   <translation>更改按键…</translation>
   </message>
   <message>
    <source>Give actions and elements other keys, or take those of another program</source>
@@ -1674,19 +2853,9 @@
    <translation>为操作和元素设置其他按键，或采用其他程序的按键</translation>
   </message>
   <message>
-   <source>User guide</source>
-   <extracomment>[the action guide]</extracomment>
-   <translation>用户指南</translation>
-  </message>
-  <message>
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
    <translation>随程序附带的指南；无需网络</translation>
-  </message>
-  <message>
-   <source>About ProCC Annotator</source>
-   <extracomment>[the action about]</extracomment>
-   <translation>关于 ProCC Annotator</translation>
   </message>
   <message>
    <source>Version</source>
@@ -1710,7 +2879,7 @@
   </message>
   <message>
    <source>As the system</source>
-   <extracomment>[the setting language, the setting theme]</extracomment>
+   <extracomment>[the setting theme]</extracomment>
    <translation>跟随系统</translation>
   </message>
   <message>
@@ -1744,44 +2913,9 @@
    <translation>窗口的语言；下次启动时生效。文件保持不变</translation>
   </message>
   <message>
-   <source>English</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>English</translation>
-  </message>
-  <message>
-   <source>Deutsch</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Deutsch</translation>
-  </message>
-  <message>
-   <source>Español</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Español</translation>
-  </message>
-  <message>
-   <source>Français</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>Français</translation>
-  </message>
-  <message>
-   <source>日本語</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>日本語</translation>
-  </message>
-  <message>
-   <source>简体中文</source>
-   <extracomment>[the setting language]</extracomment>
-   <translation>简体中文</translation>
-  </message>
-  <message>
    <source>What the colours over the picture say</source>
    <extracomment>[the setting colour_by]</extracomment>
    <translation>图片上颜色的含义</translation>
-  </message>
-  <message>
-   <source>Annotating</source>
-   <extracomment>[the setting author, the setting auto_advance, the setting draw_first]</extracomment>
-   <translation>标注</translation>
   </message>
   <message>
    <source>Your name</source>
@@ -1827,11 +2961,6 @@
    <source>How elements count that a homography cannot project: goals, baskets, nets</source>
    <extracomment>[the setting off_plane]</extracomment>
    <translation>单应矩阵无法投影的元素如何计入：球门、篮筐、球网</translation>
-  </message>
-  <message>
-   <source>Fit and ghosts</source>
-   <extracomment>[the setting fit_model, the setting ghost_support, the setting ghosts]</extracomment>
-   <translation>拟合与虚影</translation>
   </message>
   <message>
    <source>Model of the live fit</source>
@@ -1897,11 +3026,6 @@
    <source>How much of a ghost's line must be seen to accept it with all others</source>
    <extracomment>[the setting ghost_support]</extracomment>
    <translation>虚影的线要有多少可见，才能与其他所有一并接受</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[the setting evidence, the setting keep_zoom, the setting loupe]</extracomment>
-   <translation>图片</translation>
   </message>
   <message>
    <source>American football (NFL)</source>

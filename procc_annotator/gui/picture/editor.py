@@ -17,6 +17,7 @@ from procc_annotator.interact.gesture import (
     Position,
     Reaction,
 )
+from procc_annotator.interact.hand import draft_of
 from procc_annotator.interact.hints import GhostHint, counted, hint
 from procc_annotator.interact.hit import Hit
 from procc_annotator.interact.naming import unnamed_class
@@ -119,10 +120,7 @@ class Editor(QObject):
         document = self._document
         if document.mode != "draw" or not document.editable:
             return None
-        landing = None
-        if cursor is not None and (self._draw.busy or document.selected_class is not None):
-            landing = self._draw.landing(cursor, self._held, self._context())
-        return self._draw.draft(document.selected_class, cursor, landing)
+        return draft_of(self._draw, self._context(), cursor, self._held)
 
     def hint(self) -> str:
         """What the next click, Enter and Esc will do."""
