@@ -224,6 +224,11 @@ class _Unsaid(ast.NodeVisitor):
         for one in (node.func, *node.args[skipped:], *(k.value for k in node.keywords)):
             self.visit(one)
 
+    def visit_Compare(self, node: ast.Compare) -> None:
+        for one in (node.left, *node.comparators):  # a text that is compared is a name
+            if not isinstance(one, ast.Constant | ast.Tuple):
+                self.visit(one)
+
     def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
         words = "".join(_constant(part) or "{}" for part in node.values)
         if any(word not in _UNITS for word in _A_WORD.findall(words.replace("{}", " {} "))):
@@ -336,7 +341,8 @@ def faults_of(text: Text, language: str, forms: tuple[str, ...]) -> str:
 
 
 def _places_of(text: str) -> set[str]:
-    return set(re.findall(r"{\w*(?:[.!:][^{}]*)?}", text))
+    """Where values stand, and the patterns of files that a dialog filters by."""
+    return set(re.findall(r"{\w*(?:[.!:][^{}]*)?}|\(\*[^()]*\)", text))
 
 
 def compile_all() -> None:
