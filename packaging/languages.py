@@ -196,12 +196,6 @@ class _Unsaid(ast.NodeVisitor):
     def visit_Assert(self, node: ast.Assert) -> None:
         self.visit(node.test)
 
-    def visit_Compare(self, node: ast.Compare) -> None:
-        """Words that something is compared with are values."""
-        for side in (node.left, *node.comparators):
-            if not isinstance(side, (ast.Constant, ast.Tuple, ast.Set)):
-                self.visit(side)
-
     def visit_AnnAssign(self, node: ast.AnnAssign) -> None:
         if node.value is not None:
             self.visit(node.value)
