@@ -78,7 +78,7 @@ def intervals_sheet(
             for figure in WITH_INTERVAL:
                 row += [figure.of(summary[tau]), *ends_of(found[figure.key, tau])]
             rows.append(tuple(row))
-    notes = (f"In brackets {certainty.described}.",)
+    notes = (f"In brackets {certainty.described}.", *certainty.cautions)
     return Sheet("intervals", "Intervals", tuple(columns), tuple(rows), described, notes)
 
 
@@ -118,6 +118,7 @@ def differences_sheet(certainty: Certainty, described: str) -> Sheet:
         "JaC and mean error are compared on the frames both sources have; frames that only one has"
         " count for completeness and the final score. Bold: beyond chance, between methods"
         " whose errors are of the same points.",
+        *certainty.cautions,
     )
     return Sheet(
         "differences", "Is the difference real", tuple(columns), tuple(rows), described, notes,
