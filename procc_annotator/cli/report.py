@@ -278,17 +278,18 @@ def _make(
         work_ahead = len(list_annotations(source)) * _cost(call.request, len(call.specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
         work = Work(executor, camera_size, with_progress)
-        judged = [NamedCameras(spec.name, collection) for spec, collection in named]
-        gathered = gather_report(
-            call.name, source, judged, call.setup, call.thresholds, work, call.chance
-        )
         asked = [
             Asked(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
             for spec, cameras in named
         ]
-        sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
+        # Frames that do not follow each other are refused before the work.
         steady = call.over_time
         found = () if steady is None else steady.run(asked, call.thresholds[0], executor)
+        judged = [NamedCameras(spec.name, collection) for spec, collection in named]
+        gathered = gather_report(
+            call.name, source, judged, call.setup, call.thresholds, work, call.chance
+        )
+        sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
         if call.recipe is not None:
             figures = [one.summaries for one in gathered.sources]
             used = [(one, own) for one, own in zip(asked, figures, strict=True) if own]

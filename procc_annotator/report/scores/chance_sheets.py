@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from procc_annotator.metric.chance.intervals import Interval
-from procc_annotator.metric.chance.paired import PairedDifference
+from procc_annotator.metric.chance.paired import PairedDifference, fewest_clusters
 from procc_annotator.metric.chance.power import frames_needed, least_difference
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.sheet.counts import FRAMES, FRAMES_FOR, ONLY_A, ONLY_B, RANK, SHARED
@@ -172,7 +173,8 @@ def power_sheet(certainty: Certainty, described: str) -> Sheet:
     for at, tau in enumerate(certainty.thresholds):
         for pair in certainty.pairs:
             found = pair.differences["mean_jac", tau]
-            needed = _needed(certainty, found.deviation, found.frames, found.effective, _POWER)
+            needed = _needed(certainty, found.deviation, found.frames, found.effective, _POWER,
+                             found.clusters)  # fmt: skip
             rows.append((tau, names[pair.a], names[pair.b], pair.shared, *needed))
         if not certainty.pairs:
             sampled, frames = certainty.jac_alone(0)
@@ -190,15 +192,25 @@ def power_sheet(certainty: Certainty, described: str) -> Sheet:
 
 
 def _needed(
-    certainty: Certainty, deviation: float | None, frames: int, effective: float, power: float
+    certainty: Certainty,
+    deviation: float | None,
+    frames: int,
+    effective: float,
+    power: float,
+    tested: int | None = None,
 ) -> tuple[Value, ...]:
+    """The least difference, and frames for each of `POINTS`; tested: of how many clusters, where
+    a permutation test has to agree."""
     if not deviation or not np.isfinite(deviation):
         return (None,) * (1 + len(POINTS))
     level = certainty.draws.level
+    fewest = 1 if tested is None else math.ceil(fewest_clusters(level) * frames / tested)
     needed = (
-        frames_needed(p, deviation, frames, effective, level=level, power=power) for p in POINTS
+        frames_needed(p, deviation, frames, effective, level=level, power=power, fewest=fewest)
+        for p in POINTS
     )
-    return (least_difference(deviation, effective, level=level, power=power), *needed)
+    least = least_difference(deviation, effective, level=level, power=power)
+    return (least if fewest <= frames else None, *needed)
 
 
 def curves_sheet(certainty: Certainty, described: str) -> Sheet:

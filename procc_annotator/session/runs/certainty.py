@@ -15,6 +15,7 @@ from procc_annotator.metric.chance.intervals import Interval, Method, intervals
 from procc_annotator.metric.chance.paired import (
     PairedDifference,
     corrected_for,
+    fewest_clusters,
     paired_differences,
 )
 from procc_annotator.metric.chance.ranking import chances_of_being_best, ranks, sole_best
@@ -110,11 +111,10 @@ class Certainty:
                 f"Of so few {alike}s ({count}) percentile and BCa intervals hold the truth in 88 to"
                 " 93 of 100 sets, t in 92 to 97."
             )
-        least = 2.0 ** (1 - count)  # of all exchanges: the one at hand, and its opposite
-        if len(self.sources) > 1 and least >= 1 - self.draws.level:
+        if len(self.sources) > 1 and count < fewest_clusters(self.draws.level):
             said.append(
-                f"Of {count_of(count, alike)} no p is below {least:.2g}: no difference can be"
-                " beyond chance."
+                f"Of {count_of(count, alike)} no p is below {2.0 ** (1 - count):.2g}: no difference"
+                " can be beyond chance."
             )
         return tuple(said)
 

@@ -11,8 +11,9 @@ import pytest
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.report.scores.chance_sheets import differences_sheet
+from procc_annotator.report.scores.chance_sheets import differences_sheet, power_sheet
 from procc_annotator.report.scores.strata_sheet import figures_sheet
+from procc_annotator.report.sheet.sheet import records
 from procc_annotator.session.runs.audit import TAU_GRID, Pose
 from procc_annotator.session.runs.certainty import Certainty, same_frames
 from procc_annotator.session.runs.click_spreads import pairs_under_clicks, spread_of
@@ -72,6 +73,20 @@ def test_tables_of_few_clusters_say_what_they_cannot_tell(three) -> None:
         assert "no p is below" not in many
     alone = Certainty(three[:1], clusters_of(three[0].names, NONE, {}), DRAWS)
     assert alone.cautions == ()
+
+
+def test_frames_needed_are_no_fewer_than_the_test_can_tell_anything_of(three) -> None:
+    def needed(clusters: int) -> list[dict]:
+        tags = {f"{n:03}": f"match {n % clusters}" for n in range(60)}
+        numbers = clusters_of(three[0].names, "match", tags)
+        return list(records(power_sheet(Certainty(three, numbers, DRAWS), "")))
+
+    for row in needed(10):
+        assert row["frames_for_5"] >= 6 * row["frames"] / 10
+        assert row["least_difference"] > 0
+    for row in needed(5):
+        assert row["frames_for_5"] > row["frames"]
+        assert row["least_difference"] is None
 
 
 def test_a_part_of_one_cluster_is_warned_of(three) -> None:
