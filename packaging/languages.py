@@ -8,7 +8,8 @@
     python packaging/languages.py unsaid [ROOM ...] words in the code that no translation reaches
 
 A text is what stands in ``tr``, ``tr_count`` and ``word``, and what tables hold: the actions, the
-settings, the fields. A line that ends in ``# not shown`` holds words that nobody sees.
+settings, the fields. A line that ends in ``# not shown`` holds words that nobody sees, or that are
+of no language: names of keys and of programs.
 """
 
 from __future__ import annotations
@@ -32,6 +33,7 @@ LANGUAGES = ("de", "es", "fr", "ja", "zh_CN")
 FORMS = {"de": 2, "es": 2, "fr": 2, "ja": 1, "zh_CN": 1}
 CONTEXT = "procc"
 SHOWN_ROOMS = ("gui", "interact")
+_FOR_TERMINALS = PACKAGE / "gui" / "selftest.py"
 
 _SAYING = {"tr": 1, "word": 1, "tr_count": 3}  # function -> how many of its arguments are texts
 # Calls whose words are names for programs.
@@ -42,7 +44,7 @@ _NOT_SHOWN = "# not shown"
 # Two words, or one that begins a sentence; between the values of an f-string one will do.
 _WORDS = re.compile(r"[^\W\d_]{2,}[,.:;]? +\(?[^\W\d_]{2,}|^[A-Z][a-z]{2,}[….:]?$")
 _A_WORD = re.compile(r"(?<![\w.#])[^\W\d_]{2,}(?![\w(=])")
-_UNITS = {"px", "mm", "km", "MB", "GB", "fps"}
+_UNITS = {"px", "mm", "km", "MB", "GB", "fps", "JaC"}
 
 
 @dataclass(frozen=True)
@@ -121,7 +123,7 @@ def _name(call: ast.Call) -> str:
 
 def _from_tables() -> Iterator[Text]:
     from procc_annotator.gui.actions import ACTIONS, MENUS
-    from procc_annotator.gui.settings import OFFERED
+    from procc_annotator.gui.settings import LANGUAGE, OFFERED
 
     def named(place: str, *texts: str) -> Iterator[Text]:
         return (Text(text, places=(place,)) for text in texts if text)
@@ -134,7 +136,8 @@ def _from_tables() -> Iterator[Text]:
         if (shown := setting.shown) is not None:
             place = f"the setting {setting.key}"
             yield from named(place, shown.group, shown.title, setting.text)
-            yield from named(place, *(words for _, words in shown.choices))
+            if setting is not LANGUAGE:  # those are called by their own names
+                yield from named(place, *(words for _, words in shown.choices))
     yield from _from_fields()
 
 
@@ -160,6 +163,8 @@ def unsaid() -> list[str]:
     """Words in the rooms that show something and no translation reaches: ``file:line: words``."""
     told = []
     for file, module in _modules(SHOWN_ROOMS):
+        if file == _FOR_TERMINALS:
+            continue
         lines = file.read_text("utf-8").splitlines()
         for line, words in sorted(_Unsaid(module).found):
             if _NOT_SHOWN not in lines[line - 1]:

@@ -7,6 +7,8 @@ is not needed to say something: the window hands over how texts are looked up.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from contextvars import ContextVar
 from typing import Protocol
 
 
@@ -22,12 +24,18 @@ def _as_it_is(text: str, about: str, count: int) -> str:
 
 
 _look_up: LookUp = _as_it_is
+_in_english: ContextVar[bool] = ContextVar("in_english", default=False)
 
 
 def speak(look_up: LookUp | None) -> None:
     """Say texts as they are looked up from now on; None: in English."""
     global _look_up
     _look_up = look_up or _as_it_is
+
+
+def is_english() -> bool:
+    """Whether texts are said as they are written."""
+    return _look_up is _as_it_is
 
 
 def tr(text: str, /, about: str = "", **values: object) -> str:
@@ -40,7 +48,7 @@ def tr(text: str, /, about: str = "", **values: object) -> str:
         about: tells two meanings of the same English words apart ("left": a side, or remaining).
         values: what stands in the places; without any, braces are braces.
     """
-    said = _look_up(text, about, -1)
+    said = _found(text, about, -1)
     return said.format(**values) if values else said
 
 
@@ -52,7 +60,7 @@ def tr_count(count: int, one: str, several: str, /, **values: object) -> str:
         one, several: the English forms; ``several`` is the key of the translation.
         values: what stands in other places.
     """
-    said = _look_up(several, "", count)
+    said = _found(several, "", count)
     if said == several and count == 1:
         said = one
     return said.format(n=count, **values)
@@ -62,3 +70,33 @@ def word(text: str, about: str = "") -> str:
     """Mark a text of a table: it is collected for translation, and said by ``tr`` when it is
     shown."""
     return text
+
+
+class Kept(str):
+    """English words that a file keeps, with ``spoken``: the same in the language of the window."""
+
+    spoken: str
+
+
+def kept(say: Callable[[], str]) -> Kept:
+    """What is shown now and goes into a file, too: the name of a step of undo, say.
+
+    Args:
+        say: makes the words by ``tr`` and ``tr_count``; called twice.
+    """
+    token = _in_english.set(True)
+    try:
+        words = Kept(say())
+    finally:
+        _in_english.reset(token)
+    words.spoken = say()
+    return words
+
+
+def spoken(words: str) -> str:
+    """What is kept in English, as the window says it: what ``kept`` made, or ``word`` marked."""
+    return words.spoken if isinstance(words, Kept) else tr(words)
+
+
+def _found(text: str, about: str, count: int) -> str:
+    return text if _in_english.get() else _look_up(text, about, count)

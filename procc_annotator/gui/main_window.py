@@ -89,6 +89,9 @@ from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.gui.window.status_report import StatusReport
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
+from procc_annotator.language import tr
+
+_TITLE = "ProCC Annotator[*]"  # not shown
 
 
 class MainWindow(QMainWindow):
@@ -254,13 +257,14 @@ class MainWindow(QMainWindow):
         self.docks = self._docks.by_name
 
     def _add_panel_toggles(self) -> None:
-        menu = self.actions_.menus["View"].addMenu("Panels")
+        menu = self.actions_.menus["View"].addMenu(tr("Panels"))  # not shown
         for dock in self.docks.values():
             menu.addAction(dock.toggleViewAction())
 
     def _add_recent(self) -> None:
         menu = RecentMenu(self.settings, self.opening.open_path, self)
-        self.actions_.menus["File"].insertMenu(self.actions_["open_sample"], menu)
+        before = self.actions_["open_sample"]
+        self.actions_.menus["File"].insertMenu(before, menu)  # not shown
         self.welcome.show_recent(self.settings.get(RECENT))
         self.welcome.open_recent.connect(self.opening.open_path)
 
@@ -348,7 +352,7 @@ class MainWindow(QMainWindow):
         conflict = saver.conflict(index)
         self.conflict_bar.tell(str(conflict) if conflict is not None else "")
         frame = self.document.frame
-        self.setWindowTitle(f"{frame.name}[*]" if frame is not None else "ProCC Annotator[*]")
+        self.setWindowTitle(f"{frame.name}[*]" if frame is not None else _TITLE)
         self.setWindowModified(bool(saver.problems))
 
     def _hide_told(self, blind: bool) -> None:

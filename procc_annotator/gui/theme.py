@@ -104,7 +104,7 @@ def alarm_colours(colours: QPalette) -> tuple[str, str]:
 
 def follow_system(application: QApplication) -> None:
     """Give the application its looks now and whenever the system switches to light or dark."""
-    application.setStyle("Fusion")
+    application.setStyle("Fusion")  # not shown
     hints = QGuiApplication.styleHints()
     hints.colorSchemeChanged.connect(lambda _: set_theme(application, _theme(application)))
     set_theme(application, _theme(application))

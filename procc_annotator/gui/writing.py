@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.frames import Frame
 
 T = TypeVar("T")
@@ -19,7 +20,7 @@ T = TypeVar("T")
 def opened_frame(document: Document) -> Frame | None:
     """The frame on screen; where there is none it is said what to do."""
     if document.frame is None:
-        document.say("open a folder of pictures first", "warning")
+        document.say(tr("open a folder of pictures first"), "warning")
     return document.frame
 
 

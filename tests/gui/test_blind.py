@@ -120,6 +120,10 @@ class Look:
         label = self.window.findChild(QLabel, "cameras_jac_0")
         return re.search(r"\d", label.text() + label.toolTip())
 
+    def field_map(self) -> object:
+        """Turned to the camera, or the part it sees marked."""
+        return self.window.document.map_sight.shown
+
     def elements(self) -> object:
         states = element_states(self.window.document).values()
         return {ElementState.PASSES, ElementState.TOO_FAR, ElementState.NOT_ANNOTATED} & set(states)

@@ -40,6 +40,7 @@ KEPT = {
     "snapping",
     "pinned",
     "auto_advance",
+    "turn_map",
     "two_clicks",
     "draw_first",
     "loupe",

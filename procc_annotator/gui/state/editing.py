@@ -17,6 +17,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.selection import that_survives
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
+from procc_annotator.language import spoken
 from procc_annotator.session.dataset.workspace import SAVED_ELSEWHERE, Workspace
 from procc_annotator.session.facts.origins import OriginKind, PointKey
 
@@ -276,7 +277,7 @@ class Editing(QObject):
         said = self.review.touched(frame.name, before, now)
         with self._store.together():
             self._show_edited(workspace, stepped=True)
-            say(self._store, "; ".join(filter(None, (f"{done}: {label}", said))))
+            say(self._store, "; ".join(filter(None, (f"{done}: {spoken(label)}", said))))
 
     def _would_take_away(self, workspace: Workspace) -> bool:
         """Whether undo would take away what somebody else saved, and was not told so before: it

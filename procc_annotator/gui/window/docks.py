@@ -15,6 +15,7 @@ from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
 
 from procc_annotator.gui.panels.refresher import Refresher
+from procc_annotator.language import tr, word
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
@@ -24,17 +25,17 @@ _MOST_OF_WINDOW = 0.48  # what both may take of its width
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 190, 230  # below that texts are cut off
 
 TITLES = {
-    "frames": "Frames",
-    "field_map": "Field map",
-    "elements": "Elements",
-    "cameras": "Cameras",
-    "scores": "Scores",
-    "fit": "Fit",
-    "findings": "Check",
-    "landmarks": "Landmarks",
-    "plots": "Plots",
-    "review": "Review",
-    "agreement": "Agreement",
+    "frames": word("Frames"),
+    "field_map": word("Field map"),
+    "elements": word("Elements"),
+    "cameras": word("Cameras"),
+    "scores": word("Scores"),
+    "fit": word("Fit"),
+    "findings": word("Check"),
+    "landmarks": word("Landmarks"),
+    "plots": word("Plots"),
+    "review": word("Review"),
+    "agreement": word("Agreement"),
 }
 _ALONE = ("frames", "field_map")  # the others share a column as tabs, desk by desk
 DESKS: Mapping[str, tuple[str, ...]] = {
@@ -83,7 +84,7 @@ class Docks:
         self._open = QByteArray()
         self.by_name: dict[str, QDockWidget] = {}
         for name, title in TITLES.items():
-            dock = QDockWidget(title, window)
+            dock = QDockWidget(tr(title), window)
             dock.setObjectName(f"dock_{name}")
             dock.setWidget(panels[name])
             narrowest = _NARROWEST_FRAMES if name == "frames" else _NARROWEST_PANEL
