@@ -125,7 +125,9 @@ def _cautions(parts: Sequence[Stratum]) -> tuple[str, ...]:
     """Of the part that has the fewest clusters."""
     fewest = min(parts, key=lambda part: part.certainty.clusters.count).certainty
     where = "" if len(parts) < 2 else "In the part with the fewest: "
-    return tuple(f"{where}{said[0].lower()}{said[1:]}" if where else said for said in fewest.cautions)
+    return tuple(
+        f"{where}{said[0].lower()}{said[1:]}" if where else said for said in fewest.cautions
+    )
 
 
 def _with_interval(figure: Figure, heading: str, group: str) -> list[Column]:

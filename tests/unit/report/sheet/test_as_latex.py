@@ -126,7 +126,9 @@ def test_latex_sets_every_table_within_the_text(tmp_path: Path) -> None:
     ))  # fmt: skip
     tables = latex_tables([*(_wide(columns) for columns in (2, 5, 9)), strange])
     tables += latex_table(_of_several_taus())
-    setup = "\\documentclass{article}\\setlength{\\textwidth}{229pt}\\setlength{\\columnwidth}{229pt}"
+    setup = (
+        "\\documentclass{article}\\setlength{\\textwidth}{229pt}\\setlength{\\columnwidth}{229pt}"
+    )
     document = setup + "\\begin{document}\n" + tables + "\\end{document}\n"
     (tmp_path / "a.tex").write_text(document, encoding="utf-8")
     done = subprocess.run(
