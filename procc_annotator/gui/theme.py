@@ -136,6 +136,14 @@ def set_text_size(application: QApplication, percent: float) -> None:
         application.setFont(font)
 
 
+def text_times() -> float:
+    """How large texts are, of what the system says; 1 where nobody chose."""
+    application = QApplication.instance()
+    usual = None if application is None else application.property(_USUAL_SIZE)
+    size = QApplication.font().pointSizeF()
+    return size / float(usual) if usual and float(usual) > 0 and size > 0 else 1.0
+
+
 def fixed_width(widget_font: QFont, times: float = 1.0, *, bold: bool = False) -> QFont:
     """The same font, so many times as large, with digits of equal width, so that changing numbers
     do not jump."""

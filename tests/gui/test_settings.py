@@ -41,6 +41,8 @@ KEPT = {
     "pinned",
     "auto_advance",
     "turn_map",
+    "legend",
+    "language",
     "two_clicks",
     "draw_first",
     "loupe",

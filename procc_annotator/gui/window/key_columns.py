@@ -5,7 +5,7 @@ It is painted: the same as rich text takes Qt a quarter of a second.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import reduce
 
@@ -166,18 +166,24 @@ class KeyColumns(QWidget):
         placed = self._texts if width == self.width() else self._placed(width)[0]
         return max((box.bottom() for box, _, _ in placed), default=0) + _GAP
 
+    def _words_of_keys(self) -> Iterator[str]:
+        for section in self.sections:
+            for row in section.rows:
+                yield from " ".join(row.keys).split()
+
     def _placed(self, width: int) -> _Placed:
         usual, bold = QFontMetrics(self.font()), QFontMetrics(_bold(self.font()))
         count = width // (_LETTERS * usual.averageCharWidth())
         count = min(max(count, 1), _MOST_COLUMNS)
         column = (width - (count - 1) * _GAP) // count
-        keys = round(_KEYS_SHARE * column)
+        longest = max(map(bold.horizontalAdvance, self._words_of_keys()), default=0) + _GAP // 2
+        keys = max(round(_KEYS_SHARE * column), min(longest, column // 2))
         line = usual.height()
         sized = []
         for section in self.sections:
             heights = [
                 max(
-                    _tall(bold, keys - _GAP // 2, keys_text(row.keys)),
+                    _tall(bold, keys - _GAP // 2, _breakable(row.keys)),
                     _tall(usual, column - keys, row.text),
                 )
                 for row in section.rows
@@ -193,7 +199,7 @@ class KeyColumns(QWidget):
                 y += line + line // 4
                 for row, height in zip(section.rows, heights, strict=True):
                     keys_box = QRect(x, y, keys - _GAP // 2, height)
-                    texts.append((keys_box, keys_text(row.keys), True))
+                    texts.append((keys_box, _breakable(row.keys), True))
                     texts.append((QRect(x + keys, y, column - keys, height), row.text, False))
                     rows.append((QRect(x, y, column, height), row))
                     y += height
@@ -204,6 +210,11 @@ class KeyColumns(QWidget):
 def keys_text(keys: tuple[str, ...]) -> str:
     """Keys that mean the same, in words: "A or PgUp"."""
     return reduce(lambda one, other: tr("{one} or {other}", one=one, other=other), keys or ("",))
+
+
+def _breakable(keys: tuple[str, ...]) -> str:
+    """Keys that may go on in the next line after a plus."""
+    return keys_text(keys).replace("+", "+\u200b")
 
 
 def _bold(font: QFont) -> QFont:

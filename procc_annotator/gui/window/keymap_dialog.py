@@ -95,7 +95,8 @@ class KeymapDialog(QDialog):
         self._field = field
         self._build()
         self._show()
-        self.resize(_SIZE.boundedTo(parent.window().size() - QSize(_MARGIN, _MARGIN)))
+        size = _SIZE.expandedTo(self.sizeHint())
+        self.resize(size.boundedTo(parent.window().size() - QSize(_MARGIN, _MARGIN)))
 
     # --- building -----------------------------------------------------------------------------
 

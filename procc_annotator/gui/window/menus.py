@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict
 from operator import attrgetter
 from typing import cast
@@ -25,7 +25,9 @@ class Actions:
         self._reasons: dict[str, str] = {}
         self._texts: dict[str, str] = {}
         self._groups: dict[str, QActionGroup] = {}
-        self.menus: dict[str, QMenu] = {m: window.menuBar().addMenu(_mnemonic(m)) for m in MENUS}
+        self.menus: dict[str, QMenu] = {
+            name: window.menuBar().addMenu(said) for name, said in _mnemonics(MENUS).items()
+        }
         for spec in ACTIONS:
             action = self._make(spec, window, canvas)
             menu = self._menu(spec.menu)
@@ -109,10 +111,23 @@ def _give_keys(action: QAction, spec: ActionSpec, keys: Sequence[str]) -> None:
     action.setToolTip(f"{tr(spec.tip)}{first}")
 
 
-def _mnemonic(title: str) -> str:
-    """A menu's title, with the letter that opens it; one of two that begin alike has its second."""
-    said = tr(title)
-    return f"&{said}" if title != "Element" else f"{said[:1]}&{said[1:]}"  # not shown
+def _mnemonics(titles: Iterable[str]) -> dict[str, str]:
+    """Titles of menus as they are said, each with the letter that opens it: the first that no menu
+    before has; where a language has none, that of the English title stands behind."""
+    taken: set[str] = set()
+    said = {}
+    for title in titles:
+        words = tr(title)
+        bare = not any(map(_is_key, words))
+        letters = filter(_is_key, title if bare else words)
+        key = next((letter for letter in letters if letter.lower() not in taken), "")
+        taken.add(key.lower())
+        said[title] = f"{words}(&{key.upper()})" if bare else words.replace(key, f"&{key}", 1)
+    return said
+
+
+def _is_key(letter: str) -> bool:
+    return letter.isascii() and letter.isalpha()
 
 
 class ActionStates(QObject):
