@@ -33,7 +33,17 @@ LANGUAGES = ("de", "es", "fr", "ja", "zh_CN")
 FORMS = {"de": 2, "es": 2, "fr": 2, "ja": 1, "zh_CN": 1}
 CONTEXT = "procc"
 SHOWN_ROOMS = ("gui", "interact")
-_FOR_TERMINALS = PACKAGE / "gui" / "selftest.py"
+# Speak to a terminal, or paint pictures that are files: the window shows none of their words.
+_NOT_OF_WINDOW = tuple(
+    PACKAGE / name
+    for name in (
+        "gui/selftest.py",
+        "gui/picture/comparison_panel.py",
+        "gui/picture/comparison_picture.py",
+        "gui/picture/overlay_picture.py",
+        "interact/legend.py",
+    )
+)
 
 _SAYING = {"tr": 1, "word": 1, "tr_count": 3}  # function -> how many of its arguments are texts
 # Calls whose words are names for programs.
@@ -163,7 +173,7 @@ def unsaid() -> list[str]:
     """Words in the rooms that show something and no translation reaches: ``file:line: words``."""
     told = []
     for file, module in _modules(SHOWN_ROOMS):
-        if file == _FOR_TERMINALS:
+        if file in _NOT_OF_WINDOW:
             continue
         lines = file.read_text("utf-8").splitlines()
         for line, words in sorted(_Unsaid(module).found):
