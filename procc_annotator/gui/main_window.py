@@ -285,6 +285,7 @@ class MainWindow(QMainWindow):
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
         document.store.watch(lambda state: state.notices, self.message_bar.keep)
+        self.message_bar.remedy_wanted.connect(lambda name: self.actions_[name].trigger())
         document.store.changed.connect(self._hear)  # a watch would miss lines said together
         self.welcome.open_folder.connect(self.opening.open_folder)
         self.welcome.open_picture.connect(self.opening.open_picture)
@@ -373,6 +374,8 @@ class MainWindow(QMainWindow):
         conflict = document.saver.conflict(document.frame_index)
         if told.level == "info":
             self.status.tell(told.text)
+        elif told.text == document.frame_error:
+            self.status.tell(tr("not editable: the bar over the picture says why"))
         elif told.key != UNSAVED:
             # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
             # everything).

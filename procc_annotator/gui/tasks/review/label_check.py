@@ -296,7 +296,7 @@ class LabelCheckCommands(QObject):
         try:
             write_atomic(path, findings_csv(CheckReport(found=found, unreadable=unreadable)))
         except ProccError as error:
-            document.say(str(error), "error")
+            document.say(str(error), "error", "export_findings")
             return
         frames = tr_count(known, "{n:,} checked frame", "{n:,} checked frames")
         document.say(
