@@ -78,6 +78,7 @@ from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.desk_switch import DeskSwitch
 from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.drawer import Drawer
+from procc_annotator.gui.window.finding_tips import FindingTips
 from procc_annotator.gui.window.focus_ring import FocusRing
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
@@ -144,6 +145,7 @@ class MainWindow(QMainWindow):
             self.settings,
         )
         self.keys_back = KeysBack(self.canvas)
+        self.finding_tips = FindingTips(self.document, self.canvas)
         self.coach = Coach(self.document, self.canvas, self.actions_, self.settings)
         self.bars.heightChanged.connect(self.coach.set_covered)
         self.focus_ring = FocusRing(self)
