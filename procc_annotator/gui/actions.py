@@ -361,6 +361,9 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("View", "loupe", "Loupe", "Shift+Z", "canvas.set_loupe_always",
           "Keep the loupe at the cursor (or hold Z; it also comes while a point is dragged)",
           checkable=True, remembered=True),
+    _spec("View", "legend", "Legend in the picture", "", "canvas.legend.set_wanted",
+          "What the colours, dashes and marks over the picture mean, in its corner; it gives way to"
+          " the hand", checkable=True, remembered=True, checked=True),
     _spec("View", "turn_map", "Turn the field map to the camera", "",
           "document.map_sight.set_wanted",
           "The field map has the side below that the camera stands on, and what the camera does not"

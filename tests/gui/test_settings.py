@@ -41,6 +41,7 @@ KEPT = {
     "pinned",
     "auto_advance",
     "turn_map",
+    "legend",
     "language",
     "two_clicks",
     "draw_first",

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 from procc_annotator.gui.picture.blind_frame import BlindFrame
 from procc_annotator.gui.picture.camera_hand import CameraHand
 from procc_annotator.gui.picture.comparison import OtherSources
+from procc_annotator.gui.picture.corner_legend import CornerLegend
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.found_plate import FoundPlate
 from procc_annotator.gui.picture.ghost_layer import GhostLayer
@@ -64,6 +65,7 @@ class Canvas(PictureView):
         self._ghost_layer = GhostLayer(document)
         self.found_plate = FoundPlate(document, self.viewport())
         self.blind_frame = BlindFrame(document, self.viewport())
+        self.legend = CornerLegend(document, self.viewport(), self.comparison)
         self.camera_hand = CameraHand(document, self, self.editor)
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
@@ -197,6 +199,7 @@ class Canvas(PictureView):
         scale, comparison = self.view_scale, self.comparison
         comparison.refresh(hidden=self.overlays_hidden)
         self.maps.set_hidden(self.overlays_hidden)
+        self.legend.show_for(self.colour_by, bare=self.overlays_hidden)
         overlay = other = NOTHING
         if not self.overlays_hidden:
             terms = self.cursor_px, self.colour_by
@@ -401,7 +404,9 @@ class Canvas(PictureView):
 
     def _say_cursor(self) -> None:
         self._carried_on.stop()
-        self.cursorMoved.emit(self.cursor_px)
+        px = self.cursor_px
+        self.legend.follow(None if px is None else self.to_view(*px))
+        self.cursorMoved.emit(px)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         event.accept()

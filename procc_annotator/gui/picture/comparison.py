@@ -174,6 +174,11 @@ class OtherSources(QObject):
                 shown.append((known.projected, source.colour))
         return shown
 
+    def names_of_others(self) -> tuple[tuple[str, str], ...]:
+        """Names and colours of the sources drawn as wireframes."""
+        drawn = {colour for _, colour in self._others()} if self.others_wanted else set()
+        return tuple((s.name, s.colour) for s in self._document.sources if s.colour in drawn)
+
     def _name_sides(self, *, hidden: bool) -> None:
         front, right = self.front, self.right
         if self.divided and not hidden and front is not None and right is not None:

@@ -43,6 +43,7 @@ from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
 from procc_annotator.interact import palette as tones
+from procc_annotator.language import tr
 from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _PICK_POINTS = 9.0
@@ -73,8 +74,8 @@ class FieldMapPanel(QWidget):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("field_map_panel")
-        self.setAccessibleName("Field map")
-        self.setAccessibleDescription("The arrows choose elements")
+        self.setAccessibleName(tr("Field map"))
+        self.setAccessibleDescription(tr("The arrows choose elements"))
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -197,14 +198,17 @@ class FieldMapPanel(QWidget):
         return super().event(event)
 
     def _tip(self, name: str) -> str:
-        title = class_title(self._document.field, name)
-        keys = key_text(self._document.field, name, self._document.state.keymap)
-        shortcut = f"  ({keys})" if keys else ""
         state = self._states.get(name, ElementState.UNTOUCHED)
         best = _words(self._next) if self._next and name == self._next.name else ""
         reasons = reasons_of(self._findings.get(name, ()))
-        lines = (f"{title}{shortcut}", EXPLANATIONS[state], best, reasons)
+        lines = (self._heading(name), tr(EXPLANATIONS[state]), best, reasons)
         return "\n".join(filter(None, lines))
+
+    def _heading(self, name: str) -> str:
+        """What a class is called, and its key."""
+        title = class_title(self._document.field, name)
+        keys = key_text(self._document.field, name, self._document.state.keymap)
+        return f"{title}  ({keys})" if keys else title
 
     # --- what next -----------------------------------------------------------------------------
 
@@ -342,16 +346,20 @@ class FieldMapPanel(QWidget):
         """The name under the cursor, or of the chosen element, or what a click does; above it what
         to annotate next."""
         if self._next is not None:
-            title = class_title(self._document.field, self._next.name)
-            change = f"{self._next.sd_before_px:.1f} → {self._next.sd_after_px:.1f} px"
+            following = tr(
+                "Next: {title}, {before:.1f} → {after:.1f} px",
+                title=class_title(self._document.field, self._next.name),
+                before=self._next.sd_before_px,
+                after=self._next.sd_after_px,
+            )
             painter.setPen(self.palette().color(QPalette.ColorRole.Text))
-            self._paint_line(painter, f"Next: {title}, {change}", 1)
+            self._paint_line(painter, following, 1)
         name = self._document.hovered_class or self._document.selected_class
         if name is None:
-            text = "Click an element to choose its class"
+            text = tr("Click an element to choose its class")
             painter.setPen(muted(self.palette()))
         else:
-            text = self._tip(name).split("\n")[0]
+            text = self._heading(name)
             painter.setPen(self.palette().color(QPalette.ColorRole.Text))
         self._paint_line(painter, text, 0)
 
@@ -365,9 +373,11 @@ class FieldMapPanel(QWidget):
 
 
 def _words(suggestion: Suggestion) -> str:
-    return (
-        f"Annotating it next tells most: the projection is then known to"
-        f" {suggestion.sd_after_px:.1f} px instead of {suggestion.sd_before_px:.1f} px"
+    return tr(
+        "Annotating it next tells most: the projection is then known to {after:.1f} px instead of"
+        " {before:.1f} px",
+        after=suggestion.sd_after_px,
+        before=suggestion.sd_before_px,
     )
 
 
