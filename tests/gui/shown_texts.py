@@ -55,20 +55,18 @@ _LETTERS = re.compile(r"[^\W\d_]{2,}")
 
 
 def untranslated(text: str) -> str:
-    """What of a text lies outside of all brackets; one that is cut short at an end counts as cut
-    within its brackets."""
-    text = _TAG.sub("", text)
-    if text.startswith("…"):
-        text = text.rpartition(CLOSE)[2]
-    depth, left = 0, []
-    for letter in text:
+    """What of a text lies outside of all brackets; one whose beginning or end is cut off counts as
+    cut within its brackets."""
+    depth, left = 0, ""
+    for letter in _TAG.sub("", text):
         if letter == OPEN:
             depth += 1
         elif letter == CLOSE:
+            left = left if depth else ""
             depth = max(0, depth - 1)
         elif depth == 0:
-            left.append(letter)
-    return "".join(left)
+            left += letter
+    return left
 
 
 def unsaid_words(text: str, names: re.Pattern[str]) -> list[str]:
@@ -141,11 +139,22 @@ def _of_model(model: QAbstractItemModel, parent: QModelIndex | None = None) -> I
 class Asked:
     """Answers "no" to whatever asks, and remembers what it said; nothing waits for a person."""
 
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+    def __init__(
+        self, monkeypatch: pytest.MonkeyPatch, look: Callable[[QWidget], object] | None = None
+    ) -> None:
+        """Begin to answer.
+
+        Args:
+            look: called with each dialog that waits for an answer.
+        """
         self.texts: list[tuple[str, str]] = []
 
         def run(dialog: QDialog, *_: object) -> int:
             self.texts += texts_of(dialog)
+            if look is not None:
+                dialog.show()
+                look(dialog)
+                dialog.hide()
             return 0
 
         monkeypatch.setattr(QDialog, "exec", run)
