@@ -33,7 +33,17 @@ LANGUAGES = ("de", "es", "fr", "ja", "zh_CN")
 FORMS = {"de": 2, "es": 2, "fr": 2, "ja": 1, "zh_CN": 1}
 CONTEXT = "procc"
 SHOWN_ROOMS = ("gui", "interact")
-_FOR_TERMINALS = PACKAGE / "gui" / "selftest.py"
+# Speak to a terminal, or paint pictures that are files: the window shows none of their words.
+_NOT_OF_WINDOW = tuple(
+    PACKAGE / name
+    for name in (
+        "gui/selftest.py",
+        "gui/picture/comparison_panel.py",
+        "gui/picture/comparison_picture.py",
+        "gui/picture/overlay_picture.py",
+        "interact/legend.py",
+    )
+)
 
 _SAYING = {"tr": 1, "word": 1, "tr_count": 3}  # function -> how many of its arguments are texts
 # Calls whose words are names for programs.
@@ -163,7 +173,7 @@ def unsaid() -> list[str]:
     """Words in the rooms that show something and no translation reaches: ``file:line: words``."""
     told = []
     for file, module in _modules(SHOWN_ROOMS):
-        if file == _FOR_TERMINALS:
+        if file in _NOT_OF_WINDOW:
             continue
         lines = file.read_text("utf-8").splitlines()
         for line, words in sorted(_Unsaid(module).found):
@@ -207,6 +217,11 @@ class _Unsaid(ast.NodeVisitor):
         skipped = _SAYING.get(name, 0)
         for one in (node.func, *node.args[skipped:], *(k.value for k in node.keywords)):
             self.visit(one)
+
+    def visit_Compare(self, node: ast.Compare) -> None:
+        for one in (node.left, *node.comparators):  # a text that is compared is a name
+            if not isinstance(one, ast.Constant | ast.Tuple):
+                self.visit(one)
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
         words = "".join(_constant(part) or "{}" for part in node.values)
@@ -320,7 +335,8 @@ def faults_of(text: Text, language: str, forms: tuple[str, ...]) -> str:
 
 
 def _places_of(text: str) -> set[str]:
-    return set(re.findall(r"{\w*(?:[.!:][^{}]*)?}", text))
+    """Where values stand, and the patterns of files that a dialog filters by."""
+    return set(re.findall(r"{\w*(?:[.!:][^{}]*)?}|\(\*[^()]*\)", text))
 
 
 def compile_all() -> None:

@@ -7,7 +7,8 @@ is not needed to say something: the window hands over how texts are looked up.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Protocol
 
@@ -72,6 +73,16 @@ def word(text: str, about: str = "") -> str:
     return text
 
 
+@contextmanager
+def in_english() -> Iterator[None]:
+    """Within it everything is said in English: what is made there goes into a file."""
+    token = _in_english.set(True)
+    try:
+        yield
+    finally:
+        _in_english.reset(token)
+
+
 class Kept(str):
     """English words that a file keeps, with ``spoken``: the same in the language of the window."""
 
@@ -84,11 +95,8 @@ def kept(say: Callable[[], str]) -> Kept:
     Args:
         say: makes the words by ``tr`` and ``tr_count``; called twice.
     """
-    token = _in_english.set(True)
-    try:
+    with in_english():
         words = Kept(say())
-    finally:
-        _in_english.reset(token)
     words.spoken = say()
     return words
 

@@ -17,18 +17,6 @@ _STATUSES: tuple[tuple[str, str, Mark | None], ...] = (
     ("missed", word("annotated, not projected"), Mark("ring", tones.MISSED, tones.HANDLE_SIZE)),
     ("not_annotated", word("projected, not annotated"), None),
 )
-_ORIGINS = {
-    "clicked": word("clicked"),
-    "snapped": word("snapped"),
-    "regularised": word("regularised"),
-    "copied": word("copied"),
-    "moved": word("moved"),
-    "accepted suggestion": word("accepted suggestion"),
-    "proposed": word("proposed"),
-    "accepted proposal": word("accepted proposal"),
-    "unconfirmed by paint": word("unconfirmed by paint"),
-    "from the file": word("from the file"),
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +71,7 @@ def _elements(there: OnPicture) -> list[LegendEntry]:
     width = tones.ANNOTATION_WIDTH
     if there.colour_by == "origin" and there.annotated:
         known = [name for name in tones.ORIGINS if name in there.origins]
-        return [_mark(tr(_ORIGINS[name]), *tones.ORIGINS[name]) for name in known]
+        return [_mark(tr(name, "points"), *tones.ORIGINS[name]) for name in known]
     if there.colour_by == "annotator" and there.annotated:
         looks = zip(there.authors, tones.AUTHORS, strict=False)
         return [_mark(name, *look) for name, look in looks]

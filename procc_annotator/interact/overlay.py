@@ -280,8 +280,7 @@ def _pointer_label(
     name, at = (draft.class_name, draft.cursor) if draft is not None else (highlight, pointer)
     if name is None or at is None:
         return Labels(NO_POINTS, (), tones.LABEL)
-    element = field.element(name)
-    text = tr(element.title) if element is not None else name
+    text = tr(field.title_of(name))
     place = np.array([at], dtype=np.float64)
     if draft is None or draft.hand is NO_HAND:
         return Labels(place, (text,), tones.LABEL)
