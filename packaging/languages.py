@@ -215,6 +215,8 @@ class _Unsaid(ast.NodeVisitor):
         if name in _SILENT or name in _TABLES:
             return
         skipped = _SAYING.get(name, 0)
+        if skipped == 1:
+            skipped = 2  # what it is about tells meanings apart, and is shown to translators
         for one in (node.func, *node.args[skipped:], *(k.value for k in node.keywords)):
             self.visit(one)
 
