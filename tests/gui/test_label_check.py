@@ -11,10 +11,9 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QHelpEvent
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QToolTip
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
@@ -158,10 +157,8 @@ def test_findings_are_marked_on_picture_list_and_map(window: MainWindow, qtbot: 
     qtbot.waitUntil(lambda: tree.columnWidth(CHECK) >= tree.sizeHintForColumn(CHECK))
     assert "Error: Big rect. left main is off" in window.field_map._tip(FRONT)
     at = window.canvas.to_view(*labels["hint"].positions[0].tolist())
-    ask = QHelpEvent(QEvent.Type.ToolTip, (at + QPointF(14, 12)).toPoint(), QPoint(5, 5))
-    QApplication.sendEvent(window.canvas.viewport(), ask)
-    assert "Circle left is off" in QToolTip.text()
-    QToolTip.hideText()
+    assert "Circle left is off" in window.finding_tips.tip_at(at + QPointF(14, 12))
+    assert window.finding_tips.tip_at(at + QPointF(0, 300)) == ""
     put(window)
     qtbot.waitUntil(lambda: items[FRONT].icon(CHECK).isNull())
     assert not any(len(x.texts) for x in window.canvas.overlay_item.overlay.labels if x.sign)
