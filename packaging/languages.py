@@ -7,9 +7,9 @@
                                                     with "to": a text, or the forms by number
     python packaging/languages.py unsaid [ROOM ...] words in the code that no translation reaches
 
-A text is what stands in ``tr``, ``tr_count``, ``said`` and ``word``, and what tables hold: the actions, the
-settings, the fields. A line that ends in ``# not shown`` holds words that nobody sees, or that are
-of no language: names of keys and of programs.
+A text is what stands in ``tr``, ``tr_count``, ``said`` and ``word``, and what tables hold: the
+actions, the settings, the fields. A line that ends in ``# not shown`` holds words that nobody sees,
+or that are of no language: names of keys and of programs.
 """
 
 from __future__ import annotations
@@ -45,7 +45,13 @@ _NOT_OF_WINDOW = tuple(
     )
 )
 
-_SAYING = {"tr": 1, "word": 1, "tr_count": 3, "said": 1, "said_count": 3}  # function -> how many of its arguments are texts
+_SAYING = {
+    "tr": 1,
+    "word": 1,
+    "tr_count": 3,
+    "said": 1,
+    "said_count": 3,
+}  # function -> how many of its arguments are texts
 # Calls whose words are names for programs.
 _SILENT = {"setObjectName", "setStyleSheet", "setProperty", "getattr", "setattr", "findChild",
            "TypeVar", "QRegularExpression", "compile", "NewType"}  # fmt: skip
@@ -215,6 +221,8 @@ class _Unsaid(ast.NodeVisitor):
         if name in _SILENT or name in _TABLES:
             return
         skipped = _SAYING.get(name, 0)
+        if skipped == 1:
+            skipped = 2  # what it is about tells meanings apart, and is shown to translators
         for one in (node.func, *node.args[skipped:], *(k.value for k in node.keywords)):
             self.visit(one)
 

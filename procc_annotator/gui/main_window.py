@@ -77,6 +77,7 @@ from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.desk_switch import DeskSwitch
 from procc_annotator.gui.window.docks import Docks
+from procc_annotator.gui.window.drawer import Drawer
 from procc_annotator.gui.window.focus_ring import FocusRing
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
@@ -114,6 +115,7 @@ class MainWindow(QMainWindow):
         self.actions_ = Actions(self, self.canvas)
         ActionStates(self.document, self.actions_, self)
         self._docks.turned = self._show_desk
+        self.drawer.take_keys(self.actions_["plots"])
         self.desk_switch = DeskSwitch(self, self.actions_)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
@@ -216,6 +218,9 @@ class MainWindow(QMainWindow):
         self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip, self.filmstrip)
         column.addWidget(self.strip)
         column.addWidget(self.filmstrip)
+        self.drawer = Drawer(self._docks)
+        self.drawer.clicked.connect(self.toggle_plots)
+        column.addWidget(self.drawer)
         self.import_bar = ImportBar()
         self.import_offer = ImportOffer(self.document, self.importer, self.import_bar)
         self._bars = (
@@ -405,7 +410,16 @@ class MainWindow(QMainWindow):
         self._docks.turn_to(desk)
         self._show_desk(desk)  # a tick that was taken away by hand comes back
 
+    def toggle_plots(self) -> None:
+        """Open the drawer with the plots, or shut it."""
+        if self.drawer.is_open and not self.docks["plots"].isFloating():
+            self._docks.hide("plots")
+            self.canvas.setFocus()
+        else:
+            self.show_panel("plots")
+
     def _show_desk(self, desk: str) -> None:
+        self.drawer.show_for(desk)
         self.actions_.set_checked(f"desk_{desk}", True)
 
     def _show_panels(self) -> None:
