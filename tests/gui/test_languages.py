@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import importlib.util
 import re
 import sys
@@ -9,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from types import ModuleType
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtWidgets import (
@@ -26,6 +28,8 @@ from shiboken6 import isValid
 
 from procc_annotator import language
 from procc_annotator.field.load import load_field
+from procc_annotator.fit.labels.clicked import Clicked
+from procc_annotator.fit.labels.shape import few_points
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.main_window import MainWindow
@@ -33,7 +37,17 @@ from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
 from procc_annotator.io.annotation_files.annotation_formats import FORMATS
-from procc_annotator.language import kept, spoken, tr, tr_count
+from procc_annotator.language import (
+    kept,
+    said,
+    said_all,
+    said_count,
+    said_joined,
+    spoken,
+    tr,
+    tr_count,
+)
+from procc_annotator.report.sheet.as_json import json_bytes
 from tests.gui.conftest import Hand
 from tests.gui.shown_texts import Asked, paint_spy, texts_of, unsaid_words
 
@@ -71,6 +85,32 @@ def test_what_is_kept_in_a_file_is_english_and_shown_in_the_language(pseudo: Non
     assert spoken(step) == "⟦drop ⟦1 lines⟧⟧"
     assert spoken("saved") == "⟦saved⟧"
     assert tr("saved") == "⟦saved⟧"
+
+
+def test_what_rooms_below_say_is_english_until_the_window_says_it(pseudo: None) -> None:
+    titles = [said("Left line"), said("Arc"), said("Goal")]
+    lines = said_count(1, "{n} line of {titles}", "{n} lines of {titles}", titles=said_all(titles))
+    found = said_joined("; ", [lines, said("{px:.1f} px off", px=2)])
+    assert found == "1 line of Left line, Arc and Goal; 2.0 px off"
+    assert (
+        json_bytes({"found": found})
+        == b'{\n "found": "1 line of Left line, Arc and Goal; 2.0 px off"\n}\n'
+    )
+    for words in (found, copy.copy(found)):  # taken apart as on the way out of a process
+        shown = tr("why: {found}", found=words)
+        assert shown.count("⟦") == shown.count("⟧") == 9
+        assert "⟦1 lines of ⟦⟦⟦Left line⟧, ⟦Arc⟧⟧ and ⟦Goal⟧⟧⟧" in shown
+        assert "⟦2.0 px off⟧" in shown
+
+
+def test_a_finding_is_said_with_the_titles_of_its_elements(pseudo: None) -> None:
+    element = load_field("soccer").element("Middle line")
+    assert element is not None
+    found = few_points(Clicked(element, np.array([[1.0, 2.0]]), (0,)))
+    assert found is not None
+    assert found.reason == "Halfway line has 1 point, a line takes two"
+    assert tr(found.reason) == "⟦⟦Halfway line⟧ has 1 points, a line takes two⟧"
+    assert tr(found.remedies[0].text) == "⟦look at it⟧"
 
 
 # --- no word of the window is left out ------------------------------------------------------------
