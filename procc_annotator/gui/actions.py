@@ -373,8 +373,9 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Below the picture: of a video, or of frames that follow one another, how their cameras"
           " do and where they are annotated; of other frames small pictures with their states",
           checkable=True, remembered=True, checked=True),
-    _spec("View", "plots", "Plots", "F5", "show_panel",
-          "Errors and JaC of the frame or the set as plots, of all shown sources", args=("plots",)),
+    _spec("View", "plots", "Plots", "F5", "toggle_plots",
+          "Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below"
+          " the picture; once more shuts it"),
     _spec("View", "desk_annotate", "-Panels to annotate", "Shift+F1", "turn_to",
           "Elements, what the check found, landmarks", args=("annotate",), checkable=True,
           checked=True, choice="desk"),

@@ -8,6 +8,7 @@ from typing import Any, Protocol
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QComboBox,
     QGridLayout,
     QHBoxLayout,
@@ -34,6 +35,7 @@ from procc_annotator.language import tr, word
 _INTERVAL_MS = 60
 _SCOPES = {"frame": word("This frame"), "set": word("Whole set")}
 _ALL_CLASSES = -1
+_WIDE = 34  # lines of text: then what is chosen stands in one row
 
 
 class _Kind(Protocol):
@@ -161,8 +163,11 @@ class PlotsPanel(TakingAlong):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.setSpacing(4)
-        layout.addLayout(first)
-        layout.addLayout(second)
+        self._choices = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._choices.setSpacing(4)
+        self._choices.addLayout(first, 1)
+        self._choices.addLayout(second, 1)
+        layout.addLayout(self._choices)
         layout.addWidget(self.legend)
         layout.addLayout(self._stack, 1)
         self._stack.addWidget(self.empty)
@@ -359,6 +364,9 @@ class PlotsPanel(TakingAlong):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        wide = self.width() > _WIDE * self.fontMetrics().height()
+        way = QBoxLayout.Direction.LeftToRight if wide else QBoxLayout.Direction.TopToBottom
+        self._choices.setDirection(way)
         self._read_out("")
 
 

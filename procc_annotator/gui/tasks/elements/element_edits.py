@@ -8,6 +8,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.next_element import next_element
+from procc_annotator.interact.step_names import confirming
 from procc_annotator.language import kept, tr, tr_count, word
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.facts.origins import OriginKind
@@ -146,7 +147,7 @@ class ElementEdits:
         document.aboutToLeave.emit()
         name = document.selected_class
         if name is not None and document.annotation.get_unconfirmed(name) is not None:
-            label = self._step(word("confirm {element}"), element=name)
+            label = confirming(document.field.title_of(name))
             document.edit(label, lambda seen: edits.confirm(seen, name), OriginKind.COPIED)
 
     def confirm_all(self) -> None:
