@@ -4,6 +4,304 @@
  <context>
   <name>procc</name>
   <message>
+   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
+   <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
+   <translation>Koordinaten sehen nach Pixeln aus, erwartet ist 0 bis 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>look at it</source>
+   <extracomment>[procc_annotator/fit/labels/finding.py]</extracomment>
+   <translation>ansehen</translation>
+  </message>
+  <message>
+   <source>all labels fit with far and near exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>alle Klassen passen, wenn fern und nah vertauscht sind</translation>
+  </message>
+  <message>
+   <source>all labels fit with left and right exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>alle Klassen passen, wenn links und rechts vertauscht sind</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>Punkt {number} ansehen</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, die anderen Punkte höchstens {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>Elemente liegen im Mittel {after:.1f} px daneben; so, wie sie sind, passt keine Kamera</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>Elemente liegen im Mittel {after:.1f} px daneben, so wie sie sind {before:.1f} px</translation>
+  </message>
+  <message>
+   <source>{a} and {b} fit with each other's label</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{a} und {b} passen mit der Klasse des jeweils anderen</translation>
+  </message>
+  <message>
+   <source>{titles} fit with each other's labels</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{titles} passen mit den Klassen der jeweils anderen</translation>
+  </message>
+  <message>
+   <source>relabel {steps}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>umbenennen: {steps}</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>Punkt {number} entfernen</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, der andere Punkt höchstens {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} liegt bis zu {px:.0f} px von dort, wo die Kamera der anderen es zeigt</translation>
+  </message>
+  <message>
+   <source>{title} is nowhere near where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} liegt weit weg von dort, wo die Kamera der anderen es zeigt</translation>
+  </message>
+  <message>
+   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>ohne {titles} fallen die anderen von {before:.1f} auf {after:.1f} px</translation>
+  </message>
+  <message>
+   <source>swap {a} and {b}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{a} und {b} tauschen</translation>
+  </message>
+  <message>
+   <source>{a} to {b}</source>
+   <comment>labels</comment>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{a} in {b}</translation>
+  </message>
+  <message>
+   <source>it lies where {title} should be</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>es liegt, wo {title} sein müsste</translation>
+  </message>
+  <message>
+   <source>the others are {px:.1f} px off with and without it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>die anderen liegen mit und ohne es {px:.1f} px daneben</translation>
+  </message>
+  <message>
+   <source>more than its own place is uncertain</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>mehr, als sein eigener Ort unsicher ist</translation>
+  </message>
+  <message>
+   <source>relabel to {title}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>in {title} umbenennen</translation>
+  </message>
+  <message>
+   <source>it lies on {title}, which is annotated as well</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>es liegt auf {title}, das ebenfalls annotiert ist</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} liegt bis zu {px:.0f} px von dort, wo die Kamera es zeigt; zu wenige Elemente passen, um zu sagen, welche falsch sind</translation>
+  </message>
+  <message>
+   <source>no camera fits these labels together</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>keine Kamera passt zu diesen Klassen zusammen</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
+   <translation>fern und nah im ganzen Bild tauschen</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
+   <translation>links und rechts im ganzen Bild tauschen</translation>
+  </message>
+  <message>
+   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
+   <extracomment>[procc_annotator/fit/labels/overlap.py]</extracomment>
+   <translation>{a} und {b} liegen aufeinander, weniger als {px:.0f} px auseinander: eine Linie unter zwei Namen?</translation>
+  </message>
+  <message>
+   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>{title} ist auf dem Feld gerade, seine Punkte liegen bis zu {px:.0f} px neben einer Geraden, mehr als ein Objektiv sie biegt</translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points, a line takes two</source>
+   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} hat {n} Punkt, eine Linie braucht zwei</numerusform>
+    <numerusform>{title} hat {n} Punkte, eine Linie braucht zwei</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; a curve takes at least {least}</source>
+   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} hat {n} Punkt; eine Kurve braucht mindestens {least}</numerusform>
+    <numerusform>{title} hat {n} Punkte; eine Kurve braucht mindestens {least}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
+   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} hat {n} Punkt; weniger als {least} bestimmen keine Ellipse</numerusform>
+    <numerusform>{title} hat {n} Punkte; weniger als {least} bestimmen keine Ellipse</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>{title} ist ein einzelner Ort, hat aber {count} Punkte, die bis zu {px:.0f} px auseinanderliegen</translation>
+  </message>
+  <message>
+   <source>the points of {title} go back and forth instead of along it</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>die Punkte von {title} gehen hin und her statt daran entlang</translation>
+  </message>
+  <message>
+   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>die Punkte von {title} gehen mehrmals über denselben Abschnitt: ihr Weg ist {times:.1f}-mal so lang wie nötig</translation>
+  </message>
+  <message>
+   <source>its corner</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>seiner Ecke</translation>
+  </message>
+  <message>
+   <source>the picture's edge</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>dem Bildrand</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>{title} endet {px:.0f} px vor {what}</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>{title} endet {px:.0f} px vor {what}, und am anderen Ende {px_2:.0f} px vor {what_2}</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>alles liegt verkehrt herum: fern und nah sind vertauscht</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: left and right, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>alles liegt verkehrt herum: links und rechts sind vertauscht</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>alles liegt verkehrt herum: fern und nah, oder links und rechts, sind vertauscht</translation>
+  </message>
+  <message>
+   <source>{title} is on the wrong side of {others}</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{title} liegt auf der falschen Seite von {others}</translation>
+  </message>
+  <message>
+   <source>{titles} lie on each other's side of the elements around them</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{titles} liegen auf der Seite des jeweils anderen</translation>
+  </message>
+  <message>
+   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{titles} können nicht so herum zueinander liegen, gleich bei welcher Kamera</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r}, did you mean {title}?</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>keine solche Klasse: {name!r}, ist {title} gemeint?</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>keine solche Klasse: {name!r} passt zu keiner Kamera und zählt als verfehlt, wo bewertet wird</translation>
+  </message>
+  <message>
+   <source>That is annotated already</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>Das ist schon annotiert</translation>
+  </message>
+  <message>
+   <source>put its points along the paint</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>seine Punkte auf die Farbe setzen</translation>
+  </message>
+  <message>
+   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>{title} ist zwischen seinen Klicks gerade, seine Farbe verläuft bis zu {px:.0f} px daneben: begradigen (R)</translation>
+  </message>
+  <message>
+   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>ein Ende von {title} liegt etwa {px:.0f} px neben seiner Farbe, die auf dem Weg dorthin zu sehen ist: diesen Punkt darauf setzen</translation>
+  </message>
+  <message>
+   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>keine Farbe unter {title} auf {percent:.0f} % davon, höchstens {px:.0f} px am Stück</translation>
+  </message>
+  <message>
+   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>keine Farbe unter {title} gegen eines seiner Enden, unter dem ganzen Rest schon</translation>
+  </message>
+  <message>
+   <source>turn the labels by half a turn</source>
+   <extracomment>[procc_annotator/fit/which_side.py]</extracomment>
+   <translation>die Klassen um eine halbe Drehung drehen</translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
+   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/fit/which_side.py]</extracomment>
+   <translation>
+    <numerusform>die Kamera steht auf einer Seite des Feldes, auf der kaum eine andere von {n} Bild steht: eine eigene Kamera, oder um eine halbe Drehung gedrehte Klassen</numerusform>
+    <numerusform>die Kamera steht auf einer Seite des Feldes, auf der kaum eine andere von {n} Bildern steht: eine eigene Kamera, oder um eine halbe Drehung gedrehte Klassen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
+   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/fit/which_side.py]</extracomment>
+   <translation>
+    <numerusform>die Kamera steht auf der anderen Seite des Feldes als die übrigen; mit um eine halbe Drehung gedrehten Klassen steht sie, wo die von {n} Bild steht</numerusform>
+    <numerusform>die Kamera steht auf der anderen Seite des Feldes als die übrigen; mit um eine halbe Drehung gedrehten Klassen steht sie, wo die von {n} Bildern stehen</numerusform>
+   </translation>
+  </message>
+  <message>
    <source>File</source>
    <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Datei</translation>
@@ -390,6 +688,21 @@
    <source>Panels</source>
    <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
    <translation>Bereiche</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
+   <translation>nicht zu bearbeiten: die Leiste über dem Bild sagt, warum</translation>
+  </message>
+  <message>
+   <source>Choose another place…</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Anderen Ort wählen…</translation>
+  </message>
+  <message>
+   <source>Save again</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Noch einmal speichern</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -5047,6 +5360,16 @@ Verliert {loses}.</translation>
    <translation>Einen Ordner mit Bildern öffnen</translation>
   </message>
   <message>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>Ein Bild öffnen</translation>
+  </message>
+  <message>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>Video öffnen</translation>
+  </message>
+  <message>
    <source>Open a second annotator's folder</source>
    <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
    <translation>Den Ordner eines zweiten Annotators öffnen</translation>
@@ -5163,11 +5486,6 @@ Verliert {loses}.</translation>
    <source>cameras opened here before are not opened again: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
    <translation>hier zuvor geöffnete Kameras werden nicht wieder geöffnet: {why}</translation>
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Video öffnen</translation>
   </message>
   <message>
    <source>One frame every</source>
@@ -7024,6 +7342,51 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>fitted on these clicks</source>
    <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
    <translation>an diese Klicks angepasst</translation>
+  </message>
+  <message>
+   <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} stimmt: sein fernster Punkt, {number}, liegt {px} px daneben; es besteht bei tau &gt; {px}.</translation>
+  </message>
+  <message>
+   <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist zu weit: Punkt {number} liegt {px} px daneben; es besteht bei tau &gt; {px}.</translation>
+  </message>
+  <message>
+   <source>{title} (judged as {other}, labels mirrored)</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{title} (beurteilt als {other}, Klassen gespiegelt)</translation>
+  </message>
+  <message>
+   <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist verfehlt: es ist annotiert, aber die Kamera zeigt es nicht im Bild.</translation>
+  </message>
+  <message>
+   <source>{element} is not annotated, but the camera shows it: a false positive.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist nicht annotiert, aber die Kamera zeigt es: falsch positiv.</translation>
+  </message>
+  <message>
+   <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist zu weit: Punkt {number} hat keinen Abstand, weil die Projektion dort zusammenfallende Stützpunkte hat; es besteht bei keinem tau.</translation>
+  </message>
+  <message>
+   <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>So, wie es jenseits des Bildes weitergeht, liegt es höchstens {px} px daneben, aber soccernet misst nur bis zu dem, was im Bild ist.</translation>
+  </message>
+  <message>
+   <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist verfehlt: es ist annotiert, aber das Feld hat kein solches Element zu projizieren.</translation>
+  </message>
+  <message>
+   <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist verfehlt: es ist annotiert, aber es verlässt den Boden, und die Kamera kennt nur den Boden.</translation>
   </message>
   <message>
    <source>what was saved elsewhere</source>
