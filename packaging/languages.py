@@ -7,8 +7,9 @@
                                                     with "to": a text, or the forms by number
     python packaging/languages.py unsaid [ROOM ...] words in the code that no translation reaches
 
-A text is what stands in ``tr``, ``tr_count`` and ``word``, and what tables hold: the actions, the
-settings, the fields. A line that ends in ``# not shown`` holds words that nobody sees.
+A text is what stands in ``tr``, ``tr_count``, ``said`` and ``word``, and what tables hold: the
+actions, the settings, the fields. A line that ends in ``# not shown`` holds words that nobody sees,
+or that are of no language: names of keys and of programs.
 """
 
 from __future__ import annotations
@@ -32,8 +33,25 @@ LANGUAGES = ("de", "es", "fr", "ja", "zh_CN")
 FORMS = {"de": 2, "es": 2, "fr": 2, "ja": 1, "zh_CN": 1}
 CONTEXT = "procc"
 SHOWN_ROOMS = ("gui", "interact")
+# Speak to a terminal, or paint pictures that are files: the window shows none of their words.
+_NOT_OF_WINDOW = tuple(
+    PACKAGE / name
+    for name in (
+        "gui/selftest.py",
+        "gui/picture/comparison_panel.py",
+        "gui/picture/comparison_picture.py",
+        "gui/picture/overlay_picture.py",
+        "interact/legend.py",
+    )
+)
 
-_SAYING = {"tr": 1, "word": 1, "tr_count": 3}  # function -> how many of its arguments are texts
+_SAYING = {
+    "tr": 1,
+    "word": 1,
+    "tr_count": 3,
+    "said": 1,
+    "said_count": 3,
+}  # function -> how many of its arguments are texts
 # Calls whose words are names for programs.
 _SILENT = {"setObjectName", "setStyleSheet", "setProperty", "getattr", "setattr", "findChild",
            "TypeVar", "QRegularExpression", "compile", "NewType"}  # fmt: skip
@@ -42,7 +60,7 @@ _NOT_SHOWN = "# not shown"
 # Two words, or one that begins a sentence; between the values of an f-string one will do.
 _WORDS = re.compile(r"[^\W\d_]{2,}[,.:;]? +\(?[^\W\d_]{2,}|^[A-Z][a-z]{2,}[….:]?$")
 _A_WORD = re.compile(r"(?<![\w.#])[^\W\d_]{2,}(?![\w(=])")
-_UNITS = {"px", "mm", "km", "MB", "GB", "fps"}
+_UNITS = {"px", "mm", "km", "MB", "GB", "fps", "JaC"}
 
 
 @dataclass(frozen=True)
@@ -97,7 +115,7 @@ def _text_of(call: ast.Call, place: str) -> Text | None:
     name, args = _name(call), call.args
     if any(isinstance(arg, ast.JoinedStr) for arg in args[: _SAYING[name]]):
         raise SystemExit(f"{place}: an f-string has no translation; name its values instead")
-    if name == "tr_count":
+    if name in ("tr_count", "said_count"):
         one, several = _constant(args[1]), _constant(args[2])
         return Text(several, "", one, (place,)) if one and several else None
     source = _constant(args[0])
@@ -121,7 +139,7 @@ def _name(call: ast.Call) -> str:
 
 def _from_tables() -> Iterator[Text]:
     from procc_annotator.gui.actions import ACTIONS, MENUS
-    from procc_annotator.gui.settings import OFFERED
+    from procc_annotator.gui.settings import LANGUAGE, OFFERED
 
     def named(place: str, *texts: str) -> Iterator[Text]:
         return (Text(text, places=(place,)) for text in texts if text)
@@ -134,7 +152,8 @@ def _from_tables() -> Iterator[Text]:
         if (shown := setting.shown) is not None:
             place = f"the setting {setting.key}"
             yield from named(place, shown.group, shown.title, setting.text)
-            yield from named(place, *(words for _, words in shown.choices))
+            if setting is not LANGUAGE:  # those are called by their own names
+                yield from named(place, *(words for _, words in shown.choices))
     yield from _from_fields()
 
 
@@ -160,6 +179,8 @@ def unsaid() -> list[str]:
     """Words in the rooms that show something and no translation reaches: ``file:line: words``."""
     told = []
     for file, module in _modules(SHOWN_ROOMS):
+        if file in _NOT_OF_WINDOW:
+            continue
         lines = file.read_text("utf-8").splitlines()
         for line, words in sorted(_Unsaid(module).found):
             if _NOT_SHOWN not in lines[line - 1]:
@@ -200,8 +221,15 @@ class _Unsaid(ast.NodeVisitor):
         if name in _SILENT or name in _TABLES:
             return
         skipped = _SAYING.get(name, 0)
+        if skipped == 1:
+            skipped = 2  # what it is about tells meanings apart, and is shown to translators
         for one in (node.func, *node.args[skipped:], *(k.value for k in node.keywords)):
             self.visit(one)
+
+    def visit_Compare(self, node: ast.Compare) -> None:
+        for one in (node.left, *node.comparators):  # a text that is compared is a name
+            if not isinstance(one, ast.Constant | ast.Tuple):
+                self.visit(one)
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
         words = "".join(_constant(part) or "{}" for part in node.values)
@@ -315,7 +343,8 @@ def faults_of(text: Text, language: str, forms: tuple[str, ...]) -> str:
 
 
 def _places_of(text: str) -> set[str]:
-    return set(re.findall(r"{\w*(?:[.!:][^{}]*)?}", text))
+    """Where values stand, and the patterns of files that a dialog filters by."""
+    return set(re.findall(r"{\w*(?:[.!:][^{}]*)?}|\(\*[^()]*\)", text))
 
 
 def compile_all() -> None:

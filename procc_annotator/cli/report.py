@@ -39,7 +39,7 @@ from procc_annotator.report.page.reporting import (
 from procc_annotator.report.scenes import OverlayLook
 from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.report.scores.scoring import Asked
-from procc_annotator.report.sheet.as_latex import ARTICLE_PT
+from procc_annotator.report.sheet.as_latex import COLUMN_PT
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import annotations_of, annotations_or_itself
@@ -143,8 +143,8 @@ LatexWidth = Annotated[
     typer.Option(
         min=100,
         metavar="PT",
-        help="Width that tables in a .tex file may have: 345 is the text of an article, 237 a"
-        " column of a paper with two; wider ones span both columns.",
+        help="Width that tables in a .tex file may have: 229 fits the column of any paper with"
+        " two; 345 is the text of an article, 505 both columns. Beyond 260 a table spans both.",
     ),
 ]
 
@@ -181,7 +181,7 @@ def report(
     disagreement: Disagreement = None,
     reference: Reference = None,
     picture_width: PictureWidth = 960,
-    latex_width: LatexWidth = ARTICLE_PT,
+    latex_width: LatexWidth = COLUMN_PT,
     recipe: RecipeOption = None,
     steady: over_time.OverTime = False,
     shots: over_time.Shots = None,
@@ -278,17 +278,18 @@ def _make(
         work_ahead = len(list_annotations(source)) * _cost(call.request, len(call.specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
         work = Work(executor, camera_size, with_progress)
-        judged = [NamedCameras(spec.name, collection) for spec, collection in named]
-        gathered = gather_report(
-            call.name, source, judged, call.setup, call.thresholds, work, call.chance
-        )
         asked = [
             Asked(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
             for spec, cameras in named
         ]
-        sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
+        # Frames that do not follow each other are refused before the work.
         steady = call.over_time
         found = () if steady is None else steady.run(asked, call.thresholds[0], executor)
+        judged = [NamedCameras(spec.name, collection) for spec, collection in named]
+        gathered = gather_report(
+            call.name, source, judged, call.setup, call.thresholds, work, call.chance
+        )
+        sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
         if call.recipe is not None:
             figures = [one.summaries for one in gathered.sources]
             used = [(one, own) for one, own in zip(asked, figures, strict=True) if own]

@@ -11,7 +11,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Literal
 
-MENUS = ("File", "Edit", "Frame", "Element", "View", "Camera", "Help")
+from procc_annotator.language import word
+
+MENUS = (
+    word("File"), word("Edit"), word("Frame"), word("Element"), word("View"), word("Camera"),
+    word("Help"),
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +56,8 @@ _ARROW_STEPS = (("", "", 1.0), ("_fine", "Shift+", 0.1), ("_far", "Ctrl+", 10.0)
 
 def _arrows() -> Iterator[ActionSpec]:
     for suffix, held, step in _ARROW_STEPS:
-        for arrow in ("Left", "Right", "Up", "Down"):
-            group = "-" if suffix and arrow == "Left" else ""
+        for arrow in ("Left", "Right", "Up", "Down"):  # not shown
+            group = "-" if suffix and arrow == "Left" else ""  # not shown
             yield _spec(
                 "Edit/By the arrows",
                 f"nudge_{arrow.lower()}{suffix}",
@@ -356,12 +361,21 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("View", "loupe", "Loupe", "Shift+Z", "canvas.set_loupe_always",
           "Keep the loupe at the cursor (or hold Z; it also comes while a point is dragged)",
           checkable=True, remembered=True),
+    _spec("View", "legend", "Legend in the picture", "", "canvas.legend.set_wanted",
+          "What the colours, dashes and marks over the picture mean, in its corner; it gives way to"
+          " the hand", checkable=True, remembered=True, checked=True),
+    _spec("View", "turn_map", "Turn the field map to the camera", "",
+          "document.map_sight.set_wanted",
+          "The field map has the side below that the camera stands on, and what the camera does not"
+          " see is faint; the half that is out of sight leaves its room to the other one",
+          checkable=True, remembered=True, checked=True),
     _spec("View", "strip", "Strip of frames", "", "strip_place.set_wanted",
           "Below the picture: of a video, or of frames that follow one another, how their cameras"
           " do and where they are annotated; of other frames small pictures with their states",
           checkable=True, remembered=True, checked=True),
-    _spec("View", "plots", "Plots", "F5", "show_panel",
-          "Errors and JaC of the frame or the set as plots, of all shown sources", args=("plots",)),
+    _spec("View", "plots", "Plots", "F5", "toggle_plots",
+          "Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below"
+          " the picture; once more shuts it"),
     _spec("View", "desk_annotate", "-Panels to annotate", "Shift+F1", "turn_to",
           "Elements, what the check found, landmarks", args=("annotate",), checkable=True,
           checked=True, choice="desk"),

@@ -38,7 +38,7 @@ def application() -> QApplication:
     made = QApplication(sys.argv[:1])
     made.setOrganizationName(ORGANISATION)
     made.setApplicationName(APPLICATION)
-    made.setApplicationDisplayName("ProCC Annotator")
+    made.setApplicationDisplayName("ProCC Annotator")  # not shown
     made.setDesktopFileName("org.procc.Annotator")
     made.setWindowIcon(_icon())
     follow_system(made)

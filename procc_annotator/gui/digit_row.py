@@ -69,5 +69,5 @@ def keys_by_place(event: QKeyEvent) -> str:
         return ""
     digit = _DIGITS[codes.index(code)]
     if held == _SHIFT:
-        return f"Shift+{digit}"
+        return f"Shift+{digit}"  # not shown
     return "" if event.text() == digit else digit

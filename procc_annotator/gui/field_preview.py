@@ -15,14 +15,16 @@ from procc_annotator.errors import FieldError
 from procc_annotator.field.checks import Remark, RemarkSeverity, check_field
 from procc_annotator.field.load import load_field, resized
 from procc_annotator.field.model import Field
+from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
 from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
+from procc_annotator.gui.settings import LANGUAGE, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.worker import Latest
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 
 _SIZE = (980, 620)
 _MOST_REMARKS = 8
@@ -98,7 +100,7 @@ class FieldPreview(QMainWindow):
         event.accept()
 
     def _assemble(self) -> None:
-        nothing = empty_state("There is no field to show yet.", "preview_empty")
+        nothing = empty_state(tr("There is no field to show yet."), "preview_empty")
         right = QWidget()
         column = QVBoxLayout(right)
         for part, stretch in ((self.facts, 0), (self.elements, 1), (self.remarks, 0)):
@@ -126,11 +128,11 @@ class FieldPreview(QMainWindow):
         self.document.set_field(read.field, keep=False)
         self.pages.setCurrentIndex(1)
         name = Path(self._source).name
-        self.setWindowTitle(f"{read.field.title} – {name}")
+        self.setWindowTitle(f"{tr(read.field.title)} – {name}")
         self.facts.setText(_facts(read.field))
         told = [str(r) for r in read.remarks if r.severity is not RemarkSeverity.NOTE]
         more = len(told) - _MOST_REMARKS
-        shown = told[:_MOST_REMARKS] + ([f"... and {more} more"] if more > 0 else [])
+        shown = told[:_MOST_REMARKS] + ([tr("... and {n} more", n=more)] if more > 0 else [])
         show_note(self.remarks, "\n".join(shown))
 
 
@@ -148,14 +150,21 @@ def _read(
 def _facts(field: Field) -> str:
     turns = ", ".join(f"{math.degrees(s.turn_rad):.4g}°" for s in field.symmetries)
     lines = [
-        f"{counted(len(field.elements), 'element')}, symmetries: {turns or 'none'}",
-        *(
-            f"{d.title}: {d.value:.10g} m"
-            + (f" (the rules allow {d.minimum:g} to {d.maximum:g} m)" if d.is_open else "")
-            for d in field.dimensions
-            if d.is_open or d.name in ("length", "width")
-        ),
+        tr_count(
+            len(field.elements),
+            "{n} element, symmetries: {turns}",
+            "{n} elements, symmetries: {turns}",
+            turns=turns or tr("none"),
+        )
     ]
+    for d in field.dimensions:
+        if d.is_open:
+            lines.append(
+                tr("{dimension}: {value:.10g} m (the rules allow {least:g} to {most:g} m)",
+                   dimension=tr(d.title), value=d.value, least=d.minimum, most=d.maximum)
+            )  # fmt: skip
+        elif d.name in ("length", "width"):
+            lines.append(f"{tr(d.title)}: {d.value:.10g} m")
     return "\n".join(lines)
 
 
@@ -172,4 +181,5 @@ def run_preview(
     from procc_annotator.gui.app import application, run
 
     app = application()
+    take_up(app, Settings().get(LANGUAGE))
     return run(app, FieldPreview(source, dimensions, taken_keys))

@@ -2,37 +2,39 @@
 
 from __future__ import annotations
 
+from procc_annotator.language import word
+
 # Keys that mean something while they are held, without Shift and the like.
-HELD_KEYS = ("X", "Z", ",", "Space")
+HELD_KEYS = ("X", "Z", ",", "Space")  # not shown
 
 # The sheet of keys lists them beside the actions.
 GESTURES: tuple[tuple[str, str], ...] = (
-    ("Wheel", "zoom at the cursor"),
-    ("Two fingers", "pan; pinched, zoom"),
-    ("Shift + wheel", "pan sideways, as a tilted wheel does"),
-    ("Space + drag", "pan"),
-    ("Middle button", "pan"),
-    ("Hold X", "hide all overlays"),
-    ("Hold Z", "loupe: eight times the picture's pixels"),
-    ("Hold ,", "look at the compared camera source"),
-    ("Tap ,", "judge with the compared source, compare with this one"),
-    ("Hold Ctrl", "click beside the line: no snapping"),
-    ("Ctrl+Alt + drag a line", "camera: it follows, the place stays as a peg"),
-    ("Ctrl+Alt + click a peg", "camera: take the peg away"),
-    ("Arrows", "crosshair: the keys point; chosen points are moved instead"),
-    ("Space at the crosshair", "what a click does there (with Ctrl: no snapping)"),
-    ("Right button", "menu of what is under the cursor"),
-    ("Enter", "accept the current ghost"),
-    ("Shift+Enter", "accept all ghosts"),
-    ("Click", "draw: add a point"),
-    ("Double-click", "draw: finish"),
-    ("Drag a point", "edit: move it"),
-    ("Shift+click a point", "edit: choose several"),
-    ("Drag on empty ground", "edit: choose the points inside"),
-    ("Drag a line", "edit: move the element, unless elements are pinned"),
-    ("Alt+click a line", "edit: insert a point"),
-    ("Alt+Shift+click", "edit: remove the point"),
-    ("Click or drag on the strip", "go to a frame"),
-    ("Wheel on the strip", "zoom; with Shift, scroll"),
-    ("Shift+drag on the strip", "mark a stretch (a double click lets go of it)"),
+    (word("Wheel"), word("zoom at the cursor")),
+    (word("Two fingers"), word("pan; pinched, zoom")),
+    (word("Shift + wheel"), word("pan sideways, as a tilted wheel does")),
+    (word("Space + drag"), word("pan")),
+    (word("Middle button"), word("pan")),
+    (word("Hold X"), word("hide all overlays")),
+    (word("Hold Z"), word("loupe: eight times the picture's pixels")),
+    (word("Hold ,"), word("look at the compared camera source")),
+    (word("Tap ,"), word("judge with the compared source, compare with this one")),
+    (word("Hold Ctrl"), word("click beside the line: no snapping")),
+    (word("Ctrl+Alt + drag a line"), word("camera: it follows, the place stays as a peg")),
+    (word("Ctrl+Alt + click a peg"), word("camera: take the peg away")),
+    (word("Arrows"), word("crosshair: the keys point; chosen points are moved instead")),
+    (word("Space at the crosshair"), word("what a click does there (with Ctrl: no snapping)")),
+    (word("Right button"), word("menu of what is under the cursor")),
+    (word("Enter"), word("accept the current ghost")),
+    (word("Shift+Enter"), word("accept all ghosts")),
+    (word("Click"), word("draw: add a point")),
+    (word("Double-click"), word("draw: finish")),
+    (word("Drag a point"), word("edit: move it")),
+    (word("Shift+click a point"), word("edit: choose several")),
+    (word("Drag on empty ground"), word("edit: choose the points inside")),
+    (word("Drag a line"), word("edit: move the element, unless elements are pinned")),
+    (word("Alt+click a line"), word("edit: insert a point")),
+    (word("Alt+Shift+click"), word("edit: remove the point")),
+    (word("Click or drag on the strip"), word("go to a frame")),
+    (word("Wheel on the strip"), word("zoom; with Shift, scroll")),
+    (word("Shift+drag on the strip"), word("mark a stretch (a double click lets go of it)")),
 )

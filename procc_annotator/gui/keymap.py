@@ -11,10 +11,11 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Element
 from procc_annotator.gui.actions import ACTIONS, ActionSpec
 from procc_annotator.gui.gestures import HELD_KEYS
+from procc_annotator.language import tr, word
 
 NATIVE = QKeySequence.SequenceFormat.NativeText
 _PORTABLE = QKeySequence.SequenceFormat.PortableText
-_HELD = "what is held down in the picture"
+_HELD = word("what is held down in the picture")
 
 
 @dataclass(frozen=True)
@@ -57,8 +58,8 @@ USUAL = Keymap()
 
 # What hands know from elsewhere, or from the other side of the keyboard.
 PRESETS: Mapping[str, Keymap] = {
-    "Usual": USUAL,
-    "Left-handed": Keymap(
+    word("Usual"): USUAL,
+    word("Left-handed"): Keymap(
         {
             "next_frame": ("P", "PgDown"),
             "previous_frame": ("O", "PgUp"),
@@ -68,13 +69,13 @@ PRESETS: Mapping[str, Keymap] = {
             "previous_element": ("Shift+O",),
             "regularise": ("L",),
             "regularise_all": ("Shift+L",),
-            "switch_mode": ("Home",),
-            "snapping": ("End",),
-            "copy_previous": ("Ins",),
+            "switch_mode": ("Home",),  # not shown
+            "snapping": ("End",),  # not shown
+            "copy_previous": ("Ins",),  # not shown
             "confirm_all": ("Shift+Ins",),
         }
     ),
-    "Like CVAT": Keymap(
+    word("Like CVAT"): Keymap(
         {
             "next_frame": ("F", "PgDown"),
             "previous_frame": ("D", "PgUp"),
@@ -88,7 +89,7 @@ PRESETS: Mapping[str, Keymap] = {
             "previous_camera": ("Ctrl+Alt+Shift+C",),
         }
     ),
-    "Like labelme": Keymap(
+    word("Like labelme"): Keymap(
         {
             "draw_mode": ("Ctrl+N",),
             "edit_mode": ("Ctrl+J",),
@@ -114,9 +115,9 @@ def clashes(keymap: Keymap, elements: Sequence[Element] = ()) -> dict[str, str]:
     A sequence that begins with another's keys clashes with it: Qt would wait whether more comes.
 
     Returns:
-        ``action:NAME`` or ``element:CLASS`` -> the title of what it clashes with.
+        ``action:NAME`` or ``element:CLASS`` -> the title of what it clashes with, as it is shown.
     """
-    taken = [(chords_of(key), "", _HELD) for key in HELD_KEYS]
+    taken = [(chords_of(key), "", tr(_HELD)) for key in HELD_KEYS]
     taken += [(chords_of(key), id_, title) for id_, title, keys in _calls(keymap, elements)
               for key in keys]  # fmt: skip
     found: dict[str, str] = {}
@@ -134,10 +135,12 @@ def _calls(
     keymap: Keymap, elements: Sequence[Element]
 ) -> Iterator[tuple[str, str, tuple[str, ...]]]:
     for spec in ACTIONS:
-        yield f"action:{spec.name}", spec.text.lstrip("-"), keymap.of_action(spec)
+        title = tr(spec.text.lstrip("-"))
+        yield f"action:{spec.name}", title, keymap.of_action(spec)  # not shown
     for element in elements:
         keys = keymap.of_element(element)
-        yield f"element:{element.name}", element.title, (keys,) if keys else ()
+        title = tr(element.title)
+        yield f"element:{element.name}", title, (keys,) if keys else ()  # not shown
 
 
 # --- as it is kept and handed on ------------------------------------------------------------------
@@ -156,26 +159,34 @@ def from_values(values: object) -> Keymap:
         UsageError: that is no keymap; with the place in it.
     """
     if not isinstance(values, dict):
-        raise UsageError('expected an object with "actions" and "elements"')
+        raise UsageError(tr('expected an object with "actions" and "elements"'))
     actions, elements = values.get("actions", {}), values.get("elements", {})
     if not isinstance(actions, dict) or not isinstance(elements, dict):
-        raise UsageError('"actions" and "elements": expected objects')
+        raise UsageError(tr('"actions" and "elements": expected objects'))
     known = {spec.name for spec in ACTIONS}
     own = {}
     for name, keys in actions.items():
+        place = f"actions.{name}"  # not shown
         if not isinstance(keys, list):
-            raise UsageError(f"actions.{name}: expected a list of keys, like {_LIKE}")
-        own[str(name)] = tuple(_key(key, f"actions.{name}") for key in keys)
+            raise UsageError(
+                tr("{place}: expected a list of keys, like {one}", place=place, one=_LIKE)
+            )
+        own[str(name)] = tuple(_key(key, place) for key in keys)
     chosen = {
-        str(name): _key(key, f"elements.{name}") if key else "" for name, key in elements.items()
+        str(name): _key(key, f"elements.{name}") if key else ""  # not shown
+        for name, key in elements.items()
     }
     return Keymap({name: keys for name, keys in own.items() if name in known}, chosen)
 
 
 _LIKE = '["Ctrl+Shift+R"]'
+_UNKNOWN = "Unknown"  # not shown
 
 
 def _key(value: object, place: str) -> str:
-    if not isinstance(value, str) or not chords_of(value) or "Unknown" in chords_of(value):
-        raise UsageError(f"{place}: {value!r} is no key; expected one like {_LIKE}")
+    if not isinstance(value, str) or not chords_of(value) or _UNKNOWN in chords_of(value):
+        raise UsageError(
+            tr("{place}: {value!r} is no key; expected one like {one}",
+               place=place, value=value, one=_LIKE)
+        )  # fmt: skip
     return value

@@ -14,8 +14,8 @@ SYSTEM, ENGLISH = "system", "en"
 
 # Each by its own name: whoever looks for theirs cannot read the others.
 LANGUAGES = {
-    ENGLISH: "English",
-    "de": "Deutsch",
+    ENGLISH: "English",  # not shown
+    "de": "Deutsch",  # not shown
     "es": "Español",
     "fr": "Français",
     "ja": "日本語",

@@ -77,6 +77,8 @@ from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.desk_switch import DeskSwitch
 from procc_annotator.gui.window.docks import Docks
+from procc_annotator.gui.window.drawer import Drawer
+from procc_annotator.gui.window.finding_tips import FindingTips
 from procc_annotator.gui.window.focus_ring import FocusRing
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
@@ -89,6 +91,9 @@ from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.gui.window.status_report import StatusReport
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
+from procc_annotator.language import tr
+
+_TITLE = "ProCC Annotator[*]"  # not shown
 
 
 class MainWindow(QMainWindow):
@@ -111,6 +116,7 @@ class MainWindow(QMainWindow):
         self.actions_ = Actions(self, self.canvas)
         ActionStates(self.document, self.actions_, self)
         self._docks.turned = self._show_desk
+        self.drawer.take_keys(self.actions_["plots"])
         self.desk_switch = DeskSwitch(self, self.actions_)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
@@ -139,6 +145,7 @@ class MainWindow(QMainWindow):
             self.settings,
         )
         self.keys_back = KeysBack(self.canvas)
+        self.finding_tips = FindingTips(self.document, self.canvas)
         self.coach = Coach(self.document, self.canvas, self.actions_, self.settings)
         self.bars.heightChanged.connect(self.coach.set_covered)
         self.focus_ring = FocusRing(self)
@@ -213,6 +220,9 @@ class MainWindow(QMainWindow):
         self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip, self.filmstrip)
         column.addWidget(self.strip)
         column.addWidget(self.filmstrip)
+        self.drawer = Drawer(self._docks)
+        self.drawer.clicked.connect(self.toggle_plots)
+        column.addWidget(self.drawer)
         self.import_bar = ImportBar()
         self.import_offer = ImportOffer(self.document, self.importer, self.import_bar)
         self._bars = (
@@ -254,13 +264,14 @@ class MainWindow(QMainWindow):
         self.docks = self._docks.by_name
 
     def _add_panel_toggles(self) -> None:
-        menu = self.actions_.menus["View"].addMenu("Panels")
+        menu = self.actions_.menus["View"].addMenu(tr("Panels"))  # not shown
         for dock in self.docks.values():
             menu.addAction(dock.toggleViewAction())
 
     def _add_recent(self) -> None:
         menu = RecentMenu(self.settings, self.opening.open_path, self)
-        self.actions_.menus["File"].insertMenu(self.actions_["open_sample"], menu)
+        before = self.actions_["open_sample"]
+        self.actions_.menus["File"].insertMenu(before, menu)  # not shown
         self.welcome.show_recent(self.settings.get(RECENT))
         self.welcome.open_recent.connect(self.opening.open_path)
 
@@ -276,6 +287,7 @@ class MainWindow(QMainWindow):
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
         document.store.watch(lambda state: state.notices, self.message_bar.keep)
+        self.message_bar.remedy_wanted.connect(lambda name: self.actions_[name].trigger())
         document.store.changed.connect(self._hear)  # a watch would miss lines said together
         self.welcome.open_folder.connect(self.opening.open_folder)
         self.welcome.open_picture.connect(self.opening.open_picture)
@@ -348,7 +360,7 @@ class MainWindow(QMainWindow):
         conflict = saver.conflict(index)
         self.conflict_bar.tell(str(conflict) if conflict is not None else "")
         frame = self.document.frame
-        self.setWindowTitle(f"{frame.name}[*]" if frame is not None else "ProCC Annotator[*]")
+        self.setWindowTitle(f"{frame.name}[*]" if frame is not None else _TITLE)
         self.setWindowModified(bool(saver.problems))
 
     def _hide_told(self, blind: bool) -> None:
@@ -364,6 +376,8 @@ class MainWindow(QMainWindow):
         conflict = document.saver.conflict(document.frame_index)
         if told.level == "info":
             self.status.tell(told.text)
+        elif told.text == document.frame_error:
+            self.status.tell(tr("not editable: the bar over the picture says why"))
         elif told.key != UNSAVED:
             # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
             # everything).
@@ -401,7 +415,16 @@ class MainWindow(QMainWindow):
         self._docks.turn_to(desk)
         self._show_desk(desk)  # a tick that was taken away by hand comes back
 
+    def toggle_plots(self) -> None:
+        """Open the drawer with the plots, or shut it."""
+        if self.drawer.is_open and not self.docks["plots"].isFloating():
+            self._docks.hide("plots")
+            self.canvas.setFocus()
+        else:
+            self.show_panel("plots")
+
     def _show_desk(self, desk: str) -> None:
+        self.drawer.show_for(desk)
         self.actions_.set_checked(f"desk_{desk}", True)
 
     def _show_panels(self) -> None:

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.gui.theme import alarm_colours
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count, word
 
 
 def as_sentence(text: str) -> str:
@@ -27,7 +27,7 @@ def as_sentence(text: str) -> str:
     first = text.split(" ", 1)[0]
     if "/" not in first and "\\" not in first and ":" not in first[:-1] and "." not in first:
         text = f"{text[:1].upper()}{text[1:]}"
-    return f"{text}." if text else ""
+    return tr("{text}.", text=text) if text else ""
 
 
 class Bar(QWidget):
@@ -51,21 +51,34 @@ class Bar(QWidget):
         """Take the colours of the theme; Qt tells nothing to a widget with a style sheet."""
         name = self.objectName()
         background, text = alarm_colours(QGuiApplication.palette())
-        style = f"#{name} {{ background: {background}; }} #{name} QLabel {{ color: {text}; }}"
+        style = f"#{name} {{ background: {background}; }}"  # not shown
+        style += f" #{name} QLabel {{ color: {text}; }}"  # not shown
         if style != self.styleSheet():
             self.setStyleSheet(style)
+
+
+_USUAL_REMEDY = word("Choose another place…")
+_REMEDIES = {"save": word("Save again")}
 
 
 class MessageBar(Bar):
     """The last error or warning, until it is dismissed, its cause is gone, or work has gone on: it
     is seen on the frame it came up on and on the next one."""
 
+    remedy_wanted = Signal(str)  # the action that may help
+
     def __init__(self) -> None:
         super().__init__("messageBar")
+        self._remedy = ""
+        self.remedy = QPushButton()
+        self.remedy.setObjectName("messageRemedy")
+        self.remedy.clicked.connect(lambda: self.remedy_wanted.emit(self._remedy))
+        self.row.addWidget(self.remedy)
         close = QToolButton()
         close.setText("✕")
         close.setAutoRaise(True)
-        close.setToolTip("Dismiss this message")
+        close.setToolTip(tr("Dismiss this message"))
+        close.setAccessibleName(tr("Dismiss this message"))
         close.clicked.connect(self.hide)
         self.row.addWidget(close)
         self._fresh = False
@@ -74,6 +87,7 @@ class MessageBar(Bar):
     def tell(self, told: Told, *, above: Iterable[Notice] = ()) -> None:
         """Show one line, under those that are still so."""
         self._show_lines([*above, told])
+        self._offer(told.remedy)
         self._fresh = True
         self.show()
 
@@ -83,11 +97,18 @@ class MessageBar(Bar):
         left = [line for line in self._lines if line.key in held]
         if len(left) < len(self._lines):
             self._show_lines(left)
+            self._offer(getattr(left[-1], "remedy", "") if left else "")
             self.setVisible(bool(left) and not self.isHidden())
 
     def _show_lines(self, lines: list[Told | Notice]) -> None:
         self._lines = lines
         self.label.setText("\n".join(line.text for line in lines))
+
+    def _offer(self, remedy: str) -> None:
+        """A button of what helps: the advice in the text need not be looked for in the menus."""
+        self._remedy = remedy
+        self.remedy.setText(tr(_REMEDIES.get(remedy, _USUAL_REMEDY)))
+        self.remedy.setVisible(bool(remedy))
 
     def grow_old(self) -> None:
         """Another frame is on screen; what was told before the last one was is put away."""
@@ -105,7 +126,7 @@ class FrameBar(Bar):
     def tell(self, problem: str) -> None:
         """Show the problem, or nothing."""
         if problem:
-            self.label.setText(f"This frame is not editable. {problem}")
+            self.label.setText(tr("This frame is not editable. {problem}", problem=problem))
         self.setVisible(bool(problem))
 
 
@@ -117,11 +138,11 @@ class ConflictBar(Bar):
 
     def __init__(self) -> None:
         super().__init__("conflictBar")
-        self.reload_button = QPushButton("Reload theirs")
-        self.reload_button.setToolTip("Show what is in the file; undo brings your version back")
+        self.reload_button = QPushButton(tr("Reload theirs"))
+        self.reload_button.setToolTip(tr("Show what is in the file; undo brings your version back"))
         self.reload_button.clicked.connect(self.reload_chosen)
-        self.overwrite_button = QPushButton("Overwrite with mine")
-        self.overwrite_button.setToolTip("Write what you see on screen over the file")
+        self.overwrite_button = QPushButton(tr("Overwrite with mine"))
+        self.overwrite_button.setToolTip(tr("Write what you see on screen over the file"))
         self.overwrite_button.clicked.connect(self.overwrite_chosen)
         self.row.addWidget(self.reload_button)
         self.row.addWidget(self.overwrite_button)
@@ -183,12 +204,13 @@ class BarStack(QWidget):
 
 def ask_to_delete(parent: QWidget, what: str, lost: str) -> bool:
     """Delete something that undo does not bring back?"""
-    return _ask(parent, f"Delete {what}?", lost, "Delete")
+    return _ask(parent, tr("Delete {what}?", what=what), lost, tr("Delete"))
 
 
 def ask_to_replace(parent: QWidget, what: str, lost: str) -> bool:
     """Write over a file that says something else?"""
-    return _ask(parent, f"{what} is there already, and says something else.", lost, "Replace it")
+    text = tr("{what} is there already, and says something else.", what=what)
+    return _ask(parent, text, lost, tr("Replace it"))
 
 
 def _ask(parent: QWidget, text: str, lost: str, yes: str) -> bool:
@@ -196,7 +218,7 @@ def _ask(parent: QWidget, text: str, lost: str, yes: str) -> bool:
     box.setIcon(QMessageBox.Icon.Question)
     box.setText(text)
     box.setInformativeText(lost)
-    keep = box.addButton("Keep it", QMessageBox.ButtonRole.RejectRole)
+    keep = box.addButton(tr("Keep it"), QMessageBox.ButtonRole.RejectRole)
     agree = box.addButton(yes, QMessageBox.ButtonRole.DestructiveRole)
     box.setDefaultButton(keep)
     box.exec()
@@ -207,11 +229,16 @@ def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:
     """Close although something could not be written?"""
     box = QMessageBox(parent)
     box.setIcon(QMessageBox.Icon.Warning)
-    frames = counted(len(problems), "frame is", "frames are")
-    box.setText(f"{frames} not saved, and saving failed again just now.")
+    box.setText(
+        tr_count(
+            len(problems),
+            "{n} frame is not saved, and saving failed again just now.",
+            "{n} frames are not saved, and saving failed again just now.",
+        )
+    )
     box.setInformativeText("\n".join(problems[:5]))
-    stay = box.addButton("Stay", QMessageBox.ButtonRole.RejectRole)
-    leave = box.addButton("Close and lose them", QMessageBox.ButtonRole.DestructiveRole)
+    stay = box.addButton(tr("Stay"), QMessageBox.ButtonRole.RejectRole)
+    leave = box.addButton(tr("Close and lose them"), QMessageBox.ButtonRole.DestructiveRole)
     box.setDefaultButton(stay)
     box.exec()
     return box.clickedButton() is leave

@@ -16,12 +16,13 @@ from procc_annotator.gui.keymap import USUAL, Keymap, from_values, to_values
 from procc_annotator.gui.languages import LANGUAGES, SYSTEM
 from procc_annotator.gui.state.live_fit import DEFAULT_MODEL, MODELS
 from procc_annotator.gui.state.state import DEFAULT_TAU
+from procc_annotator.language import word
 from procc_annotator.session.strokes.ghost_points import LEAST_SUPPORT
 
 T = TypeVar("T")
 
 ORGANISATION = "ProCC"
-APPLICATION = "Annotator"
+APPLICATION = "Annotator"  # not shown
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +128,7 @@ BYTES = Kind(lambda kept: kept if isinstance(kept, QByteArray) else None)
 
 _HOME = str(Path.home())
 THEMES = ("system", "light", "dark")
-_FIT = "Fit and ghosts"
+_FIT = word("Fit and ghosts")
 
 # fmt: off
 GEOMETRY = Setting("geometry", BYTES, QByteArray(), "Where the window is and how large")
@@ -188,7 +189,12 @@ SOURCES = Setting("sources", ENTRIES, {}, "The camera sources of a dataset",
 # fmt: on
 
 # Menu of an action that is remembered -> what it is listed with.
-_GROUPS = {"Element": "Annotating", "Element/Ghosts": _FIT, "Camera": _FIT, "View": "Picture"}
+_GROUPS = {
+    "Element": word("Annotating"),  # not shown
+    "Element/Ghosts": _FIT,
+    "Camera": _FIT,  # not shown
+    "View": word("Picture"),  # not shown
+}
 
 # Every action that is marked so in the table of actions: on or off, as it was left.
 SWITCHES: dict[str, Setting[bool]] = {

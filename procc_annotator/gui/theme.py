@@ -104,7 +104,7 @@ def alarm_colours(colours: QPalette) -> tuple[str, str]:
 
 def follow_system(application: QApplication) -> None:
     """Give the application its looks now and whenever the system switches to light or dark."""
-    application.setStyle("Fusion")
+    application.setStyle("Fusion")  # not shown
     hints = QGuiApplication.styleHints()
     hints.colorSchemeChanged.connect(lambda _: set_theme(application, _theme(application)))
     set_theme(application, _theme(application))
@@ -134,6 +134,14 @@ def set_text_size(application: QApplication, percent: float) -> None:
     if size > 0 and size != font.pointSizeF():  # one in pixels is the system's own affair
         font.setPointSizeF(size)
         application.setFont(font)
+
+
+def text_times() -> float:
+    """How large texts are, of what the system says; 1 where nobody chose."""
+    application = QApplication.instance()
+    usual = None if application is None else application.property(_USUAL_SIZE)
+    size = QApplication.font().pointSizeF()
+    return size / float(usual) if usual and float(usual) > 0 and size > 0 else 1.0
 
 
 def fixed_width(widget_font: QFont, times: float = 1.0, *, bold: bool = False) -> QFont:

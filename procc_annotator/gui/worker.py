@@ -24,6 +24,7 @@ import shiboken6
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal, Slot
 
 from procc_annotator.errors import ProccError
+from procc_annotator.language import tr
 
 T = TypeVar("T")
 
@@ -195,7 +196,7 @@ class _Desk(QObject):
         self.numbers = itertools.count()
         self.urgent = ThreadPoolExecutor(_URGENT_THREADS, thread_name_prefix="urgent")
         self.writing = ThreadPoolExecutor(_WRITING_THREADS, thread_name_prefix="writing")
-        self.prompt = ThreadPoolExecutor(_PROMPT_THREADS, thread_name_prefix="at once")
+        self.prompt = ThreadPoolExecutor(_PROMPT_THREADS, thread_name_prefix="at once")  # not shown
         self.patient = ThreadPoolExecutor(
             _PATIENT_THREADS, thread_name_prefix="background", initializer=_give_way
         )
@@ -360,7 +361,7 @@ def _give_way() -> None:
 def _unexpected(error: BaseException) -> str:
     first = (str(error).splitlines() or [""])[0]
     what = f"{type(error).__name__}: {first}" if first else type(error).__name__
-    return f"unexpected error ({what}); the terminal says more"
+    return tr("unexpected error ({what}); the terminal says more", what=what)
 
 
 def _cancel_each(jobs: WeakSet[Job]) -> None:

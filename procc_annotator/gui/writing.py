@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.frames import Frame
 
 T = TypeVar("T")
@@ -19,7 +20,7 @@ T = TypeVar("T")
 def opened_frame(document: Document) -> Frame | None:
     """The frame on screen; where there is none it is said what to do."""
     if document.frame is None:
-        document.say("open a folder of pictures first", "warning")
+        document.say(tr("open a folder of pictures first"), "warning")
     return document.frame
 
 
@@ -53,6 +54,7 @@ def write(
     *,
     owner: QObject | None = None,
     progress: Callable[[int, int], None] | None = None,
+    again: str = "",
 ) -> None:
     """Write in the background, and say what came of it.
 
@@ -62,11 +64,12 @@ def write(
         said: in words, what came of it.
         owner: nothing is said once it is gone; the document unless given.
         progress: receives how many of how many are done.
+        again: the action that asks for another place.
     """
     run_in_background(
         work,
         on_result=lambda result: document.say(said(result)),
-        on_error=lambda text: document.say(text, "error"),
+        on_error=lambda text: document.say(text, "error", again),
         on_progress=progress,
         owner=document if owner is None else owner,
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from procc_annotator.annotation import point_from_px, points_px
+from procc_annotator.interact import step_names
 from procc_annotator.interact.gesture import (
     IGNORED,
     Context,
@@ -17,7 +18,8 @@ from procc_annotator.interact.gesture import (
     line_direction,
     point_key,
 )
-from procc_annotator.interact.overlay_shapes import Draft
+from procc_annotator.interact.overlay_shapes import NO_HAND, Draft, Hand
+from procc_annotator.language import tr
 from procc_annotator.session.dataset import edits
 
 
@@ -45,10 +47,13 @@ class DrawTool:
         selected_class: str | None,
         cursor: Position | None,
         landing: Position | None = None,
+        hand: Hand = NO_HAND,
     ) -> Draft | None:
         """What to show: the polyline under way, or the class the next click begins."""
         name = self.class_name if self.busy else selected_class
-        return Draft(name, tuple(self.points), cursor, landing) if name is not None else None
+        if name is None:
+            return None
+        return Draft(name, tuple(self.points), cursor, landing, hand)
 
     def landing(
         self, position: Position, modifiers: Modifiers, context: Context
@@ -67,7 +72,7 @@ class DrawTool:
         if not self.busy:
             begun = context.selected_class or context.unnamed
             if begun is None:
-                return Reaction(message="choose an element first: field map, list, or its key")
+                return Reaction(message=tr("choose an element first: field map, list, or its key"))
             self.class_name, self.unnamed = begun, context.selected_class is None
             if self.class_name in context.spots:
                 return self._place(self.class_name, position, context)
@@ -129,9 +134,10 @@ class DrawTool:
         snapped = {point_key(q) for q, on in zip(points, on_line, strict=True) if on}
         self.points.clear()
         self._snapped.clear()
-        verb = "continue" if context.polyline(name) is not None else "draw"
+        goes_on, title = context.polyline(name) is not None, context.title(name)
         edited = edits.append_points(edits.confirm(context.annotation, name), name, points)
-        edit = Edit(f"{verb} {context.title(name)}", edited, snapped=frozenset(snapped))
+        label = step_names.drawing(title, goes_on=goes_on)
+        edit = Edit(label, edited, snapped=frozenset(snapped))
         if self.unnamed:
             asked = name if finished else None
             return Reaction(edit=edit, select=Selection(name), completed=name, to_name=asked)
@@ -147,7 +153,7 @@ class DrawTool:
     def _place(self, name: str, position: Position, context: Context) -> Reaction:
         """A single place: where it was clicked before it is no more."""
         self._spot_placed = True
-        verb = "move" if context.polyline(name) is not None else "draw"
+        moves, title = context.polyline(name) is not None, context.title(name)
         point = point_from_px(*position, context.picture_size)
         confirmed = edits.confirm(context.annotation, name)
         drawn = confirmed.get(name)
@@ -155,7 +161,8 @@ class DrawTool:
             edited = edits.move_point(confirmed, name, 0, point)
         else:
             edited = edits.set_points(confirmed, name, [point])
-        edit = Edit(f"{verb} {context.title(name)}", edited)
+        label = step_names.moving(title) if moves else step_names.drawing(title)
+        edit = Edit(label, edited)
         return Reaction(edit=edit, select=Selection(name), finished=True, completed=name)
 
     def next_click_finishes(self, context: Context) -> bool:

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 from procc_annotator.annotation import FrameAnnotation, point_from_px, points_px
+from procc_annotator.interact import step_names
 from procc_annotator.interact.gesture import (
+    ARROWS,
     IGNORED,
     Context,
     Edit,
@@ -20,19 +22,14 @@ from procc_annotator.interact.gesture import (
     point_key,
 )
 from procc_annotator.interact.hit import Hit, hit_test
+from procc_annotator.language import tr
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.edits import PointRef
 from procc_annotator.session.facts.origins import OriginKind, PointKey
 
 _DRAG_BEGINS_SCREEN_PX = 2.0
-_STEPS: dict[str, Position] = {"Left": (-1, 0), "Right": (1, 0), "Up": (0, -1), "Down": (0, 1)}
 NUDGE_PX, FINE_NUDGE_PX, FAR_NUDGE_PX = 1.0, 0.1, 10.0
-PINNED = (
-    "is pinned, so that a slip does not move it: drag its points, or unpin elements"
-    " (Ctrl+P, menu Element) to drag it as a whole"
-)
-
-_Held = Literal["point", "points", "element", "pinned element", "frame"]
+_Held = Literal["point", "points", "element", "pinned", "frame"]
 
 
 @dataclass
@@ -69,7 +66,7 @@ class EditTool:
 
     @property
     def held(self) -> str:
-        """What is held: "point", "points", "element", "pinned element" or "frame" (a band)."""
+        """What is held: "point", "points", "element", "pinned" or "frame" (a band)."""
         return "frame" if self.band is not None else self._held
 
     def hover(self, position: Position, context: Context) -> Hit | None:
@@ -128,7 +125,7 @@ class EditTool:
         self._grab(hit, 0, position, context)
         self.grabbed = None
         free = not context.pinned or context.is_unconfirmed(hit.class_name)
-        self._held = "element" if free else "pinned element"
+        self._held = "element" if free else "pinned"
         count = context.point_count(hit.class_name)
         self._together = frozenset((hit.class_name, i) for i in range(count))
         return Reaction(select=Selection(hit.class_name))
@@ -177,7 +174,7 @@ class EditTool:
             travelled = math.dist(position, self._pressed) * context.view_scale
             if travelled < _DRAG_BEGINS_SCREEN_PX:
                 return Reaction()
-            if self._held == "pinned element":
+            if self._held == "pinned":
                 self._refused = True
                 return Reaction()
             self._moved = True
@@ -194,7 +191,7 @@ class EditTool:
         if self._refused:
             name = next(iter(self._together))[0]
             self._let_go()
-            return Reaction(explanation=f"{context.title(name)} {PINNED}")
+            return Reaction(explanation=_pinned_words(context.title(name)))
         edited = self._carried(position, modifiers, context) if self._moved else self._before
         label, snapped = self._label(context), self._snapped
         changed, grabbed = self._inserted or self._moved, self.grabbed
@@ -207,11 +204,14 @@ class EditTool:
 
     def _label(self, context: Context) -> str:
         if self._held == "points":
-            return f"move {len(self._together)} points"
+            return step_names.moving_points(len(self._together))
         name = next(iter(self._together))[0] if self.grabbed is None else self.grabbed[0]
+        title = context.title(name)
         if self._held == "element":
-            return f"move all of {context.title(name)}"
-        return f"{'insert a point in' if self._inserted else 'move'} {context.title(name)}"
+            return step_names.moving_all(title)
+        if self._inserted:
+            return step_names.inserting(title)
+        return step_names.moving(title)
 
     def _end_band(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
         begin = self._pressed
@@ -253,7 +253,7 @@ class EditTool:
                 return _deletion(context, *next(iter(chosen)))
             base = _confirmed(context.annotation, chosen)
             edited = edits.delete_points(base, chosen)
-            label = f"delete {len(chosen)} points"
+            label = step_names.deleting_points(len(chosen))
             return Reaction(edit=Edit(label, edited), select=Selection(selected))
         return IGNORED
 
@@ -283,7 +283,7 @@ class EditTool:
         if name is None or context.polyline(name) is None:
             return IGNORED
         edited = edits.delete_element(context.annotation, name)
-        return Reaction(edit=Edit(f"delete {context.title(name)}", edited))
+        return Reaction(edit=Edit(step_names.deleting(context.title(name)), edited))
 
     def finish(self, context: Context) -> Reaction:
         """Drop what is held where it is, before anything that would leave the frame."""
@@ -349,6 +349,14 @@ class EditTool:
         self._held = "point"
 
 
+def _pinned_words(title: str) -> str:
+    return tr(
+        "{title} is pinned, so that a slip does not move it: drag its points, or unpin elements"
+        " (Ctrl+P, menu Element) to drag it as a whole",
+        title=tr(title),
+    )
+
+
 def _confirmed(annotation: FrameAnnotation, chosen: frozenset[PointRef]) -> FrameAnnotation:
     for name in sorted({name for name, _ in chosen}):
         annotation = edits.confirm(annotation, name)
@@ -379,15 +387,19 @@ def _deletion(context: Context, class_name: str, index: int) -> Reaction:
     edited = edits.delete_point(base, class_name, index)
     left = edited.get(class_name)
     after = min(index, len(left.points) - 1) if left is not None else None
-    label = f"delete point {index + 1} of {context.title(class_name)}"
+    label = step_names.deleting_point(index + 1, context.title(class_name))
     return Reaction(edit=Edit(label, edited), select=Selection(class_name, after))
 
 
 def _nudge(context: Context, chosen: frozenset[PointRef], arrow: str, step: float) -> Reaction:
     width, height = context.picture_size
-    dx, dy = _STEPS[arrow]
+    dx, dy = ARROWS[arrow]
     base = _confirmed(context.annotation, chosen)
     edited = edits.move_points(base, chosen, dx * step / (width - 1), dy * step / (height - 1))
     names = {name for name, _ in chosen}
-    what = context.title(next(iter(names))) if len(names) == 1 else f"{len(chosen)} points"
-    return Reaction(edit=Edit(f"nudge {what}", edited, OriginKind.MOVED))
+    label = (
+        step_names.nudging(context.title(next(iter(names))))
+        if len(names) == 1
+        else step_names.nudging_points(len(chosen))
+    )
+    return Reaction(edit=Edit(label, edited, OriginKind.MOVED))

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.interact import step_names
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.edits import PointRef
 from procc_annotator.session.facts.origins import OriginKind, PointKey
@@ -20,6 +21,14 @@ Position = tuple[float, float]
 # A class, a position and the element's direction there (None: unknown) to the centre of its paint,
 # or None.
 Snapper = Callable[[str, Position, Position | None], Position | None]
+
+# Where each arrow key goes.
+ARROWS: dict[str, Position] = {
+    "Left": (-1, 0),  # not shown
+    "Right": (1, 0),  # not shown
+    "Up": (0, -1),
+    "Down": (0, 1),  # not shown
+}
 
 _LONG_ENOUGH_PX = 30.0  # two clicks nearer than this do not tell a line's direction
 
@@ -163,8 +172,9 @@ def confirmation(context: Context) -> Reaction:
     if name is None or not context.is_unconfirmed(name):
         return IGNORED
     edited = edits.confirm(context.annotation, name)
+    label = step_names.confirming(context.title(name))
     return Reaction(
-        edit=Edit(f"confirm {context.title(name)}", edited, OriginKind.COPIED),
+        edit=Edit(label, edited, OriginKind.COPIED),
         select=Selection(next_unconfirmed(context) or name),
         finished=not edited.unconfirmed,
         completed=name,

@@ -5,7 +5,7 @@ These three come first in every state, since a narrow window shows only the begi
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from procc_annotator.field.model import Field
@@ -13,6 +13,7 @@ from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import FAR_NUDGE_PX, FINE_NUDGE_PX, NUDGE_PX, EditTool
 from procc_annotator.interact.gesture import Context
 from procc_annotator.interact.hit import Hit
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.words import count_of
 
 
@@ -36,8 +37,33 @@ class GhostHint:
 
 
 SEPARATOR = "  •  "
-_ANSWERS = 4  # what is said first: the tool, click, Enter and Esc
-_NOTHING_TO_DO = "click, Enter and Esc do nothing yet"
+_NOTHING_TO_DO = word("click, Enter and Esc do nothing yet")
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    """The phrases of a state.
+
+    Attributes:
+        tool: what is in hand, and what it is at.
+        click: what a click does; "" where the other answers tell.
+        answers: what Enter and Esc do.
+        more: what else there is to know.
+    """
+
+    tool: str
+    click: str
+    answers: tuple[str, ...]
+    more: tuple[str, ...] = ()
+
+    @property
+    def said(self) -> list[str]:
+        """All of them in their order."""
+        return [self.tool, *filter(None, (self.click,)), *self.answers, *self.more]
+
+    def with_more_first(self, *phrases: str) -> _Words:
+        """Something that is to be known before all else, next to what the keys do."""
+        return replace(self, more=(*phrases, *self.more))
 
 
 def hint(
@@ -69,196 +95,223 @@ def hint(
         ghosts: how many there are, and which one is looked at.
     """
     if context is None:
-        words = ["Drop a folder of pictures here, or open one with Ctrl+O", _NOTHING_TO_DO]
-    elif blocked:
-        words = ["READ ONLY", blocked, *_blocked_words(ghosts, field)]
-    elif ghosts.current is not None and not draw.busy and not edit.busy:
-        click = "click begins it by hand" if mode == "draw" else _click_words(context, field, over)
-        words = _ghost_words(ghosts, _title(ghosts.current, field), click)
+        offer = tr("Drop a folder of pictures here, or open one with Ctrl+O")
+        return SEPARATOR.join([offer, tr(_NOTHING_TO_DO)])
+    if blocked:
+        return SEPARATOR.join([tr("READ ONLY"), blocked, *_blocked_words(ghosts, field)])
+    if ghosts.current is not None and not draw.busy and not edit.busy:
+        by_hand = mode == "draw"
+        click = tr("click begins it by hand") if by_hand else _click_words(context, field, over)
+        said = _ghost_words(ghosts, _title(ghosts.current, field), click)
     else:
-        if mode == "draw":
-            words = _draw_words(draw, context, field, upcoming)
-        else:
-            words = _edit_words(edit, context, field, over)
+        drawing = mode == "draw"
+        words = (
+            _draw_words(draw, context, field, upcoming)
+            if drawing
+            else _edit_words(edit, context, field, over)
+        )
         if not draw.busy and not edit.busy:
             all_too = not context.is_unconfirmed(context.selected_class or "")  # Enter confirms it
             words = _with_ghosts(words, ghosts, all_too=all_too)
-            if suggested is not None and (mode == "edit" or suggested != context.selected_class):
-                following = f"next: {_title(suggested, field)}"
-                words = [*words[:_ANSWERS], following, *words[_ANSWERS:]]
-    if blind and context is not None and not blocked:
-        words = ["BLIND", *words, "Ctrl+Enter commits the frame and shows the projection"]
-    return SEPARATOR.join(words)
+            if suggested is not None and (not drawing or suggested != context.selected_class):
+                words = words.with_more_first(tr("next: {title}", title=_title(suggested, field)))
+        said = words.said
+    if blind:
+        commits = tr("Ctrl+Enter commits the frame and shows the projection")
+        said = [tr("BLIND"), *said, commits]
+    return SEPARATOR.join(said)
 
 
 def _blocked_words(ghosts: GhostHint, field: Field) -> list[str]:
     if ghosts.current is None and not ghosts.coming:
-        return [_NOTHING_TO_DO]
-    title = _title(ghosts.current, field) if ghosts.current is not None else "the next one comes"
-    return [f"GHOST {title}", "click and Enter do nothing", "Esc goes back", "Tab goes on"]
+        return [tr(_NOTHING_TO_DO)]
+    ghost = (
+        tr("GHOST {title}", title=_title(ghosts.current, field))
+        if ghosts.current is not None
+        else tr("GHOST the next one comes")
+    )
+    return [ghost, tr("click and Enter do nothing"), tr("Esc goes back"), tr("Tab goes on")]
 
 
-def _with_ghosts(words: list[str], ghosts: GhostHint, *, all_too: bool) -> list[str]:
+def _with_ghosts(words: _Words, ghosts: GhostHint, *, all_too: bool) -> _Words:
     """What is to be said of ghosts while none is looked at."""
     if ghosts.coming:
-        click = next((w for w in words if w.startswith("click ")), "")
-        waiting = ["GHOST the next one comes in a moment", click, "Enter does nothing yet"]
-        return [*filter(None, waiting), "Esc goes back"]
+        waits = tr("GHOST the next one comes in a moment")
+        return _Words(waits, words.click, (tr("Enter does nothing yet"), tr("Esc goes back")))
     if not ghosts.count:
         return words
-    which = "next" if ghosts.resumes else "first"
-    tab = f"Tab: {which} of {counted(ghosts.count, 'ghost')}"
-    told = [tab, *(["Shift+Enter: accept all"] if all_too else [])]
-    return [*words[:_ANSWERS], *told, *words[_ANSWERS:]]
+    count = ghosts.count
+    tab = (
+        tr_count(count, "Tab: next of {n} ghost", "Tab: next of {n} ghosts")
+        if ghosts.resumes
+        else tr_count(count, "Tab: first of {n} ghost", "Tab: first of {n} ghosts")
+    )
+    return words.with_more_first(tab, *([tr("Shift+Enter: accept all")] if all_too else []))
 
 
 def _ghost_words(ghosts: GhostHint, title: str, click: str) -> list[str]:
     if ghosts.points is None:
-        enter = "Enter accepts it"
+        enter = tr("Enter accepts it")
     elif ghosts.points:
-        enter = f"Enter accepts {_points(ghosts.points)}"
+        enter = tr_count(ghosts.points, "Enter accepts {n} point", "Enter accepts {n} points")
     else:
-        enter = "Enter does nothing: no line is found along it"
+        enter = tr("Enter does nothing: no line is found along it")
     return [
-        f"GHOST {title}",
+        tr("GHOST {title}", title=title),
         click,
         enter,
-        "Esc goes back",
-        "Tab goes on",
-        ". not visible here",
-        "Shift+Enter: all",
+        tr("Esc goes back"),
+        tr("Tab goes on"),
+        tr(". not visible here"),
+        tr("Shift+Enter: all"),
     ]
 
 
-def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | None) -> list[str]:
+def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | None) -> _Words:
     if draw.busy and draw.class_name is not None:
-        last = draw.next_click_finishes(context)
-        then = f" and goes on to {_title(upcoming, field)}" if upcoming is not None else ""
-        return [
-            f"DRAW {_name(draw, field)}, {_points(len(draw.points))}",
-            "click adds the second point and finishes" if last else "click adds a point",
-            f"Enter or double-click finishes{' and asks its name' if draw.unnamed else then}",
-            "Esc cancels",
-            *_stay_words(draw, upcoming),
-            "Backspace takes back the last point",
-            *_snap_words(context),
-        ]
-    if context.selected_class is None and context.unnamed is not None:
-        return [
-            "DRAW",
-            "click begins a line that is named after",
-            "Enter and Esc do nothing yet",
-            "or choose its element first: field map, list, its key or /",
-            *_snap_words(context),
-        ]
-    if context.selected_class is None:
-        return [
-            "DRAW",
-            "choose an element: field map, list, its key or /",
-            _NOTHING_TO_DO,
-        ]
-    count = context.point_count(context.selected_class)
-    waiting = context.is_unconfirmed(context.selected_class)
-    if context.selected_class in context.spots:
-        then = f" and goes on to {_title(upcoming, field)}" if upcoming is not None else ""
-        return [
-            f"DRAW {_title(context.selected_class, field)}{', unconfirmed' if waiting else ''}",
-            f"click {'moves it here' if count else 'marks it'}{then}",
-            "Enter confirms it" if waiting else "Enter does nothing",
-            "Esc deselects",
-            *_point_words(context),
-        ]
-    return [
-        f"DRAW {_title(context.selected_class, field)}{', unconfirmed' if waiting else ''}",
-        f"click continues it after its {_points(count)}" if count else "click begins it",
-        "Enter confirms it" if waiting else "Enter does nothing yet",
-        "Esc deselects",
-        *_point_words(context),
-        *_snap_words(context),
-    ]
+        return _drawing_words(draw, context, field, upcoming)
+    if context.selected_class is not None:
+        return _chosen_words(context.selected_class, context, field, upcoming)
+    if context.unnamed is not None:
+        first = tr("or choose its element first: field map, list, its key or /")
+        return _Words(
+            tr("DRAW"),
+            tr("click begins a line that is named after"),
+            (tr("Enter and Esc do nothing yet"), first),
+            _snap_words(context),
+        )
+    choose = tr("choose an element: field map, list, its key or /")
+    return _Words(tr("DRAW"), "", (choose, tr(_NOTHING_TO_DO)))
 
 
-def _name(draw: DrawTool, field: Field) -> str:
-    return "a line" if draw.unnamed else _title(draw.class_name or "", field)
-
-
-def _stay_words(draw: DrawTool, upcoming: str | None) -> list[str]:
+def _drawing_words(draw: DrawTool, context: Context, field: Field, upcoming: str | None) -> _Words:
+    """While a line is under way."""
+    count, stay = len(draw.points), tuple[str, ...]()
     if draw.unnamed:
-        return ["an element's key names it"]
-    return ["Shift+Enter finishes and stays"] if upcoming is not None else []
+        tool = tr_count(count, "DRAW a line, {n} point", "DRAW a line, {n} points")
+        enter = tr("Enter or double-click finishes and asks its name")
+        stay = (tr("an element's key names it"),)
+    else:
+        title = _title(draw.class_name or "", field)
+        tool = tr_count(count, "DRAW {title}, {n} point", "DRAW {title}, {n} points", title=title)
+        enter = tr("Enter or double-click finishes")
+        if upcoming is not None:
+            following = _title(upcoming, field)
+            enter = tr("Enter or double-click finishes and goes on to {title}", title=following)
+            stay = (tr("Shift+Enter finishes and stays"),)
+    last = draw.next_click_finishes(context)
+    click = tr("click adds the second point and finishes") if last else tr("click adds a point")
+    back = tr("Backspace takes back the last point")
+    return _Words(tool, click, (enter, tr("Esc cancels")), (*stay, back, *_snap_words(context)))
 
 
-def _snap_words(context: Context) -> list[str]:
-    return ["hold Ctrl to click beside the line"] if context.snap is not None else []
+def _chosen_words(class_name: str, context: Context, field: Field, upcoming: str | None) -> _Words:
+    """While an element is chosen that the next click begins, continues or places."""
+    title, count = _title(class_name, field), context.point_count(class_name)
+    waiting, spot = context.is_unconfirmed(class_name), class_name in context.spots
+    tool = (
+        tr("DRAW {title}, unconfirmed", title=title) if waiting else tr("DRAW {title}", title=title)
+    )
+    enter = tr("Enter does nothing") if spot else tr("Enter does nothing yet")
+    if waiting:
+        enter = tr("Enter confirms it")
+    answers, more = (enter, tr("Esc deselects")), _point_words(context)
+    if spot:
+        following = _title(upcoming, field) if upcoming is not None else None
+        return _Words(tool, _placing_words(following, placed=count > 0), answers, more)
+    click = (
+        tr_count(
+            count,
+            "click continues it after its {n} point",
+            "click continues it after its {n} points",
+        )
+        if count
+        else tr("click begins it")
+    )
+    return _Words(tool, click, answers, (*more, *_snap_words(context)))
 
 
-def _edit_words(edit: EditTool, context: Context, field: Field, over: Hit | None) -> list[str]:
-    if edit.busy and (edit.grabbed is None or edit.held == "points"):
-        return _held_words(edit, context)
-    if edit.busy and edit.grabbed is not None:
-        name, index = edit.grabbed
-        return [
-            f"EDIT point {index + 1} of {_title(name, field)}",
-            "release drops it here",
-            "Enter does nothing",
-            "Esc takes the new point away" if edit.inserting else "Esc puts it back",
-        ]
-    words = ["EDIT", _click_words(context, field, over)]
-    selected = context.selected_class
-    enter = "Enter does nothing"
+def _placing_words(following: str | None, *, placed: bool) -> str:
+    """What a click does to a single place; ``following``: what comes after it."""
+    if following is None:
+        return tr("click moves it here") if placed else tr("click marks it")
+    if placed:
+        return tr("click moves it here and goes on to {title}", title=following)
+    return tr("click marks it and goes on to {title}", title=following)
+
+
+def _snap_words(context: Context) -> tuple[str, ...]:
+    return (tr("hold Ctrl to click beside the line"),) if context.snap is not None else ()
+
+
+def _edit_words(edit: EditTool, context: Context, field: Field, over: Hit | None) -> _Words:
+    if edit.busy:
+        return _held_words(edit, context, field)
+    click, selected = _click_words(context, field, over), context.selected_class
+    enter = tr("Enter does nothing")
     if selected is not None and context.is_unconfirmed(selected):
-        enter = f"Enter confirms {_title(selected, field)}"
+        enter = tr("Enter confirms {title}", title=_title(selected, field))
     if count := len(context.chosen_points):
-        points = "the point" if count == 1 else _points(count)
-        return [*words, enter, f"Esc lets go of {points}", *_point_words(context)]
-    if context.selected_class is None:
-        return [*words, "Enter and Esc do nothing"]
-    words += [enter, "Esc deselects"]
-    if context.point_count(context.selected_class):
-        words.append(f"Delete removes {_title(context.selected_class, field)}")
-    return words
+        lets_go = tr_count(count, "Esc lets go of the point", "Esc lets go of {n} points")
+        return _Words(tr("EDIT"), click, (enter, lets_go), _point_words(context))
+    if selected is None:
+        return _Words(tr("EDIT"), click, (tr("Enter and Esc do nothing"),))
+    removes = tuple[str, ...]()
+    if context.point_count(selected):
+        removes = (tr("Delete removes {title}", title=_title(selected, field)),)
+    return _Words(tr("EDIT"), click, (enter, tr("Esc deselects")), removes)
 
 
-def _held_words(edit: EditTool, context: Context) -> list[str]:
+def _held_words(edit: EditTool, context: Context, field: Field) -> _Words:
+    """While the mouse holds something."""
+    nothing, back = tr("Enter does nothing"), tr("Esc puts it back")
+    drops = tr("release drops it here")
     if edit.held == "frame":
-        return [
-            "EDIT choosing points",
-            "release chooses all points inside",
-            "Enter does nothing",
-            "Esc gives up",
-        ]
-    if edit.held == "pinned element":
-        return [
-            "EDIT",
-            "release selects the element, which is pinned",
-            "Enter does nothing",
-            "Esc lets go",
-        ]
-    what = "the element" if edit.held != "points" else _points(len(context.chosen_points))
-    return [f"EDIT {what}", "release drops it here", "Enter does nothing", "Esc puts it back"]
+        chooses = tr("release chooses all points inside")
+        return _Words(tr("EDIT choosing points"), chooses, (nothing, tr("Esc gives up")))
+    if edit.held == "points":
+        count = len(context.chosen_points)
+        return _Words(tr_count(count, "EDIT {n} point", "EDIT {n} points"), drops, (nothing, back))
+    if edit.grabbed is not None:
+        name, index = edit.grabbed
+        point = tr("EDIT point {number} of {title}", number=index + 1, title=_title(name, field))
+        if edit.inserting:
+            back = tr("Esc takes the new point away")
+        return _Words(point, drops, (nothing, back))
+    if edit.held == "pinned":
+        selects = tr("release selects the element, which is pinned")
+        return _Words(tr("EDIT"), selects, (nothing, tr("Esc lets go")))
+    return _Words(tr("EDIT the element"), drops, (nothing, back))
 
 
 def _click_words(context: Context, field: Field, over: Hit | None) -> str:
     if over is not None and over.kind == "point":
-        place = f"point {over.index + 1} of {_title(over.class_name, field)}"
-        return f"drag moves {place}, Alt+Shift+click removes it"
+        return tr(
+            "drag moves point {number} of {title}, Alt+Shift+click removes it",
+            number=over.index + 1,
+            title=_title(over.class_name, field),
+        )
     if over is not None:
-        return f"click selects {_title(over.class_name, field)}, Alt+click inserts a point"
+        title = _title(over.class_name, field)
+        return tr("click selects {title}, Alt+click inserts a point", title=title)
     if not context.annotation.annotated and not context.annotation.unconfirmed:
-        return "click does nothing: there are no points to edit, draw an element first"
+        return tr("click does nothing: there are no points to edit, draw an element first")
     if context.chosen_points:
-        return "click a point to drag it, beside it to let go"
-    return "click or drag a point, drag on empty ground to choose several"
+        return tr("click a point to drag it, beside it to let go")
+    return tr("click or drag a point, drag on empty ground to choose several")
 
 
-def _point_words(context: Context) -> list[str]:
+def _point_words(context: Context) -> tuple[str, ...]:
     count = len(context.chosen_points)
     if not count:
-        return []
-    return [
-        f"arrows nudge {NUDGE_PX:g} px, with Shift {FINE_NUDGE_PX:g} px, Ctrl {FAR_NUDGE_PX:g} px",
-        "Delete removes the point" if count == 1 else f"Delete removes {count} points",
-    ]
+        return ()
+    nudge = tr(
+        "arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px",
+        step=NUDGE_PX,
+        fine=FINE_NUDGE_PX,
+        far=FAR_NUDGE_PX,
+    )
+    return nudge, tr_count(count, "Delete removes the point", "Delete removes {n} points")
 
 
 def counted(count: int, what: str, several: str = "") -> str:
@@ -266,10 +319,5 @@ def counted(count: int, what: str, several: str = "") -> str:
     return count_of(count, what, several, thousands=",")
 
 
-def _points(count: int) -> str:
-    return counted(count, "point")
-
-
 def _title(class_name: str, field: Field) -> str:
-    element = field.element(class_name)
-    return element.title if element is not None else class_name
+    return tr(field.title_of(class_name))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from procc_annotator.fit.predict.ground_uncertainty import GOOD_TO_M
 from procc_annotator.interact import palette
+from procc_annotator.language import word
 from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M
 
 
@@ -28,7 +29,7 @@ class MapLook:
     """One kind of map.
 
     Attributes:
-        name: what people call it.
+        name: what people call it, for `tr`.
         levels_m: ascending; a band lies between each two.
         colours: a tone a band.
         opacity: of the bands, 0 to 1.
@@ -43,14 +44,14 @@ class MapLook:
 
 
 DISAGREEMENT = MapLook(
-    "Disagreement",
+    word("Disagreement"),
     DISAGREEMENT_LEVELS_M,
     palette.DISAGREEMENT_COLOURS,
     palette.DISAGREEMENT_OPACITY,
     (LevelLine(OFFSIDE_ACCURACY_M, palette.LIMIT_DASH),),
 )
 UNCERTAINTY = MapLook(
-    "Uncertainty",
+    word("Uncertainty"),
     (0.0, *GOOD_TO_M, math.inf),
     palette.UNCERTAINTY_COLOURS,
     palette.UNCERTAINTY_OPACITY,

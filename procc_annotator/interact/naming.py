@@ -10,7 +10,8 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import FloatArray
 
-UNNAMED = "Line unknown"  # SoccerNet's class of a line that nobody could name
+# SoccerNet's class of a line that nobody could name.
+UNNAMED = "Line unknown"  # not shown
 _TURNED = 3.0  # how much farther a line counts that runs across what was drawn
 
 

@@ -18,6 +18,7 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.interact import palette as tones
+from procc_annotator.interact.hand import hand_words
 from procc_annotator.interact.overlay_findings import finding_signs, found_elements
 from procc_annotator.interact.overlay_lines import (
     ShownEllipse,
@@ -43,8 +44,10 @@ from procc_annotator.interact.overlay_points import (
     plain_marks,
 )
 from procc_annotator.interact.overlay_shapes import (
+    NO_HAND,
     Draft,
     Drawn,
+    HandSigns,
     Labels,
     Overlay,
     PointMarks,
@@ -53,6 +56,7 @@ from procc_annotator.interact.overlay_shapes import (
 )
 from procc_annotator.interact.remembered import Remembered
 from procc_annotator.interact.verdicts import NO_POINTS, NO_VERDICTS, Verdicts, verdicts
+from procc_annotator.language import tr
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
@@ -276,6 +280,9 @@ def _pointer_label(
     name, at = (draft.class_name, draft.cursor) if draft is not None else (highlight, pointer)
     if name is None or at is None:
         return Labels(NO_POINTS, (), tones.LABEL)
-    element = field.element(name)
-    text = element.title if element is not None else name
-    return Labels(np.array([at], dtype=np.float64), (text,), tones.LABEL)
+    text = tr(field.title_of(name))
+    place = np.array([at], dtype=np.float64)
+    if draft is None or draft.hand is NO_HAND:
+        return Labels(place, (text,), tones.LABEL)
+    signs = HandSigns(draft_colour(draft, field), draft.hand.snap)
+    return Labels(place, (f"{text}  {hand_words(draft.hand)}",), tones.LABEL, hand=signs)

@@ -145,5 +145,5 @@ def _array(canvas: Any) -> NDArray[np.uint8]:
 
 def _svg(figure: Figure) -> bytes:
     stream = io.BytesIO()
-    figure.savefig(stream, format="svg", dpi=_DPI, metadata={"Date": None})
+    figure.savefig(stream, format="svg", dpi=_DPI, metadata={"Date": None})  # not shown
     return stream.getvalue()

@@ -17,6 +17,7 @@ from procc_annotator.interact.overlay_shapes import (
     Size,
 )
 from procc_annotator.interact.verdicts import NO_POINTS
+from procc_annotator.language import tr
 from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _Place = tuple[str, int]
@@ -65,7 +66,7 @@ def finding_signs(
         at = {place: _position(place, annotation, picture_size) for place in places}
         shown = {place: xy for place, xy in at.items() if xy is not None}
         texts = tuple(
-            field.title_of(name) if severity is not Severity.HINT or name in looked_at else ""
+            tr(field.title_of(name)) if severity is not Severity.HINT or name in looked_at else ""
             for name, _ in shown
         )
         positions = np.array(list(shown.values()), dtype=np.float64).reshape(-1, 2)

@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,12 +55,38 @@ class PointMarks:
         return _box_of(self.centres)
 
 
+Snap = Literal["off", "none", "found", ""]
+"""Whether the next click is put on a line: not wanted, no line there, on one; or nothing to say."""
+
+
+@dataclass(frozen=True, slots=True)
+class HandSigns:
+    """Signs at the cursor: the colour of the class that is drawn, and what snapping does."""
+
+    colour: str
+    snap: Snap
+
+
+@dataclass(frozen=True, slots=True)
+class Hand:
+    """How far what is drawn has come: its points, how many are missing until it is whole, and what
+    snapping does with the next one."""
+
+    points: int = 0
+    missing: int = 0
+    snap: Snap = ""
+
+
+NO_HAND = Hand()
+
+
 @dataclass(frozen=True, eq=False)
 class Labels:
     """Texts beside points: (N, 2) picture px.
 
     ``sign`` is a finding's severity, whose sign goes before each text (or stands alone before "");
-    ``below``: on the other side of their points than texts usually are.
+    ``below``: on the other side of their points than texts usually are. ``hand``: what stands
+    beside the text at the cursor.
     """
 
     positions: FloatArray
@@ -67,6 +94,7 @@ class Labels:
     colour: str
     sign: str = ""
     below: bool = False
+    hand: HandSigns | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,6 +137,7 @@ class Draft:
     points: tuple[tuple[float, float], ...]
     cursor: tuple[float, float] | None = None
     landing: tuple[float, float] | None = None
+    hand: Hand = NO_HAND
 
 
 @dataclass(frozen=True, eq=False)

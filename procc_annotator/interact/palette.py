@@ -6,6 +6,8 @@ off in turn, () is solid, so that colour is never the only sign.
 
 from __future__ import annotations
 
+from procc_annotator.language import word
+
 PASSES = "#009E73"
 TOO_FAR = "#D55E00"
 NOT_ANNOTATED = "#E69F00"
@@ -26,10 +28,10 @@ STATUS_DASHES: dict[str, tuple[float, ...]] = {
 UNKNOWN_CLASS_DASH = (8.0, 4.0)
 CURSOR_LINE_DASH = (4.0, 4.0)
 STATUS_WORDS: dict[str, str] = {
-    "tp": "passes",
-    "too_far": "too far",
-    "not_annotated": "not annotated",
-    "missed": "missed",
+    "tp": word("passes"),
+    "too_far": word("too far"),
+    "not_annotated": word("not annotated"),
+    "missed": word("missed"),
 }
 
 UNCONFIRMED = "#0072B2"  # copied, nobody has touched it yet
@@ -47,18 +49,18 @@ BAD_POINT_SIZE = 17.0
 SECOND = "#FFFFFF"  # what a second annotator clicked
 LANDING, LANDING_SIZE = "#FFFFFF", 9.0  # where snapping would put a click
 
-# How a point came to be: its tone and shape.
+# How a point came to be, by the values of `OriginKind`: its tone and shape.
 ORIGINS: dict[str, tuple[str, str]] = {
     "clicked": ("#56B4E9", "handle"),
     "snapped": ("#009E73", "dot"),
     "regularised": ("#F0E442", "dot"),
     "copied": ("#0072B2", "ring"),
     "moved": ("#E69F00", "handle"),
-    "accepted suggestion": ("#CC79A7", "ring"),
+    "accepted suggestion": ("#CC79A7", "ring"),  # not shown
     "proposed": ("#CC79A7", "cross"),
-    "accepted proposal": ("#CC79A7", "dot"),
-    "unconfirmed by paint": ("#D55E00", "cross"),
-    "from the file": ("#B0B0B0", "handle"),
+    "accepted proposal": ("#CC79A7", "dot"),  # not shown
+    "unconfirmed by paint": ("#D55E00", "cross"),  # not shown
+    "from the file": ("#B0B0B0", "handle"),  # not shown
 }
 AUTHORS: tuple[tuple[str, str], ...] = (
     ("#56B4E9", "handle"),

@@ -9,6 +9,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.language import tr
 from procc_annotator.metric.explain import px_text
 from procc_annotator.metric.measure import Labelling, Measurement, nearest_points
 from procc_annotator.metric.project import ProjectedField
@@ -224,4 +225,4 @@ def _factor(size: Size, picture_size: Size) -> FloatArray:
 
 
 def _distance_text(distance: float, tau: float) -> str:
-    return "no distance" if np.isnan(distance) else px_text(distance, tau)
+    return tr("no distance") if np.isnan(distance) else px_text(distance, tau)

@@ -72,9 +72,11 @@ def test_frames_are_clustered_by_a_tag(cli, methods, method) -> None:
     )  # fmt: skip
     assert done.exit_code == 0, done.output
     found = chance(methods / "out.json")
-    (note,) = found["intervals"]["notes"]
+    note, *cautions = found["intervals"]["notes"]
     assert "3 clusters by match" in note
     assert "500 draws, seed 3" in note
+    assert "no interval is to be relied on" in cautions[0]
+    assert "Of 3 clusters no p is below 0.25" in cautions[1]
     # What frames are clustered by is not what they are broken down by.
     assert "By match" not in done.stdout
     assert "By light" in done.stdout
@@ -139,7 +141,7 @@ def test_a_tag_of_shots_clusters_where_names_tell_none(cli, methods) -> None:
         "evaluate", *BOTH, "--intervals", "--tags", "own.csv", "--cluster", "shot", "-o", "out.json"
     )
     assert done.exit_code == 0, done.output
-    (note,) = chance(methods / "out.json")["intervals"]["notes"]
+    note, *_ = chance(methods / "out.json")["intervals"]["notes"]
     assert "3 clusters by shot" in note
 
 

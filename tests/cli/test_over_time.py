@@ -96,11 +96,18 @@ def test_options_that_cannot_be(cli, shot: Path, tmp_path: Path) -> None:
     assert ".json or .csv" in done.output
 
 
-def test_frames_that_do_not_follow_each_other_are_refused(cli, shared_data: Path) -> None:
+def test_frames_that_do_not_follow_each_other_are_refused(
+    cli, shared_data: Path, tmp_path: Path
+) -> None:
     wc14 = shared_data / "wc14"
-    done = cli("evaluate", wc14 / "annotations", wc14 / "cameras_pnlcalib", "--over-time")
-    assert done.exit_code == 2
-    assert "do not follow each other" in done.output
+    cameras, page = wc14 / "cameras_pnlcalib", tmp_path / "page.html"
+    for done in (
+        cli("evaluate", wc14 / "annotations", cameras, "--over-time"),
+        cli("report", wc14 / "annotations", "--cameras", cameras, "--over-time", "-o", page),
+    ):
+        assert done.exit_code == 2
+        assert "do not follow each other" in done.output
+    assert not page.exists()
 
 
 def test_a_recipe_repeats_them(cli, shot: Path) -> None:

@@ -120,6 +120,15 @@ class Look:
         label = self.window.findChild(QLabel, "cameras_jac_0")
         return re.search(r"\d", label.text() + label.toolTip())
 
+    def field_map(self) -> object:
+        """Turned to the camera, or the part it sees marked."""
+        return self.window.document.map_sight.shown
+
+    def legend_in_the_corner(self) -> object:
+        legend = self.window.canvas.legend
+        legend._look()
+        return [e for e in legend.entries if e.text != "annotated, in its class's colour"]
+
     def elements(self) -> object:
         states = element_states(self.window.document).values()
         return {ElementState.PASSES, ElementState.TOO_FAR, ElementState.NOT_ANNOTATED} & set(states)

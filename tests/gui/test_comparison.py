@@ -465,11 +465,14 @@ class TestDisagreement:
             at = canvas.to_view(x, y)
             assert changed[round(at.y()), round(at.x())] == covered
 
-    def test_the_field_map_is_covered_where_it_is_seen(self, audited: MainWindow) -> None:
+    def test_the_field_map_is_covered_where_it_is_seen(
+        self, audited: MainWindow, qtbot: QtBot
+    ) -> None:
         panel = audited.field_map
+        qtbot.waitUntil(lambda: audited.document.map_sight.shown is not None)
         covered = panel.grab().toImage()
         seen = panel.to_widget(-40.0, 15.0).toPoint()
-        unseen = panel.to_widget(40.0, 15.0).toPoint()
+        unseen = panel.to_widget(5.0, 20.0).toPoint()
         audited.actions_["disagreement"].trigger()
         QApplication.processEvents()
         bare = panel.grab().toImage()

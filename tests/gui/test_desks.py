@@ -20,6 +20,7 @@ from tests.gui.conftest import MakeWindow
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
+JUDGE = set(DESKS["judge"]) - {"plots"}  # the drawer is shut at first
 
 
 def opened(window: MainWindow) -> set[str]:
@@ -36,7 +37,7 @@ def in_front(window: MainWindow, name: str) -> bool:
 def test_keys_and_buttons_turn_to_the_panels_of_a_work(window: MainWindow) -> None:
     assert opened(window) == set(DESKS["annotate"])
     QTest.keyClick(window.canvas, Qt.Key.Key_F2, SHIFT)
-    assert opened(window) == set(DESKS["judge"])
+    assert opened(window) == JUDGE
     assert in_front(window, "scores")
     button = window.desk_switch.findChild(QToolButton, "desk_review")
     assert button is not None
@@ -59,7 +60,7 @@ def test_a_panel_that_is_asked_for_brings_its_work(window: MainWindow) -> None:
 
 def test_each_is_found_as_it_was_left(window: MainWindow) -> None:
     window.show_panel("fit")
-    window.docks["plots"].close()
+    window.docks["scores"].close()
     window.resizeDocks([window.docks["fit"]], [420], Qt.Orientation.Horizontal)
     QApplication.processEvents()
     wide = window.docks["fit"].width()
@@ -68,7 +69,7 @@ def test_each_is_found_as_it_was_left(window: MainWindow) -> None:
     window.resizeDocks([window.docks["elements"]], [300], Qt.Orientation.Horizontal)
     QApplication.processEvents()
     window.turn_to("judge")
-    assert opened(window) == {"scores", "cameras", "fit"}
+    assert opened(window) == {"cameras", "fit"}
     assert in_front(window, "fit")
     assert abs(window.docks["fit"].width() - wide) <= 2
 
@@ -100,7 +101,7 @@ def test_the_next_run_begins_at_the_same_work(make_window: MakeWindow, dataset: 
     first.close()
     second = make_window(dataset)
     assert second.actions_["desk_judge"].isChecked()
-    assert opened(second) == set(DESKS["judge"])
+    assert opened(second) == JUDGE
     assert in_front(second, "cameras")
 
 
@@ -130,3 +131,46 @@ def test_no_tab_hides_behind_an_arrow(
     for bar in window.findChildren(QTabBar, options=direct):
         if bar.isVisible():
             assert bar.tabRect(bar.count() - 1).right() <= bar.width()
+
+
+class TestDrawer:
+    def test_it_opens_below_the_picture_and_shuts(self, window: MainWindow, qtbot: QtBot) -> None:
+        assert window.drawer.isHidden()
+        window.turn_to("judge")
+        assert window.drawer.isVisible()
+        QApplication.processEvents()
+        tall = window.canvas.height()
+        QTest.mouseClick(window.drawer, Qt.MouseButton.LeftButton)
+        plots, canvas = window.docks["plots"], window.canvas
+        qtbot.waitUntil(lambda: canvas.height() < tall)
+        assert plots.mapTo(window, plots.rect().topLeft()).y() > canvas.geometry().bottom()
+        assert abs(plots.width() - window.centralWidget().width()) <= 2  # the columns stay whole
+        assert "Shut" in window.drawer.toolTip()
+        assert opened(window) == set(DESKS["judge"])
+        QTest.keyClick(window.canvas, Qt.Key.Key_F5)
+        qtbot.waitUntil(lambda: canvas.height() == tall)
+        assert opened(window) == JUDGE
+
+    def test_each_work_remembers_it(self, window: MainWindow, qtbot: QtBot) -> None:
+        QTest.keyClick(window.canvas, Qt.Key.Key_F5)
+        plots = window.docks["plots"]
+        qtbot.waitUntil(plots.isVisible)
+        window.resizeDocks([plots], [190], Qt.Orientation.Vertical)
+        QApplication.processEvents()
+        high = plots.height()
+        window.turn_to("annotate")
+        assert opened(window) == set(DESKS["annotate"])
+        assert window.drawer.isHidden()
+        window.turn_to("judge")
+        QApplication.processEvents()
+        assert plots.isVisible()
+        assert abs(plots.height() - high) <= 2
+
+    def test_it_can_be_torn_off(self, window: MainWindow) -> None:
+        QTest.keyClick(window.canvas, Qt.Key.Key_F5)
+        window.docks["plots"].setFloating(True)
+        window.turn_to("annotate")
+        assert not window.docks["plots"].isHidden()
+        window.reset_layout()
+        assert not window.docks["plots"].isFloating()
+        assert opened(window) == set(DESKS["annotate"])

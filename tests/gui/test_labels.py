@@ -10,8 +10,9 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.picture import items
-from procc_annotator.gui.picture.items import paint_overlay, place_label
+from procc_annotator.gui.picture import label_plates
+from procc_annotator.gui.picture.items import paint_overlay
+from procc_annotator.gui.picture.label_plates import place_label
 from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.interact.overlay_shapes import Labels, Overlay
 from tests.gui.conftest import Hand, all_done, settle
@@ -97,7 +98,7 @@ def plates(window: MainWindow, item: OverlayItem, monkeypatch: pytest.MonkeyPatc
         return plate
 
     with monkeypatch.context() as patch:
-        patch.setattr(items, "place_label", note)
+        patch.setattr(label_plates, "place_label", note)
         window.canvas.grab()
     seen = item._room(window.canvas.viewport().size())
     return [plate for room, plate in placed if room == seen]

@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPalette
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.field.colours import difference
-from procc_annotator.gui.panels.field_map.panel import ground_colour
+from procc_annotator.gui.panels.field_map.ground import ground_colour
 from procc_annotator.gui.panels.states import WORDS, ElementState, paint_symbol, state_colour
 from procc_annotator.gui.theme import alarm_colours, contrast, palette
 from procc_annotator.interact import palette as tones

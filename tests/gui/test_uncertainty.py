@@ -13,6 +13,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.fit.predict.ground_uncertainty import ground_sd, ground_uncertainty
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.field_map.ground import ground_colour
 from tests.gui.conftest import Hand, MakeWindow
 
 FRAME = 1  # twelve elements
@@ -26,6 +27,7 @@ def shown(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
     window = make_window(annotated)
     window.document.go_to(FRAME)
     qtbot.waitUntil(lambda: window.document.live_fit.result is not None)
+    qtbot.waitUntil(lambda: window.document.map_sight.shown is not None)
     QApplication.processEvents()
     window.plain, window.plain_map = pixels(window), map_image(window)
     window.actions_["uncertainty"].trigger()
@@ -61,7 +63,7 @@ def test_what_is_seen_of_the_field_is_covered(shown: MainWindow) -> None:
         at = shown.canvas.to_view(x, y)
         assert changed[round(at.y()), round(at.x())] == covered, (x, y)
     covered_map = map_image(shown)
-    for ground, covered in ((SEEN, True), ((20.0, 5.0), False)):
+    for ground, covered in ((SEEN, True), ((5.0, 20.0), False)):
         at = shown.field_map.to_widget(*ground).toPoint()
         same = covered_map.pixelColor(at) == shown.plain_map.pixelColor(at)
         assert same != covered, ground
@@ -129,7 +131,7 @@ def test_blind_mode_hides_it(shown: MainWindow, qtbot: QtBot) -> None:
     assert (legend.title, legend.lines) == ("", ())
     assert shown.status.good_to.text() == ""
     at = shown.field_map.to_widget(*SEEN).toPoint()
-    assert map_image(shown).pixelColor(at) == shown.plain_map.pixelColor(at)
+    assert map_image(shown).pixel(at) == ground_colour(shown.field_map.palette()).rgb()
     document.set_blind(False)
     arrive(shown, qtbot)
 

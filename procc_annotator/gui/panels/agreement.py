@@ -24,7 +24,7 @@ from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTabl
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.metric.agreement import (
     AgreementSummary,
     AgreementSums,
@@ -33,8 +33,8 @@ from procc_annotator.metric.agreement import (
     compare_annotations,
 )
 
-_NONE = "Open a second annotator's folder (menu File) to compare the clicks of both."
-_APART = (
+_NONE = word("Open a second annotator's folder (menu File) to compare the clicks of both.")
+_APART = word(
     "Apart: the two share (almost) no stretch of this element, which is no agreement."
     " Was its class swapped with a neighbour's?"
 )
@@ -62,7 +62,7 @@ class _AgreementModel(ElementRowsModel[_Row]):
     """How both agree, what agrees least first."""
 
     def __init__(self) -> None:
-        super().__init__(("Element", "Median", "95 %", "Points"))
+        super().__init__((word("Element"), word("Median"), "95 %", word("Points")))
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         row, column = self.rows[index.row()], index.column()
@@ -108,7 +108,7 @@ class AgreementPanel(QWidget):
         self._measure_set()
 
     def _build(self) -> None:
-        self.empty = empty_state(_NONE, "agreement_empty")
+        self.empty = empty_state(tr(_NONE), "agreement_empty")
         self.noise = QLabel()
         self.noise.setObjectName("agreementNoise")
         self.noise.setWordWrap(True)
@@ -117,14 +117,14 @@ class AgreementPanel(QWidget):
         self.frame.setWordWrap(True)
         self.rows = _AgreementModel()
         self.table = ElementTable("agreementTable", self.rows, {})
-        self.table.setAccessibleName("Distances by element")
+        self.table.setAccessibleName(tr("Distances by element"))
         header = self.table.horizontalHeader()
         for column in (1, 2, 3):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         self.table.chosen.connect(
             lambda row: self._document.select_class(self.rows.rows[row].class_name)
         )
-        self.close_button = QPushButton("Close the second annotator")
+        self.close_button = QPushButton(tr("Close the second annotator"))
         self.close_button.clicked.connect(self._document.second.close)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
@@ -143,13 +143,16 @@ class AgreementPanel(QWidget):
             return
         if second.error:
             self.frame.setText(
-                f"The second annotator's file for this frame is unreadable: {second.error}"
+                tr(
+                    "The second annotator's file for this frame is unreadable: {error}",
+                    error=second.error,
+                )
             )
             self.rows.replace(())
             return
         found = second.agreement(document.shown_annotation, document.setup.size)
         if found is None:
-            self.frame.setText("The second annotator has nothing for this frame.")
+            self.frame.setText(tr("The second annotator has nothing for this frame."))
             self.rows.replace(())
             return
         self.frame.setText("\n".join(self._frame_lines(found)))
@@ -160,20 +163,30 @@ class AgreementPanel(QWidget):
 
     def _frame_lines(self, found: FrameAgreement) -> list[str]:
         document = self._document
-        lines = [f"Agreement JaC at {document.tau:g} px: {found.jac(document.tau):.3f}"]
+        jac = found.jac(document.tau)
+        lines = [tr("Agreement JaC at {tau:g} px: {jac:.3f}", tau=document.tau, jac=jac)]
         if found.mirrored_hint:
-            lines.append("One of the two seems to label the field turned by 180 degrees.")
+            lines.append(tr("One of the two seems to label the field turned by 180 degrees."))
         for names, what in (
-            (tuple(c.class_name for c in found.by_class.values() if c.apart), "Apart"),
-            (found.only_a, "Only here"),
-            (found.only_b, "Only there"),
+            (
+                tuple(c.class_name for c in found.by_class.values() if c.apart),
+                word("Apart: {elements}"),
+            ),
+            (found.only_a, word("Only here: {elements}")),
+            (found.only_b, word("Only there: {elements}")),
         ):
             if names:
                 titles = ", ".join(class_title(document.field, n) for n in names)
-                lines.append(f"{what}: {titles}")
+                lines.append(tr(what, elements=titles))
         beyond = sum(c.left_out for c in found.by_class.values() if not c.apart)
         if beyond:
-            lines.append(f"{counted(beyond, 'click')} beyond the other's ends, left out")
+            lines.append(
+                tr_count(
+                    beyond,
+                    "{n:,} click beyond the other's ends, left out",
+                    "{n:,} clicks beyond the other's ends, left out",
+                )
+            )
         return lines
 
     def _forget_noise(self) -> None:
@@ -211,7 +224,7 @@ class AgreementPanel(QWidget):
                     sums.add(name, compare_annotations(mine, other, field, size))
             return _MeasuredSet(sums.summary(), tuple(errors))
 
-        self._say_of_set("Measuring the set…")
+        self._say_of_set(tr("Measuring the set…"))
         self._measuring.start(work, self._take_set)
 
     def _take_set(self, measured: _MeasuredSet) -> None:
@@ -220,13 +233,20 @@ class AgreementPanel(QWidget):
         median, p95 = summary.overall.median, summary.overall.p95
         floor = None if median is None or p95 is None else (median, p95)
         if not summary.overall.common:
-            text = "No element is annotated by both in any frame."
+            text = tr("No element is annotated by both in any frame.")
         elif floor is None:
-            text = "Nothing to measure noise by: all elements annotated by both are apart."
+            text = tr("Nothing to measure noise by: all elements annotated by both are apart.")
         else:
-            text = (
-                f"Human noise over {counted(summary.frames, 'frame')}: median {floor[0]:.2f} px,"
-                f" 95 % within {floor[1]:.2f} px (at {size[0]}x{size[1]})"
+            text = tr_count(
+                summary.frames,
+                "Human noise over {n:,} frame: median {median:.2f} px, 95 % within {p95:.2f} px (at"
+                " {width}x{height})",
+                "Human noise over {n:,} frames: median {median:.2f} px, 95 % within {p95:.2f} px"
+                " (at {width}x{height})",
+                median=floor[0],
+                p95=floor[1],
+                width=size[0],
+                height=size[1],
             )
         self._say_of_set(text, measured.errors)
         self._document.set_noise_floor(floor)
@@ -234,22 +254,35 @@ class AgreementPanel(QWidget):
     def _say_of_set(self, text: str, errors: tuple[str, ...] = ()) -> None:
         """Put a line on the set; frames that could not be read follow it, their errors in a tip."""
         if errors:
-            text += f"\n{counted(len(errors), 'frame')} unreadable, not compared"
+            unread = tr_count(
+                len(errors),
+                "{n:,} frame unreadable, not compared",
+                "{n:,} frames unreadable, not compared",
+            )
+            text = f"{text}\n{unread}"
         shown = list(errors[:_ERRORS_SHOWN])
         if len(errors) > len(shown):
-            shown.append(f"and {len(errors) - len(shown)} more")
+            shown.append(tr_count(len(errors) - len(shown), "and {n} more", "and {n} more"))
         self.noise.setText(text)
         self.noise.setToolTip("\n".join(shown))
 
 
 def _row(entry: ClassAgreement, title: str) -> _Row:
     compared = len(entry.distances)
-    points = f"{compared} of {compared + entry.left_out}" if entry.left_out else str(compared)
-    if entry.apart:
-        return _Row(entry.class_name, (title, "apart", "apart", points), _APART, apart=True)
-    tip = f"{counted(compared, 'click')} compared"
+    points = str(compared)
     if entry.left_out:
-        tip += f", {entry.left_out} left out: beyond the ends of what the other clicked"
+        points = tr("{part} of {total}", part=compared, total=compared + entry.left_out)
+    if entry.apart:
+        apart = tr("apart")
+        return _Row(entry.class_name, (title, apart, apart, points), tr(_APART), apart=True)
+    tip = tr_count(compared, "{n:,} click compared", "{n:,} clicks compared")
+    if entry.left_out:
+        tip = tr_count(
+            entry.left_out,
+            "{compared}, {n} left out: beyond the ends of what the other clicked",
+            "{compared}, {n} left out: beyond the ends of what the other clicked",
+            compared=tip,
+        )
     return _Row(entry.class_name, (title, _px(entry.median), _px(entry.p95), points), tip)
 
 

@@ -25,22 +25,23 @@ from procc_annotator.gui.panels.parts import NARROW, SEARCH_KEYS, empty_state
 from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
-    WORDS,
     ElementState,
     class_swatch,
     element_states,
     symbol_icon,
+    words_for,
 )
 from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
 from procc_annotator.interact.type_ahead import match_rank
+from procc_annotator.language import tr, word
 
 NAME, KEY, POINTS, STATUS = range(4)
 CHECK = POINTS  # a column of its own would take the room of the names
 _CLASS = Qt.ItemDataRole.UserRole
-_OTHER_GROUP = "Without geometry"
-_UNKNOWN_GROUP = "Unknown to the field (unknown classes)"
+_OTHER_GROUP = word("Without geometry")
+_UNKNOWN_GROUP = word("Unknown to the field (unknown classes)")
 
 
 class ElementsPanel(QWidget):
@@ -84,18 +85,18 @@ class ElementsPanel(QWidget):
     # --- building ------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self.search = QLineEdit(placeholderText="Find an element", clearButtonEnabled=True)
+        self.search = QLineEdit(placeholderText=tr("Find an element"), clearButtonEnabled=True)
         self.search.setObjectName("elements_search")
-        self.search.setAccessibleName("Find an element")
+        self.search.setAccessibleName(tr("Find an element"))
         self.search.textChanged.connect(self._apply_search)
         self.search.installEventFilter(self)
         self.tree = QTreeWidget(columnCount=4)
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
         self.tree.setObjectName("elements_tree")
-        self.tree.setAccessibleName("Elements")
-        self.tree.setHeaderLabels(["Element", "Key", "Pts", "Status"])
-        self.tree.headerItem().setToolTip(POINTS, "Annotated points")
+        self.tree.setAccessibleName(tr("Elements"))
+        self.tree.setHeaderLabels([tr("Element"), tr("Key", "keyboard"), tr("Pts"), tr("Status")])
+        self.tree.headerItem().setToolTip(POINTS, tr("Annotated points"))
         self.tree.setIndentation(8)
         self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.tree.setMouseTracking(True)
@@ -157,7 +158,7 @@ class ElementsPanel(QWidget):
             rows.setdefault(group, []).append(self._row(name))
         for group, items in rows.items():
             if group not in self._groups:
-                parent = self._groups[group] = QTreeWidgetItem([group])
+                parent = self._groups[group] = QTreeWidgetItem([tr(group)])
                 parent.setFlags(Qt.ItemFlag.ItemIsEnabled)
                 parent.setFont(NAME, font)
                 added.append(parent)
@@ -170,10 +171,10 @@ class ElementsPanel(QWidget):
 
     def _row(self, name: str) -> QTreeWidgetItem:
         field = self._document.field
-        title = field.title_of(name)
+        title = tr(field.title_of(name)) if field.knows(name) else field.title_of(name)
         item = QTreeWidgetItem([self._short.get(name, title)])
         item.setData(0, _CLASS, name)
-        item.setToolTip(NAME, f"{title}\nClass in files: {name}")
+        item.setToolTip(NAME, tr("{title}\nClass in files: {name}", title=title, name=name))
         item.setIcon(NAME, class_swatch(field, name))
         item.setText(KEY, self._keys.get(name, ""))
         item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -222,8 +223,8 @@ class ElementsPanel(QWidget):
                 self._shown[name] = shown
                 others.append(item)
                 item.setText(POINTS, str(shown[1] or ""))
-                item.setText(STATUS, "" if self._narrow else WORDS[state])
-                item.setToolTip(STATUS, EXPLANATIONS[state])
+                item.setText(STATUS, "" if self._narrow else words_for(state))
+                item.setToolTip(STATUS, tr(EXPLANATIONS[state]))
                 item.setIcon(STATUS, self._icon(state))
         others += self._findings.show(self.tree, self._items, CHECK)
         model.blockSignals(False)
@@ -233,8 +234,8 @@ class ElementsPanel(QWidget):
     def _tell_view(self, others: list[QTreeWidgetItem]) -> None:
         """Have rows painted again, and the columns laid out if they need other room."""
         most = max((count for _, count, _ in self._shown.values()), default=0)
-        words = {"" if narrow else WORDS[state] for state, _, narrow in self._shown.values()}
-        widest = max(map(self.fontMetrics().horizontalAdvance, words), default=0)
+        states = {state for state, _, narrow in self._shown.values() if not narrow}
+        widest = max(map(self.fontMetrics().horizontalAdvance, map(words_for, states)), default=0)
         room = len(str(most)), widest, self._narrow, self._findings.any_shown
         if room != self._room:
             self._room = room
@@ -270,7 +271,7 @@ class ElementsPanel(QWidget):
         narrow = event.size().width() < NARROW
         if narrow != self._narrow:
             self._narrow = narrow
-            self.tree.headerItem().setText(STATUS, "" if narrow else "Status")
+            self.tree.headerItem().setText(STATUS, "" if narrow else tr("Status"))
             self._refresher.request()
         super().resizeEvent(event)
 
@@ -296,7 +297,7 @@ class ElementsPanel(QWidget):
         best: tuple[tuple[float, ...], QTreeWidgetItem] | None = None
         title_of = self._document.field.title_of
         for name, item in self._items.items():
-            fit = match_rank(query, title_of(name), name, self._keys.get(name, ""))
+            fit = match_rank(query, tr(title_of(name)), name, self._keys.get(name, ""))
             item.setHidden(fit is None)
             if fit is None:
                 continue
@@ -310,7 +311,10 @@ class ElementsPanel(QWidget):
                 self.tree.setCurrentItem(best[1])
             else:
                 self.tree.setCurrentIndex(QModelIndex())
-            self.nothing.setText(f"No element matches “{query.strip()}”.\nEsc clears the search.")
+            nothing = tr(
+                "No element matches “{query}”.\nEsc clears the search.", query=query.strip()
+            )
+            self.nothing.setText(nothing)
         else:
             self._show_selection()
         self._stack.setCurrentWidget(self.tree if best else self.nothing)

@@ -26,21 +26,22 @@ from procc_annotator.gui.messages import as_sentence, ask_to_delete
 from procc_annotator.gui.panels.parts import LEFT_BY_ESCAPE, empty_state, note_label, show_note
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
+from procc_annotator.language import tr, tr_count, word
 
-_COLUMNS = ("Landmark", "x, y, z  m", "± m", "Views")
+_COLUMNS = (word("Landmark"), "x, y, z  m", "± m", word("Views"))
 _NAME = Qt.ItemDataRole.UserRole
-_EMPTY = (
+_EMPTY = word(
     "No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the"
     " corner of a board, a floodlight. Name one below, and click it in two calibrated views."
 )
-_TRIANGULATE = (
+_TRIANGULATE = word(
     "Find its place from the views it is clicked in; cameras are those of the active source, else"
     " fits to the clicks"
 )
-_HERE = "Other views of this instant"
-_ALONE = "No other views"
+_HERE = word("Other views of this instant")
+_ALONE = word("No other views")
 _MOST_NAMED = 4
-_LOST = "Its place cannot be brought back with undo. Clicks on it stay in the annotations."
+_LOST = word("Its place cannot be brought back with undo. Clicks on it stay in the annotations.")
 _SWATCH = 12
 
 
@@ -63,38 +64,43 @@ class LandmarksPanel(QWidget):
         self._refresh()
 
     def _build(self) -> None:
-        self.empty = empty_state(_EMPTY, "landmarksEmpty")
+        self.empty = empty_state(tr(_EMPTY), "landmarksEmpty")
         self.list = QTreeWidget()
         self.list.setObjectName("landmarksList")
-        self.list.setAccessibleName("Landmarks")
-        self.list.setHeaderLabels(_COLUMNS)
+        self.list.setAccessibleName(tr("Landmarks"))
+        self.list.setHeaderLabels([tr(column) for column in _COLUMNS])
         self.list.setRootIsDecorated(False)
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.list.header().setStretchLastSection(True)
         self.list.currentItemChanged.connect(self._choose)
-        self.name = _line("New landmark", "landmarkName")
+        self.name = _line(tr("New landmark"), "landmarkName")
         self.name.returnPressed.connect(self._add)
-        self.add = _button("Add", "Have a new landmark, to be clicked (Enter)", self._add)
-        self.title = _line("What people call it", "landmarkTitle")
+        self.add = _button(tr("Add"), tr("Have a new landmark, to be clicked (Enter)"), self._add)
+        self.title = _line(tr("What people call it"), "landmarkTitle")
         self.title.editingFinished.connect(self._retitle)
         self.title.returnPressed.connect(self.left)
-        self.place = _line("x, y, z in metres, z down", "landmarkPlace")
+        self.place = _line(tr("x, y, z in metres, z down"), "landmarkPlace")
         self.place.returnPressed.connect(self._survey)
         self.survey = _button(
-            "Set", "The place was measured: it stays as it is from now on (Enter)", self._survey
+            tr("Set"),
+            tr("The place was measured: it stays as it is from now on (Enter)"),
+            self._survey,
         )
-        self.triangulate = _button("Triangulate", _TRIANGULATE, self._triangulate)
+        self.triangulate = _button(tr("Triangulate"), tr(_TRIANGULATE), self._triangulate)
         self.remove = _button(
-            "Delete", "Forget this landmark; clicks on it stay in the annotations", self._remove
+            tr("Delete"),
+            tr("Forget this landmark; clicks on it stay in the annotations"),
+            self._remove,
         )
         self.views = QListWidget()
         self.views.setObjectName("landmarkViews")
-        self.views.setAccessibleName(_HERE)
-        self.views.setToolTip(f"{_HERE}: go to one with a click")
+        self.views.setAccessibleName(tr(_HERE))
+        self.views.setToolTip(tr("Other views of this instant: go to one with a click"))
         self.views.itemClicked.connect(self._go)
         self.views.itemActivated.connect(self._go)
-        self.views_title = QLabel(_HERE)
+        self.views_title = QLabel(tr(_HERE))
+        self.views_title.setWordWrap(True)
         self.group = QPushButton()
         self.group.setObjectName("landmarksGroup")
         self.note = note_label("landmarksNote")
@@ -107,9 +113,9 @@ class LandmarksPanel(QWidget):
         first.addWidget(self.name, 1)
         first.addWidget(self.add)
         grid = QGridLayout()
-        grid.addWidget(QLabel("Title"), 0, 0)
+        grid.addWidget(QLabel(tr("Title")), 0, 0)
         grid.addWidget(self.title, 0, 1, 1, 2)
-        grid.addWidget(QLabel("Place"), 1, 0)
+        grid.addWidget(QLabel(tr("Place")), 1, 0)
         grid.addWidget(self.place, 1, 1)
         grid.addWidget(self.survey, 1, 2)
         last = QHBoxLayout()
@@ -174,8 +180,8 @@ class LandmarksPanel(QWidget):
         item.setData(0, _NAME, mark.name)
         item.setToolTip(0, mark.note or mark.name)
         item.setToolTip(1, _origin(mark))
-        item.setToolTip(2, "Standard deviation in the direction where it is largest")
-        item.setToolTip(3, ", ".join(frames or ()) or "Not clicked in any frame yet")
+        item.setToolTip(2, tr("Standard deviation in the direction where it is largest"))
+        item.setToolTip(3, ", ".join(frames or ()) or tr("Not clicked in any frame yet"))
         element = self._document.frame_field.element(mark.name)
         if element is not None:
             swatch = QPixmap(_SWATCH, _SWATCH)
@@ -191,10 +197,10 @@ class LandmarksPanel(QWidget):
             part.setEnabled(usable)
         why_not = self._why_not_triangulated(mark)
         self.triangulate.setEnabled(not why_not)
-        self.triangulate.setToolTip(why_not or _TRIANGULATE)
+        self.triangulate.setToolTip(why_not or tr(_TRIANGULATE))
         opened = self._document.workspace is not None and not landmarks.problem
         show_note(self.hint, why_not if opened else "")
-        self.triangulate.setText("Triangulating…" if landmarks.working else "Triangulate")
+        self.triangulate.setText(tr("Triangulating…") if landmarks.working else tr("Triangulate"))
         _show(self.title, "" if mark is None else mark.shown_title)
         position = None if mark is None else mark.position
         _show(
@@ -210,23 +216,31 @@ class LandmarksPanel(QWidget):
             return self._what_to_name()
         title, frames = mark.shown_title, landmarks.frames_with(mark.name)
         if landmarks.working:
-            return f"{landmarks.working.strip()} is being triangulated."
+            return tr("{name} is being triangulated.", name=landmarks.working.strip())
         if kept := landmarks.why_kept(mark.name):
-            return f"{kept}. Delete the landmark and name it again to have it triangulated."
+            return tr(
+                "{why}. Delete the landmark and name it again to have it triangulated.", why=kept
+            )
         if frames is None:
-            return f"Looking for the frames in which {title} is clicked…"
+            return tr("Looking for the frames in which {title} is clicked…", title=title)
         if len(frames) > 1:
             return ""
-        where = (
-            f"in {frames[0]} alone: click it in another calibrated view"
-            if frames
-            else ("in no frame yet: click it in two calibrated views")
+        if frames:
+            return tr(
+                "{title} is clicked in {frame} alone: click it in another calibrated view to have"
+                " it triangulated.",
+                title=title,
+                frame=frames[0],
+            )
+        return tr(
+            "{title} is clicked in no frame yet: click it in two calibrated views to have it"
+            " triangulated.",
+            title=title,
         )
-        return f"{title} is clicked {where} to have it triangulated."
 
     def _what_to_name(self) -> str:
         if self._document.landmarks.entries:
-            return "Choose a landmark in the list to have it triangulated."
+            return tr("Choose a landmark in the list to have it triangulated.")
         field, clicked = self._document.field, self._document.annotation.polylines
         names = [
             p.class_name.strip()
@@ -234,11 +248,14 @@ class LandmarksPanel(QWidget):
             if len(p.points) == 1 and not field.knows(field.canonical_name(p.class_name))
         ]
         if not names:
-            return "Only a landmark that has a name can be triangulated: write one beside Add."
-        more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
-        return (
-            f"Clicked here, but no landmarks yet: {', '.join(names[:_MOST_NAMED])}{more}. Write a"
-            " name beside Add to have it triangulated."
+            return tr("Only a landmark that has a name can be triangulated: write one beside Add.")
+        named = ", ".join(names[:_MOST_NAMED])
+        if (more := len(names) - _MOST_NAMED) > 0:
+            named = tr_count(more, "{names} and {n} more", "{names} and {n} more", names=named)
+        return tr(
+            "Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it"
+            " triangulated.",
+            names=named,
         )
 
     def _refresh_views(self) -> None:
@@ -249,7 +266,7 @@ class LandmarksPanel(QWidget):
             item.setData(_NAME, index)
             self.views.addItem(item)
         self.views.setVisible(bool(views))
-        self.views_title.setText(_HERE if views else _ALONE)
+        self.views_title.setText(tr(_HERE) if views else tr(_ALONE))
         self.views_title.setVisible(self._document.frame is not None)
         self.group.setVisible(self._document.frame is not None)
 
@@ -268,7 +285,7 @@ class LandmarksPanel(QWidget):
     def _add(self) -> None:
         name = self.name.text().strip()
         if not name:
-            self._document.say("a landmark needs a name: write one beside Add", "warning")
+            self._document.say(tr("a landmark needs a name: write one beside Add"), "warning")
             self.name.setFocus()
         elif self._document.landmarks.add(name):
             self.name.clear()
@@ -298,12 +315,15 @@ class LandmarksPanel(QWidget):
         if mark is None:
             return
         if mark.position is not None and not ask_to_delete(
-            self, f"the landmark {mark.shown_title}", _LOST
+            self, tr("the landmark {title}", title=mark.shown_title), tr(_LOST)
         ):
             return
         if landmarks.remove(mark.name):
             self._document.say(
-                f"deleted the landmark {mark.shown_title}; clicks on it stay in the annotations",
+                tr(
+                    "deleted the landmark {title}; clicks on it stay in the annotations",
+                    title=mark.shown_title,
+                )
             )
 
     def _go(self, item: QListWidgetItem) -> None:
@@ -319,8 +339,10 @@ def _worst_m(mark: Landmark) -> float | None:
 
 def _origin(mark: Landmark) -> str:
     if mark.position is None:
-        return "Its place is not known yet"
-    return "Surveyed" if mark.surveyed else f"Triangulated from {', '.join(mark.frames)}"
+        return tr("Its place is not known yet")
+    if mark.surveyed:
+        return tr("Surveyed")
+    return tr("Triangulated from {frames}", frames=", ".join(mark.frames))
 
 
 def _show(line: QLineEdit, text: str) -> None:

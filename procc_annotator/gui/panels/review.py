@@ -22,20 +22,22 @@ from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
-from procc_annotator.interact.hints import counted
 from procc_annotator.interact.palette import ORIGINS
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.facts.blind_work import BlindWork
 from procc_annotator.session.facts.origins import Comment, Status
 
 STATUS_TIPS = {
-    Status.UNTOUCHED: "Nobody has edited this frame here",
-    Status.IN_PROGRESS: "Begun, not done",
-    Status.DONE: "The annotator is done (Ctrl+Enter)",
-    Status.APPROVED: "A reviewer found it right (Ctrl+Shift+A)",
-    Status.REJECTED: "A reviewer sent it back (Ctrl+Shift+X)",
+    Status.UNTOUCHED: word("Nobody has edited this frame here"),
+    Status.IN_PROGRESS: word("Begun, not done"),
+    Status.DONE: word("The annotator is done (Ctrl+Enter)"),
+    Status.APPROVED: word("A reviewer found it right (Ctrl+Shift+A)"),
+    Status.REJECTED: word("A reviewer sent it back (Ctrl+Shift+X)"),
 }
-
-
+_BLIND_WORDS = {
+    BlindWork.BLIND: word("Committed in blind mode, and as it was then."),
+    BlindWork.EDITED: word("Edited after the cameras were shown."),
+}
 _TEXT_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape)
 
 
@@ -73,13 +75,14 @@ class ReviewPanel(QWidget):
         self.status = QComboBox()
         self.status.setObjectName("reviewStatus")
         for status in Status:
-            self.status.addItem(status.value.capitalize(), status)
+            said = tr(status.value, "a frame")
+            self.status.addItem(f"{said[:1].upper()}{said[1:]}", status)
             self.status.setItemData(
-                self.status.count() - 1, STATUS_TIPS[status], Qt.ItemDataRole.ToolTipRole
+                self.status.count() - 1, tr(STATUS_TIPS[status]), Qt.ItemDataRole.ToolTipRole
             )
         self.status.activated.connect(self._choose)
         self.time = QLabel()
-        self.time.setToolTip("Time worked on this frame; pauses over 30 s do not count")
+        self.time.setToolTip(tr("Time worked on this frame; pauses over 30 s do not count"))
         first = QHBoxLayout()
         first.addWidget(self.status, 1)
         first.addWidget(self.time)
@@ -88,24 +91,24 @@ class ReviewPanel(QWidget):
         self.origins.setObjectName("reviewOrigins")
         self.origins.setWordWrap(True)
         self.origins.setTextFormat(Qt.TextFormat.RichText)
-        self.origins.setToolTip("How the points of this frame came to be")
+        self.origins.setToolTip(tr("How the points of this frame came to be"))
         self.comments = CommentList()
         self.comments.setObjectName("reviewThread")
-        self.comments.setAccessibleName("Comments")
+        self.comments.setAccessibleName(tr("Comments"))
         self.comments.setWordWrap(True)
         self.comments.setSpacing(3)
         self.comments.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self.comments.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.comments.itemChanged.connect(self._settle)
-        self.empty = QLabel("No comments on this frame.")
+        self.empty = QLabel(tr("No comments on this frame."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.text = QLineEdit(placeholderText="Comment on this frame")
+        self.text = QLineEdit(placeholderText=tr("Comment on this frame"))
         self.text.setObjectName("reviewText")
-        self.text.setAccessibleName("Comment on this frame")
+        self.text.setAccessibleName(tr("Comment on this frame"))
         self.text.returnPressed.connect(self._send)
         self.text.installEventFilter(self)
-        self.send = QPushButton("Add")
-        self.send.setToolTip("Add the comment to the thread (Enter)")
+        self.send = QPushButton(tr("Add"))
+        self.send.setToolTip(tr("Add the comment to the thread (Enter)"))
         self.send.clicked.connect(self._send)
         last = QHBoxLayout()
         last.addWidget(self.text, 1)
@@ -128,7 +131,7 @@ class ReviewPanel(QWidget):
         if frame is None:
             self.time.clear()
             show_note(self.blind, "")
-            self.origins.setText("Open a folder of pictures first.")
+            self.origins.setText(tr("Open a folder of pictures first."))
             self._show_thread(())
             return
         record = document.review.record(frame.name)
@@ -138,13 +141,21 @@ class ReviewPanel(QWidget):
         counts = document.review.origin_counts(frame.name, document.annotation)
         # The squares are the legend of the colours by provenance.
         points = ", ".join(
-            f'<span style="color:{ORIGINS[kind.value][0]}">■</span> {n} {kind.value}'
+            f'<span style="color:{ORIGINS[kind.value][0]}">■</span>'  # not shown
+            + f" {n} {tr(kind.value, 'points')}"
             for kind, n in counts.items()
         )
         waiting = len(document.annotation.unconfirmed)
-        what = counted(waiting, "copied element")
-        left = f"<br>to be confirmed (Shift+V): {what}" if waiting else ""
-        self.origins.setText(f"Points: {points or 'none'}{left}")
+        lines = [tr("Points: {kinds}", kinds=points) if points else tr("Points: none")]
+        if waiting:
+            lines.append(
+                tr_count(
+                    waiting,
+                    "to be confirmed (Shift+V): {n:,} copied element",
+                    "to be confirmed (Shift+V): {n:,} copied elements",
+                )
+            )
+        self.origins.setText("<br>".join(lines))
         self._show_thread(document.review.comments(frame.name))
 
     def _show_blind(self, frame: str) -> None:
@@ -153,12 +164,11 @@ class ReviewPanel(QWidget):
         if commit is None:
             show_note(self.blind, "")
             return
-        work = commit.work(self._document.annotation)
-        blind = work is BlindWork.BLIND
-        words = "Committed in blind mode, and as it was then." if blind else f"{work.value}."
-        show_note(self.blind, f"{words[0].upper()}{words[1:]}")
-        when = f", {datetime.fromtimestamp(commit.time):%Y-%m-%d %H:%M}" if commit.time else ""
-        self.blind.setToolTip(f"Committed in blind mode by {commit.author or 'somebody'}{when}")
+        show_note(self.blind, tr(_BLIND_WORDS[commit.work(self._document.annotation)]))
+        words = tr("Committed in blind mode by {author}", author=commit.author or tr("somebody"))
+        if commit.time:
+            words += f", {datetime.fromtimestamp(commit.time):%Y-%m-%d %H:%M}"
+        self.blind.setToolTip(words)
 
     def _show_thread(self, comments: tuple[Comment, ...]) -> None:
         self.empty.setVisible(not comments)
@@ -175,7 +185,7 @@ class ReviewPanel(QWidget):
             item.setCheckState(
                 Qt.CheckState.Checked if comment.resolved else Qt.CheckState.Unchecked
             )
-            item.setToolTip("Ticked: settled")
+            item.setToolTip(tr("Ticked: settled"))
             if comment.resolved:
                 item.setForeground(muted(self.palette()))
             item.setData(Qt.ItemDataRole.UserRole, comment)
@@ -220,4 +230,6 @@ class ReviewPanel(QWidget):
 
 def _duration(seconds: float) -> str:
     minutes, rest = divmod(round(seconds), 60)
-    return f"{minutes}:{rest:02d} min" if minutes else f"{rest} s"
+    if minutes:
+        return tr("{minutes}:{seconds:02d} min", minutes=minutes, seconds=rest)
+    return tr("{seconds} s", seconds=rest)

@@ -15,6 +15,8 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
+from procc_annotator.language import tr
+
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 Index = QModelIndex | QPersistentModelIndex
@@ -30,12 +32,12 @@ class RowsModel(QAbstractTableModel, Generic[R]):
         self, headings: Sequence[str], tips: Sequence[str] = (), first_figure: int | None = None
     ) -> None:
         """Args:
-        headings, tips: of the columns.
+        headings, tips: of the columns, marked by ``word``.
         first_figure: columns from here on are aligned to the right.
         """
         super().__init__()
         self.rows: Sequence[R] = ()
-        self._headings, self._tips = headings, tips
+        self._headings, self._tips = [tr(one) for one in headings], [tr(one) for one in tips]
         self._first_figure = len(headings) if first_figure is None else first_figure
 
     def replace(self, rows: Sequence[R]) -> None:

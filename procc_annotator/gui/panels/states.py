@@ -13,6 +13,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import is_dark, muted, readable
 from procc_annotator.gui.theme import palette as theme_palette
 from procc_annotator.interact import palette as tones
+from procc_annotator.language import tr, word
 
 
 class ElementState(Enum):
@@ -33,26 +34,34 @@ _NOT_VISIBLE_DASH = (1.0, 4.0)
 
 WORDS = {
     ElementState.UNTOUCHED: "",
-    ElementState.ANNOTATED: "annotated",
-    ElementState.UNCONFIRMED: "unconfirmed",
-    ElementState.NOT_VISIBLE: "not visible",
-    ElementState.NEXT: "next",
-    **{ElementState(status): word for status, word in tones.STATUS_WORDS.items()},
+    ElementState.ANNOTATED: word("annotated"),
+    ElementState.UNCONFIRMED: word("unconfirmed"),
+    ElementState.NOT_VISIBLE: word("not visible"),
+    ElementState.NEXT: word("next", "element"),
+    **{ElementState(status): words for status, words in tones.STATUS_WORDS.items()},
 }
 
 EXPLANATIONS = {
-    ElementState.UNTOUCHED: "Not annotated in this frame",
-    ElementState.ANNOTATED: (
+    ElementState.UNTOUCHED: word("Not annotated in this frame"),
+    ElementState.ANNOTATED: word(
         "Annotated, but not judged: no camera is shown, or it takes no part in the evaluation"
     ),
-    ElementState.UNCONFIRMED: "Copied; it does not count until it is touched or confirmed",
-    ElementState.PASSES: "Passes: all its points are closer than tau to the projection",
-    ElementState.TOO_FAR: "Too far: at least one point is tau or more away (false positive)",
-    ElementState.NOT_ANNOTATED: "The camera projects it, it is not annotated (false positive)",
-    ElementState.MISSED: "Annotated, the camera does not project it (false negative)",
-    ElementState.NOT_VISIBLE: "Somebody said that it cannot be seen in this frame",
-    ElementState.NEXT: "To be annotated next, as on the field map and in the picture",
+    ElementState.UNCONFIRMED: word("Copied; it does not count until it is touched or confirmed"),
+    ElementState.PASSES: word("Passes: all its points are closer than tau to the projection"),
+    ElementState.TOO_FAR: word("Too far: at least one point is tau or more away (false positive)"),
+    ElementState.NOT_ANNOTATED: word(
+        "The camera projects it, it is not annotated (false positive)"
+    ),
+    ElementState.MISSED: word("Annotated, the camera does not project it (false negative)"),
+    ElementState.NOT_VISIBLE: word("Somebody said that it cannot be seen in this frame"),
+    ElementState.NEXT: word("To be annotated next, as on the field map and in the picture"),
 }
+
+
+def words_for(state: ElementState) -> str:
+    """What a state is called in the window; untouched elements are not spoken of."""
+    about = "element" if state is ElementState.NEXT else ""
+    return tr(WORDS[state], about) if WORDS[state] else ""
 
 
 def element_states(document: Document) -> dict[str, ElementState]:
@@ -77,7 +86,7 @@ def element_states(document: Document) -> dict[str, ElementState]:
 def class_title(field: Field, class_name: str) -> str:
     """What a class is called in the window."""
     title = field.title_of(class_name)
-    return title if field.knows(class_name) else f"{title} (unknown class)"
+    return tr(title) if field.knows(class_name) else tr("{title} (unknown class)", title=title)
 
 
 def class_colour(field: Field, class_name: str) -> QColor:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.rows import Index
+from procc_annotator.language import tr
 
 
 def short_titles(field: Field) -> dict[str, str]:
@@ -19,10 +20,10 @@ def short_titles(field: Field) -> dict[str, str]:
     """
     groups: dict[str, list[tuple[str, str]]] = {}
     for element in field.elements:
-        groups.setdefault(element.group, []).append((element.name, element.title))
+        groups.setdefault(element.group, []).append((element.name, tr(element.title)))
     found = {}
     for group, elements in groups.items():
-        leading = _leading(group, [title for _, title in elements])
+        leading = _leading(tr(group), [title for _, title in elements])
         for name, title in elements:
             rest = " ".join(title.split()[leading:])
             found[name] = f"{rest[:1].upper()}{rest[1:]}"

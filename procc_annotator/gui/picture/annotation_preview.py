@@ -14,6 +14,7 @@ from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.reduced import reduced
 from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
 from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.language import tr
 
 _NO_PICTURE = QColor("#101214")
 _WORDS = QColor("#98a0a8")
@@ -75,7 +76,7 @@ class AnnotationPreview(QWidget):
             painter.fillRect(area, _NO_PICTURE)
             painter.setPen(_WORDS)
             corner = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop
-            painter.drawText(area.adjusted(8, 6, -8, -6), corner, "The picture cannot be shown")
+            painter.drawText(area.adjusted(8, 6, -8, -6), corner, tr("The picture cannot be shown"))
             return
         ratio = self.devicePixelRatioF()
         size = max(1, round(area.width() * ratio)), max(1, round(area.height() * ratio))

@@ -11,11 +11,12 @@ from procc_annotator.gui.picture.split_view import NamePlate
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import State
 from procc_annotator.interact.palette import UNSURE_GHOST
+from procc_annotator.language import tr, word
 
 _WIDTH = 3  # screen px of the frame
 _BESIDE = 8
-_WORDS = "Blind: no camera is shown before Ctrl+Enter"
-_COMMITTED = "Blind mode, this frame is committed"
+_WORDS = word("Blind: no camera is shown before Ctrl+Enter")
+_COMMITTED = word("Blind mode, this frame is committed")
 
 
 class BlindFrame(QObject):
@@ -24,7 +25,7 @@ class BlindFrame(QObject):
     def __init__(self, document: Document, viewport: QWidget) -> None:
         super().__init__(viewport)
         self._viewport = viewport
-        self.edges = [_Edge(viewport, f"blindEdge{i}") for i in range(4)]
+        self.edges = [_Edge(viewport, f"blindEdge{i}") for i in range(4)]  # not shown
         self.badge = NamePlate(viewport, "blindBadge")
         viewport.installEventFilter(self)
         document.store.watch(_shown, self._show)
@@ -37,7 +38,7 @@ class BlindFrame(QObject):
 
     def _show(self, shown: tuple[bool, bool]) -> None:
         blind, committed = shown
-        self.badge.say(_COMMITTED if committed else _WORDS, UNSURE_GHOST)
+        self.badge.say(tr(_COMMITTED if committed else _WORDS), UNSURE_GHOST)
         for part in (*self.edges, self.badge):
             part.setVisible(blind)
         if blind:

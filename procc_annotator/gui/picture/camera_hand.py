@@ -13,7 +13,7 @@ from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.hints import SEPARATOR, counted
+from procc_annotator.interact.hints import SEPARATOR
 from procc_annotator.interact.overlay_camera_hand import build_camera_hand
 from procc_annotator.interact.overlay_shapes import NOTHING, FloatArray
 from procc_annotator.interact.verdicts import NO_POINTS
@@ -23,6 +23,7 @@ from procc_annotator.interact.wireframe import (
     segments_in_sight,
     wireframe_of,
 )
+from procc_annotator.language import tr, tr_count
 from procc_annotator.session.clicks.correction import by_hand
 
 Position = tuple[float, float]
@@ -89,19 +90,20 @@ class CameraHand(QObject):
             return ""
         pegs = len(self._pegs)
         if self.dragging:
-            words = ["release leaves it here", "Esc puts it back"]
+            words = [tr("release leaves it here"), tr("Esc puts it back")]
         elif self._wireframe is None:
             words = [self._why_none()]
         elif self._grabbed is not None:
-            words = ["drag moves this peg", "click takes it away"]
+            words = [tr("drag moves this peg"), tr("click takes it away")]
         elif self._under is not None:
-            title = self._document.field.title_of(self._under.name)
-            words = [f"drag {title} to where it belongs: the camera follows"]
+            title = tr(self._document.field.title_of(self._under.name))
+            words = [tr("drag {title} to where it belongs: the camera follows", title=title)]
         else:
-            words = ["drag a place of the wireframe to where it belongs", "Ctrl+Z takes it back"]
+            drag = tr("drag a place of the wireframe to where it belongs")
+            words = [drag, tr("Ctrl+Z takes it back")]
         if pegs and not self.dragging:
-            words.append(f"{counted(pegs, 'peg')} hold the camera")
-        return SEPARATOR.join(["CAMERA", *words])
+            words.append(tr_count(pegs, "{n} peg hold the camera", "{n} pegs hold the camera"))
+        return SEPARATOR.join([tr("CAMERA"), *words])
 
     def key(self, name: str, _shift: bool) -> bool:
         """Take Escape and Undo while a place is carried, and right after; Undo also later, as long
@@ -115,7 +117,7 @@ class CameraHand(QObject):
         meant = self._fresh if name == "Escape" else self._fresh or corrections.rules
         if not meant or not corrections.take_back():
             return False
-        self._document.say("taken back: the camera is as before it was dragged")
+        self._document.say(tr("taken back: the camera is as before it was dragged"))
         return True
 
     def refresh(self, *, hidden: bool) -> None:
@@ -226,13 +228,13 @@ class CameraHand(QObject):
     def _why_none(self) -> str:
         document = self._document
         if not document.proposals.allowed:
-            return "blind mode: no camera is shown"
+            return tr("blind mode: no camera is shown")
         if self._hidden:
-            return "overlays are hidden (Ctrl+H)"
+            return tr("overlays are hidden (Ctrl+H)")
         insight = document.foresight.insight
         if insight is not None and insight.fit.camera is not None:
-            return "a homography cannot be turned: choose another model (panel Fit)"
-        return "no camera is known here that could be dragged"
+            return tr("a homography cannot be turned: choose another model (panel Fit)")
+        return tr("no camera is known here that could be dragged")
 
     def _look_under(self) -> None:
         """What the next press takes hold of."""
@@ -269,7 +271,7 @@ class CameraHand(QObject):
         self._look_under()
         if self._wireframe is None or (self._under is None and self._grabbed is None):
             self._document.say(
-                "press on a line of the wireframe" if self._wireframe else self._why_none()
+                tr("press on a line of the wireframe") if self._wireframe else self._why_none()
             )
             return
         self._begun, self._dragged = self._wireframe.camera, None
@@ -331,8 +333,13 @@ class CameraHand(QObject):
         left = by_hand(camera, others, size, document.annotation) if others else None
         document.corrections.put(left)
         self._fresh = True
-        how = counted(len(others), "peg") + " left" if others else "the camera is as it was found"
-        document.say(f"peg taken away: {how}")
+        if others:
+            left_over = len(others)
+            document.say(
+                tr_count(left_over, "peg taken away: {n} peg left", "peg taken away: {n} pegs left")
+            )
+        else:
+            document.say(tr("peg taken away: the camera is as it was found"))
 
     def _put_back(self) -> None:
         self._end_drag()
@@ -379,7 +386,7 @@ class CameraHand(QObject):
             x, y = self._dragged.project(np.array([world]))[0][0].tolist()
             return (x, y), ""
         if self._grabbed is not None:
-            return self._grabbed.px, "peg"
+            return self._grabbed.px, tr("peg")
         if self._under is not None:
-            return self._under.px, self._document.field.title_of(self._under.name)
+            return self._under.px, tr(self._document.field.title_of(self._under.name))
         return None

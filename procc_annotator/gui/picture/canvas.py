@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 from procc_annotator.gui.picture.blind_frame import BlindFrame
 from procc_annotator.gui.picture.camera_hand import CameraHand
 from procc_annotator.gui.picture.comparison import OtherSources
+from procc_annotator.gui.picture.corner_legend import CornerLegend
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.found_plate import FoundPlate
 from procc_annotator.gui.picture.ghost_layer import GhostLayer
@@ -32,12 +33,16 @@ from procc_annotator.interact.gesture import Modifiers
 from procc_annotator.interact.hints import SEPARATOR
 from procc_annotator.interact.overlay import ColourBy
 from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.language import tr, word
 
 _EXPLANATION_MS = 12_000
 _SCREEN_FRAME_MS = 16
 _NO_MODIFIERS = Modifiers()
-_PAN_HINT = SEPARATOR.join(
-    ["PAN", "drag moves the picture", "click and Enter do nothing", "Esc takes the tool again"]
+_PAN_HINT = (
+    word("PAN"),
+    word("drag moves the picture"),
+    word("click and Enter do nothing"),
+    word("Esc takes the tool again"),
 )
 
 
@@ -52,7 +57,7 @@ class Canvas(PictureView):
     def __init__(self, document: Document) -> None:
         super().__init__()
         self.setObjectName("canvas")
-        self.setAccessibleName("Picture")
+        self.setAccessibleName(tr("Picture"))
         self._document = self.document = document
         self.editor = Editor(document, self)
         self.overlay_item = OverlayItem()
@@ -64,6 +69,7 @@ class Canvas(PictureView):
         self._ghost_layer = GhostLayer(document)
         self.found_plate = FoundPlate(document, self.viewport())
         self.blind_frame = BlindFrame(document, self.viewport())
+        self.legend = CornerLegend(document, self.viewport(), self.comparison)
         self.camera_hand = CameraHand(document, self, self.editor)
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
@@ -197,6 +203,7 @@ class Canvas(PictureView):
         scale, comparison = self.view_scale, self.comparison
         comparison.refresh(hidden=self.overlays_hidden)
         self.maps.set_hidden(self.overlays_hidden)
+        self.legend.show_for(self.colour_by, bare=self.overlays_hidden)
         overlay = other = NOTHING
         if not self.overlays_hidden:
             terms = self.cursor_px, self.colour_by
@@ -234,7 +241,7 @@ class Canvas(PictureView):
         self.comparison.other_side.set_ghosts(beside, self.view_scale)
 
     def _say_hint(self) -> None:
-        hint = self.camera_hand.hint or (_PAN_HINT if self.pan_tool else self.editor.hint())
+        hint = self.camera_hand.hint or (_pan_hint() if self.pan_tool else self.editor.hint())
         if hint != self.hint:
             self.hint = hint
             self.setAccessibleDescription(hint)
@@ -309,10 +316,10 @@ class Canvas(PictureView):
         """Take back the last point of a polyline under way, put back what the mouse holds, give up
         what is waited for, or take back the last step of the frame."""
         if self.editor.drawing:
-            self.key("Backspace")
+            self.key("Backspace")  # not shown
         elif self.editor.holding:
-            self.key("Escape")
-        elif not self.editor.taken_first("Undo", False):
+            self.key("Escape")  # not shown
+        elif not self.editor.taken_first("Undo", False):  # not shown
             self._document.undo()
 
     def key(self, name: str, shift: bool = False) -> None:
@@ -401,7 +408,9 @@ class Canvas(PictureView):
 
     def _say_cursor(self) -> None:
         self._carried_on.stop()
-        self.cursorMoved.emit(self.cursor_px)
+        px = self.cursor_px
+        self.legend.follow(None if px is None else self.to_view(*px))
+        self.cursorMoved.emit(px)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -475,7 +484,7 @@ class Canvas(PictureView):
             self.refresh()
         else:
             say = self._document.say
-            say("load a second set of cameras to blink between two (Ctrl+L)", "info")
+            say(tr("load a second set of cameras to blink between two (Ctrl+L)"), "info")
 
     def _end_blink(self) -> None:
         if self.comparison.let_go():
@@ -486,6 +495,10 @@ class Canvas(PictureView):
     def _lose_blink(self) -> None:
         self.comparison.let_go()
         self.refresh()
+
+
+def _pan_hint() -> str:
+    return SEPARATOR.join(tr(words) for words in _PAN_HINT)
 
 
 def _modifiers(event: QMouseEvent) -> Modifiers:

@@ -13,6 +13,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.overlay_lines import build_wireframes
 from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.language import tr
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
@@ -174,6 +175,11 @@ class OtherSources(QObject):
                 shown.append((known.projected, source.colour))
         return shown
 
+    def names_of_others(self) -> tuple[tuple[str, str], ...]:
+        """Names and colours of the sources drawn as wireframes."""
+        drawn = {colour for _, colour in self._others()} if self.others_wanted else set()
+        return tuple((s.name, s.colour) for s in self._document.sources if s.colour in drawn)
+
     def _name_sides(self, *, hidden: bool) -> None:
         front, right = self.front, self.right
         if self.divided and not hidden and front is not None and right is not None:
@@ -201,7 +207,9 @@ class OtherSources(QObject):
             jac = "–" if self._document.why_not_judged else f"{score.jac:.3f}"
             return f"{source.name}  ·  JaC {jac}"
         unreadable = known is not None and known.error
-        return f"{source.name}  ·  {'camera unreadable' if unreadable else 'no camera here'}"
+        return (
+            f"{source.name}  ·  {tr('camera unreadable') if unreadable else tr('no camera here')}"
+        )
 
     def _take_sides(self) -> None:
         """Which part of the viewport each source is drawn in."""

@@ -6,10 +6,9 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
-from procc_annotator.interact.gesture import Position
+from procc_annotator.interact.gesture import ARROWS, Position
 from procc_annotator.interact.palette import HALO, RIM
 
-ARROWS: dict[str, Position] = {"Left": (-1, 0), "Right": (1, 0), "Up": (0, -1), "Down": (0, 1)}
 _ARM, _GAP = 15.0, 4.0  # screen px
 _BACKGROUND_WIDTH, _WIDTH = 4.0, 1.6
 _ABOVE_ALL = 1000.0

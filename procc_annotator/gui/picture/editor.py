@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.gui.picture.editor_words import finished, why_not_deleted
 from procc_annotator.gui.picture.snapping import ScreenSnapper
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.draw_tool import DrawTool
@@ -17,11 +18,13 @@ from procc_annotator.interact.gesture import (
     Position,
     Reaction,
 )
-from procc_annotator.interact.hints import GhostHint, counted, hint
+from procc_annotator.interact.hand import draft_of
+from procc_annotator.interact.hints import GhostHint, hint
 from procc_annotator.interact.hit import Hit
 from procc_annotator.interact.naming import unnamed_class
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
+from procc_annotator.language import tr
 from procc_annotator.session.strokes.copying import annotated_before
 
 # Given a key's name and whether Shift is held, takes it or does not.
@@ -119,10 +122,7 @@ class Editor(QObject):
         document = self._document
         if document.mode != "draw" or not document.editable:
             return None
-        landing = None
-        if cursor is not None and (self._draw.busy or document.selected_class is not None):
-            landing = self._draw.landing(cursor, self._held, self._context())
-        return self._draw.draft(document.selected_class, cursor, landing)
+        return draft_of(self._draw, self._context(), cursor, self._held)
 
     def hint(self) -> str:
         """What the next click, Enter and Esc will do."""
@@ -249,19 +249,13 @@ class Editor(QObject):
         if not self._begin_on(self._context()):
             return
         if dropped := len(self._draw.points):
-            self._do(self._draw.key("Escape", self._context()))
+            self._do(self._draw.key("Escape", self._context()))  # not shown
         reaction = self._edit.delete_element(self._context())
         self._do(reaction)
         if reaction.handled:
             return
-        if name is None:
-            text = "choose the element to delete first: field map, list, or its key"
-        elif dropped:
-            text = f"dropped {counted(dropped, 'point')} of {document.field.title_of(name)}"
-        else:
-            title = document.field.title_of(name)
-            text = f"{title} has no points in this frame: choose the element to delete"
-        document.say(text, "info")
+        title = tr(document.field.title_of(name)) if name is not None else ""
+        document.say(why_not_deleted(title, dropped), "info")
 
     def finish(self) -> None:
         """The frame is about to be left: what is under way becomes an edit, and is said so."""
@@ -307,8 +301,9 @@ class Editor(QObject):
             return True
         if now.chosen_points != seen.chosen_points:
             document.select_class(None)  # the same key again must not mean the whole element
-        titles = ", ".join(document.field.title_of(name) for name in changed)
-        document.say(f"{titles}: changed elsewhere, look again first", "info")
+        titles = ", ".join(tr(document.field.title_of(name)) for name in changed)
+        text = tr("{titles}: changed elsewhere, look again first", titles=titles)
+        document.say(text, "info")
         return False
 
     def _workable(self) -> Context | None:
@@ -342,12 +337,9 @@ class Editor(QObject):
         self._commit(reaction.edit)
         if not keep_selection:
             self._document.select_class(name)
-        points = "1 point" if count == 1 else f"{count} points"
         frame = self._document.frame
-        where = f" on {frame.name}" if frame is not None else ""
-        self._document.say(
-            f"finished {self._document.field.title_of(name)} with {points}{where}", "info"
-        )
+        title = tr(self._document.field.title_of(name))
+        self._document.say(finished(title, count, frame.name if frame is not None else ""), "info")
         self.changed.emit()
 
     def _commit(self, edit: Edit) -> bool:

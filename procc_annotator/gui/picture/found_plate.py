@@ -9,7 +9,7 @@ from procc_annotator.fit.from_picture.proposal import NONE, SURE
 from procc_annotator.gui.picture.split_view import NamePlate
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 from procc_annotator.session.clicks.correction import Correction
 
 _MARGIN = 8
@@ -71,28 +71,34 @@ class FoundPlate(NamePlate):
         if document.shot_track.fit_here is not None:
             doubt = foresight.doubt
             if doubt:
-                return f"Camera of the track, unsure: {doubt}", tones.UNSURE_GHOST
-            return "Camera of the track: Shift+Enter accepts its elements", tones.PASSES
+                return tr("Camera of the track, unsure: {why}", why=doubt), tones.UNSURE_GHOST
+            return tr("Camera of the track: Shift+Enter accepts its elements"), tones.PASSES
         if document.proposals.working:
-            return "Looking for the camera in the picture …", _GREY
+            return tr("Looking for the camera in the picture …"), _GREY
         proposal = document.proposals.here
         if proposal is None:
             return None
+        why = tr(proposal.reason)
         if proposal.state == NONE:
-            return f"No camera found: {proposal.reason}", _GREY
+            return tr("No camera found: {why}", why=why), _GREY
         if proposal.state == SURE:
-            return f"Camera found, sure: {proposal.reason}", tones.PASSES
-        return f"Camera found, unsure: {proposal.reason}", tones.UNSURE_GHOST
+            return tr("Camera found, sure: {why}", why=why), tones.PASSES
+        return tr("Camera found, unsure: {why}", why=why), tones.UNSURE_GHOST
 
 
 def _of_corrected(corrected: Correction, *, looking: bool) -> tuple[str, str]:
-    pegs = counted(len(corrected.pegs), "peg")
+    pegs = tr_count(len(corrected.pegs), "{n} peg", "{n} pegs")
     if not corrected.looked:
-        then = ": its lines are looked for …" if looking else ""
-        return f"Camera dragged, {pegs}{then}", _GREY
+        if looking:
+            return tr("Camera dragged, {pegs}: its lines are looked for …", pegs=pegs), _GREY
+        return tr("Camera dragged, {pegs}", pegs=pegs), _GREY
     if corrected.why_not:
-        return f"Camera dragged, {pegs}, not made exact: {corrected.why_not}", tones.UNSURE_GHOST
-    return (
-        f"Camera dragged, {pegs}, made exact on paint: {corrected.coverage:.0%} of its lines",
-        tones.PASSES,
+        why = tr(corrected.why_not)
+        text = tr("Camera dragged, {pegs}, not made exact: {why}", pegs=pegs, why=why)
+        return text, tones.UNSURE_GHOST
+    text = tr(
+        "Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines",
+        pegs=pegs,
+        share=corrected.coverage,
     )
+    return text, tones.PASSES

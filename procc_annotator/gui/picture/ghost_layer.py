@@ -9,6 +9,7 @@ from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_ghosts import build_ghosts, with_next
 from procc_annotator.interact.overlay_shapes import NOTHING, FloatArray, Overlay
 from procc_annotator.interact.verdicts import NO_POINTS
+from procc_annotator.language import tr
 from procc_annotator.session.strokes.ghost_points import GhostPoints
 
 
@@ -43,14 +44,16 @@ class GhostLayer:
                 tone=tones.UNSURE_GHOST if unsure else tones.GHOST,
             )
             if best is not None and at is not None and current is None:
-                title = self._document.field.title_of(best.name)
-                self._overlay = with_next(self._overlay, at, f"next: {title}", size)
+                title = tr(self._document.field.title_of(best.name))
+                label = tr("next: {title}", title=title)
+                self._overlay = with_next(self._overlay, at, label, size)
         return self._overlay
 
     def _label(self, name: str, sd_px: float) -> str:
-        foresight = self._document.foresight
-        unsure = "  unsure" if foresight.stands_in and foresight.doubt else ""
-        return f"{self._document.field.title_of(name)}  ±{sd_px:.1f} px{unsure}"
+        foresight, title = self._document.foresight, tr(self._document.field.title_of(name))
+        if foresight.stands_in and foresight.doubt:
+            return tr("{title}  ±{sd:.1f} px  unsure", title=title, sd=sd_px)
+        return f"{title}  ±{sd_px:.1f} px"
 
 
 def _points_px(found: GhostPoints | None, size: tuple[int, int]) -> FloatArray:

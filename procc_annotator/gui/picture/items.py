@@ -15,33 +15,16 @@ from typing import cast
 import numpy as np
 import shiboken6
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF, QTransform
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF, QTransform
 
-from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.gui.picture.finding_sign import paint_finding_sign
-from procc_annotator.interact.label_places import place_apart
-from procc_annotator.interact.overlay_shapes import (
-    Box,
-    FilledArea,
-    Labels,
-    Overlay,
-    PointMarks,
-    Strokes,
-)
+from procc_annotator.gui.picture.label_plates import LABEL_REACH, paint_labels
+from procc_annotator.interact.overlay_shapes import Box, FilledArea, Overlay, PointMarks, Strokes
 
 Array = NDArray[np.float64]
 
 _REACH = 24.0  # how far, in points, anything but text reaches beyond its position
-_LABEL_REACH = 260.0
-_LABEL_GAP = 9.0
-_FONT_PIXELS = 12.0  # in points of the overlay, as all sizes here
-_SIGN = 15.0  # of a finding, before its text
 _RIM = "#202020"
-_PLATE = QColor(20, 20, 20, 190)
-
-_WIDTHS_KEPT = 2_000
-_widths: dict[tuple[str, tuple[str, int]], float] = {}  # of texts, by their fonts
 
 
 def paint_overlay(
@@ -55,6 +38,7 @@ def paint_overlay(
     room: QRectF | None = None,
     labelled: bool = True,
     apart: bool = False,
+    text_times: float = 1.0,
 ) -> None:
     """Paint an overlay.
 
@@ -69,6 +53,7 @@ def paint_overlay(
         labelled: whether with its texts.
         apart: whether texts give way to each other; for whole pictures, since where one goes then
             depends on all others.
+        text_times: how large texts are of what they usually are.
     """
     area = clip if clip is not None else QRectF(painter.viewport())
     seen = room if room is not None else QRectF(painter.viewport())
@@ -89,7 +74,9 @@ def paint_overlay(
         if _touches(marks.box, near):
             _paint_marks(painter, marks, view, near)
     if labelled:
-        _paint_labels(painter, overlay.labels, view, seen, apart=apart)
+        reach = view.reach(LABEL_REACH * unit * text_times)
+        texts = [(x, *at) for x in overlay.labels for at in view.places(x.positions, reach)]
+        paint_labels(painter, texts, view.area, seen, unit, apart=apart, times=text_times)
     painter.restore()
 
 
@@ -296,84 +283,3 @@ def _paint_marks(painter: QPainter, marks: PointMarks, view: _View, near: Box) -
         for box in boxes:
             painter.drawEllipse(box)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-
-
-def _paint_labels(
-    painter: QPainter, groups: Sequence[Labels], view: _View, room: QRectF, *, apart: bool
-) -> None:
-    reach = view.reach(_LABEL_REACH * view.unit)
-    near = [(labels, *at) for labels in groups for at in view.places(labels.positions, reach)]
-    if not near:
-        return
-    unit = view.unit
-    font = QFont(painter.font())
-    font.setPixelSize(max(1, round(_FONT_PIXELS * unit)))
-    painter.setFont(font)
-    metrics, known = QFontMetricsF(font), (font.family(), font.pixelSize())
-    letter, taken = metrics.height(), list[Box]()
-    for labels, row, x, y in near:
-        text, sign = labels.texts[row], _SIGN * unit if labels.sign else 0.0
-        # A plate behind the text keeps it readable on grass, lines and crowd alike.
-        wide = _width(text, known, metrics) + (8 * unit if text else 4 * unit) + sign
-        size = QSizeF(wide, max(letter, sign) + 2 * unit)
-        plate = place_label(QPointF(x, y), size, room, unit, below=labels.below)
-        if apart:
-            taken.append(place_apart(_box(plate), taken, _box(room)))
-            plate.moveTo(*taken[-1][:2])
-        if plate.intersects(view.area):
-            _paint_label(painter, labels, text, plate, unit)
-
-
-def _box(rectangle: QRectF) -> Box:
-    return rectangle.left(), rectangle.top(), rectangle.right(), rectangle.bottom()
-
-
-def _width(text: str, font: tuple[str, int], metrics: QFontMetricsF) -> float:
-    """Of a text; kept, for a text is painted again and again."""
-    wide = _widths.get((text, font))
-    if wide is None:
-        if len(_widths) >= _WIDTHS_KEPT:
-            _widths.clear()
-        wide = _widths[text, font] = metrics.horizontalAdvance(text)
-    return wide
-
-
-def _paint_label(painter: QPainter, labels: Labels, text: str, plate: QRectF, unit: float) -> None:
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(_PLATE)
-    painter.drawRoundedRect(plate, 3 * unit, 3 * unit)
-    if labels.sign:
-        sign = _SIGN * unit
-        box = QRectF(plate.left() + 2 * unit, plate.center().y() - sign / 2, sign, sign)
-        paint_finding_sign(painter, box, Severity(labels.sign))
-        plate.setLeft(box.right())
-    painter.setPen(_colour(labels.colour))
-    painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
-
-
-def place_label(
-    point: QPointF, size: QSizeF, room: QRectF, unit: float, *, below: bool = False
-) -> QRectF:
-    """Where the text of a point goes: right above it (or below it), or to its left or on the other
-    side where that is cut off. It comes into sight if any of the point's mark does.
-
-    Args:
-        point, size, room: of the point, the text, and what can be seen, in device px.
-        unit: device px per point.
-        below: which side is the usual one.
-    """
-    gap = _LABEL_GAP * unit
-    wide, high = size.width(), size.height()
-    x, y = point.x(), point.y()
-    over, under = y + 2 * unit - gap - high, y + gap
-    left, top = x + gap, under - 2 * unit if below else over
-    first, last, upper, lower = room.left(), room.right(), room.top(), room.bottom()
-    if first - gap <= x <= last + gap and upper - gap <= y <= lower + gap:
-        if left + wide > last:
-            left = x - gap - wide
-        if top < upper:
-            top = under
-        elif below and top + high > lower:
-            top = over
-        left = max(first, left)
-    return QRectF(left, top, wide, high)

@@ -8,13 +8,14 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 
 from procc_annotator.gui.picture.crosshair import Crosshair, moved
 from procc_annotator.interact.gesture import Modifiers, Position
+from procc_annotator.language import tr, word
 
 if TYPE_CHECKING:
     from procc_annotator.gui.picture.canvas import Canvas
 
 _RIM_PX = 48.0  # screen px at the edge of the view that the crosshair does not enter, where it can
 _EDGE = 2.0  # screen px that count as out of sight
-_WHAT = (
+_WHAT = word(
     "crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks,"
     " Esc puts it away"
 )
@@ -45,7 +46,7 @@ class KeyPointing:
         start = self.crosshair.px or self._start(size)
         self._point(moved(start, name, step, size))
         if not begun:
-            canvas.document.say(_WHAT, "info")
+            canvas.document.say(tr(_WHAT), "info")
 
     def click(self, modifiers: Modifiers) -> None:
         """What a click of the mouse would do there."""
@@ -71,7 +72,7 @@ class KeyPointing:
         """Another picture is shown: it may be smaller."""
         px, size = self.crosshair.px, self._canvas.document.picture_size
         if px is not None:
-            self.crosshair.put(None if size is None else moved(px, "Left", 0.0, size))
+            self.crosshair.put(None if size is None else moved(px, "Left", 0.0, size))  # not shown
 
     # --- inside ---------------------------------------------------------------------------
 
@@ -79,9 +80,9 @@ class KeyPointing:
         """Where the mouse was, or the middle of what is in sight."""
         canvas = self._canvas
         if canvas.cursor_px is not None:
-            return moved(canvas.cursor_px, "Left", 0.0, size)
+            return moved(canvas.cursor_px, "Left", 0.0, size)  # not shown
         place = canvas.place
-        return moved((place.x, place.y), "Left", 0.0, size)
+        return moved((place.x, place.y), "Left", 0.0, size)  # not shown
 
     def _point(self, px: Position) -> None:
         self.crosshair.put(px)

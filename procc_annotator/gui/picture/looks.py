@@ -21,8 +21,14 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.image.adjust import MAX_GAMMA, Look
+from procc_annotator.language import tr, word
 
 _STEPS = 100  # of a slider, to each side of its middle
+_TITLES = {
+    "brightness": word("Brightness"),
+    "contrast": word("Contrast"),
+    "gamma": word("Gamma"),
+}
 
 
 class LookControls(QWidget):
@@ -36,18 +42,18 @@ class LookControls(QWidget):
         self._look = Look()
         self._numbers: dict[str, QLabel] = {}
         self.sliders = {
-            "brightness": self._slider("brightness", "Shift all values"),
-            "contrast": self._slider("contrast", "Stretch values about middle grey"),
-            "gamma": self._slider("gamma", "To the right, dark parts become lighter"),
+            "brightness": self._slider("brightness", tr("Shift all values")),
+            "contrast": self._slider("contrast", tr("Stretch values about middle grey")),
+            "gamma": self._slider("gamma", tr("To the right, dark parts become lighter")),
         }
-        self.enhance = QCheckBox("Line enhance")
+        self.enhance = QCheckBox(tr("Line enhance"))
         self.enhance.setObjectName("lookEnhance")
-        self.enhance.setToolTip("Bring out worn and shaded lines")
+        self.enhance.setToolTip(tr("Bring out worn and shaded lines"))
         self.enhance.toggled.connect(lambda on: self._choose(replace(self._look, enhance=on)))
-        self.reset_button = QPushButton("Reset")
+        self.reset_button = QPushButton(tr("Reset"))
         self.reset_button.setObjectName("lookReset")
         self.reset_button.setAutoDefault(False)
-        self.reset_button.setToolTip("Show the picture as it is")
+        self.reset_button.setToolTip(tr("Show the picture as it is"))
         self.reset_button.clicked.connect(lambda: self._choose(Look()))
         self._arrange()
         self._show()
@@ -67,7 +73,7 @@ class LookControls(QWidget):
     def _slider(self, name: str, tip: str) -> QSlider:
         slider = QSlider(Qt.Orientation.Horizontal)
         slider.setObjectName(f"look_{name}")
-        slider.setAccessibleName(name.capitalize())
+        slider.setAccessibleName(tr(_TITLES[name]))
         slider.setToolTip(tip)
         slider.setRange(-_STEPS, _STEPS)
         slider.setPageStep(10)
@@ -87,7 +93,7 @@ class LookControls(QWidget):
         rows.setVerticalSpacing(6)
         rows.setColumnStretch(1, 1)
         for row, (name, slider) in enumerate(self.sliders.items()):
-            title = QLabel(name.capitalize())
+            title = QLabel(tr(_TITLES[name]))
             title.setBuddy(slider)
             rows.addWidget(title, row, 0)
             rows.addWidget(slider, row, 1)
@@ -95,7 +101,7 @@ class LookControls(QWidget):
         last = QHBoxLayout()
         last.addWidget(self.enhance, 1)
         last.addWidget(self.reset_button)
-        hint = QLabel("Only what you see changes, never the file")
+        hint = QLabel(tr("Only what you see changes, never the file"))
         hint.setObjectName("lookHint")
         hint.setWordWrap(True)
         hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)

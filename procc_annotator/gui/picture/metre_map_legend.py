@@ -14,6 +14,7 @@ from procc_annotator.gui.picture.metre_map_picture import paint_lines
 from procc_annotator.gui.picture.pinned import Pinned
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.map_looks import DISAGREEMENT, LevelLine, MapLook
+from procc_annotator.language import tr
 
 _BAR = QSize(252, 12)
 _SAMPLE = 36
@@ -66,7 +67,7 @@ class MetreMapLegend(Pinned):
             return
         self._look, self._words, self.problem = shown
         said = f"{words.title}, {words.unit}. {'; '.join(words.lines)}" if words else ""
-        self.setAccessibleName(f"{look.name}. {said} {problem}")
+        self.setAccessibleName(f"{tr(look.name)}. {said} {problem}")
         self.place()
         self.show()
         self.raise_()

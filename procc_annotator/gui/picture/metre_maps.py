@@ -10,6 +10,7 @@ from procc_annotator.gui.picture.metre_map_legend import MapWords, MetreMapLegen
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.uncertainty import KnownGround
 from procc_annotator.interact.map_looks import DISAGREEMENT, UNCERTAINTY
+from procc_annotator.language import tr
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 
 
@@ -56,8 +57,8 @@ class MetreMaps(QObject):
         self.item.show_shapes(shown, document.setup.size, document.picture_size)
         if found is not None:
             title = f"{found.names[0]} ↔ {found.names[1]}"
-            lines = (f"{OFFSIDE_ACCURACY_M:g} m, asked of offside technology",)
-            words = MapWords(title, "metres on the ground", lines)
+            limit = tr("{metres:g} m, asked of offside technology", metres=OFFSIDE_ACCURACY_M)
+            words = MapWords(title, tr("metres on the ground"), (limit,))
             self.legend.show_for(DISAGREEMENT, words, watch.problem)
         elif watch.problem:
             self.legend.show_for(DISAGREEMENT, None, watch.problem)
@@ -80,14 +81,22 @@ class MetreMaps(QObject):
 
 def _words(found: KnownGround | None) -> MapWords:
     """What the legend says of the ground; the same room is taken while it is worked out."""
-    title, unit = "How good the fitted camera is", "metres on the ground, 1 sd"
+    title, unit = tr("How good the fitted camera is"), tr("metres on the ground, 1 sd")
     lines = []
     for line in UNCERTAINTY.lines:
         share = found.values.share_good_to(line.metres) if found is not None else None
-        known = "…" if share is None else f"{100 * share:.0f} % of the field in sight"
-        lines.append(f"{line.metres:g} m: {known}")
+        if share is None:
+            lines.append(f"{line.metres:g} m: …")
+        else:
+            lines.append(
+                tr(
+                    "{metres:g} m: {percent:.0f} % of the field in sight",
+                    metres=line.metres,
+                    percent=100 * share,
+                )
+            )
     if found is not None:
-        title = f"How good the fitted camera ({found.values.fit.model}) is"
+        title = tr("How good the fitted camera ({model}) is", model=found.values.fit.model)
         if (median := found.values.statistics.median) is not None:
-            unit = f"{unit}, median {median:.2f}"
+            unit = tr("metres on the ground, 1 sd, median {median:.2f}", median=median)
     return MapWords(title, unit, tuple(lines))

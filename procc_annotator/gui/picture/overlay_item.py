@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import chain, zip_longest
+from itertools import chain, repeat, zip_longest
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +14,20 @@ from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.still import StillOverlay
-from procc_annotator.interact.overlay_shapes import NOTHING, Labels, Overlay, PointMarks, Strokes
+from procc_annotator.gui.theme import text_times
+from procc_annotator.interact.overlay_shapes import (
+    NOTHING,
+    HandSigns,
+    Labels,
+    Overlay,
+    PointMarks,
+    Strokes,
+)
 
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
 _LETTER = 8.5  # points: generous bounds of a label's letter, and of how high and low it stands
+_WIDE_LETTER = 13.0  # of Japanese and Chinese
+_SIGNS = 40.0  # what may stand beside a text at the cursor
 _ABOVE = 28.0
 _BELOW = 32.0
 _IN_HAND = frozenset({"draft", "band", "whisker"})  # layers that nothing may hide
@@ -135,7 +145,10 @@ class OverlayItem(QGraphicsItem):
                     painter, layer, scale=scale, offset=offset, clip=clip, room=room, seen=seen
                 )
             else:
-                paint_overlay(painter, layer, scale=scale, offset=offset, clip=clip, room=seen)
+                paint_overlay(
+                    painter, layer, scale=scale, offset=offset, clip=clip, room=seen,
+                    text_times=text_times(),
+                )  # fmt: skip
 
     @property
     def layers(self) -> tuple[Overlay, ...]:
@@ -174,7 +187,7 @@ def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
                 _add(areas, _changed(rows, others, same_look, _MARGIN * point))
     for labels, after in zip_longest(old.labels, new.labels):
         if labels is not after:
-            for place, text in _texts(labels) ^ _texts(after):
+            for place, text, _ in _texts(labels) ^ _texts(after):
                 _add(areas, _reach_of_label(place, text, point))
     return areas
 
@@ -217,12 +230,14 @@ def _changed(was: Positions, now: Positions, same_look: bool, margin: float) -> 
     return _bounds(was, now, margin)
 
 
-def _texts(labels: Labels | None) -> set[tuple[tuple[float, float], str]]:
-    """Each text with its place."""
+def _texts(
+    labels: Labels | None,
+) -> set[tuple[tuple[float, float], str, HandSigns | None]]:
+    """Each text with its place and what stands beside it."""
     if labels is None:
         return set()
     places = map(tuple, labels.positions.tolist())
-    return set(zip(places, labels.texts, strict=True))
+    return set(zip(places, labels.texts, repeat(labels.hand)))
 
 
 def _whole_area(overlay: Overlay, scale: float) -> QRectF:
@@ -233,7 +248,7 @@ def _whole_area(overlay: Overlay, scale: float) -> QRectF:
     places = np.concatenate([_NO_PLACES, *corners, *outlines, *(m.centres for m in overlay.marks)])
     area = _bounds(places, _NO_PLACES, _MARGIN * point)
     for labels in overlay.labels:
-        for place, text in _texts(labels):
+        for place, text, _ in _texts(labels):
             area |= _reach_of_label(place, text, point)
     return area
 
@@ -245,8 +260,8 @@ def _at_edges(groups: tuple[Labels, ...], world: QTransform, room: QRectF) -> QR
     for labels in groups:
         for place, text in zip(labels.positions.tolist(), labels.texts, strict=True):
             at = world.map(QPointF(place[0] + 0.5, place[1] + 0.5))
-            reach = len(text) * _LETTER + 20
-            high, low = at.y() - _ABOVE < room.top(), at.y() + _BELOW > room.bottom()
+            reach, above, below = _reach(text)
+            high, low = at.y() - above < room.top(), at.y() + below > room.bottom()
             if at.x() + reach > room.right() or (low if labels.below else high):
                 area |= _reach_of_label(place, text, 1.0 / world.m11())
     return area
@@ -279,5 +294,12 @@ def _bounds(was: Positions, now: Positions, margin: float) -> QRectF:
 def _reach_of_label(place: Sequence[float], text: str, point: float) -> QRectF:
     """Where a text may lie around its point, scene coordinates; ``point`` in picture px."""
     x, y = place
-    reach = (len(text) * _LETTER + 20) * point
-    return QRectF(x - reach, y - _ABOVE * point, 2 * reach, (_ABOVE + _BELOW) * point)
+    reach, above, below = (points * point for points in _reach(text))
+    return QRectF(x - reach, y - above, 2 * reach, above + below)
+
+
+def _reach(text: str) -> tuple[float, float, float]:
+    """How far a text may reach aside, above and below its point, points."""
+    times = text_times()
+    letter = _LETTER if text.isascii() else _WIDE_LETTER
+    return (len(text) * letter + _SIGNS) * times + 20, _ABOVE * times, _BELOW * times

@@ -17,6 +17,7 @@ from procc_annotator.gui.picture.legend import LegendBand
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.interact.legend import legend_of
 from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
+from procc_annotator.language import in_english
 from procc_annotator.report.scenes import (
     GROUND_BGRA,
     OverlayLook,
@@ -53,8 +54,9 @@ class OverlayPictures:
             ImageError: the picture cannot be decoded.
             UsageError: the result would be too large.
         """
-        drawing = _Drawing(scene, self._look)
-        return drawing.svg() if self._suffix == ".svg" else drawing.raster(self._suffix)
+        with in_english():
+            drawing = _Drawing(scene, self._look)
+            return drawing.svg() if self._suffix == ".svg" else drawing.raster(self._suffix)
 
 
 class _Drawing:

@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from procc_annotator.gui.picture.pinned import Pinned
+from procc_annotator.language import tr
 
 _GRIP = QSize(26, 44)
 _ABOVE_BOTTOM = 16  # the grip stands low, where it hides the least
@@ -93,8 +94,8 @@ class DividerGrip(Pinned):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents, False)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setCursor(Qt.CursorShape.SplitHCursor)
-        self.setToolTip("Drag to move the divider (arrow keys do it too)")
-        self.setAccessibleName("Divider of the split view")
+        self.setToolTip(tr("Drag to move the divider (arrow keys do it too)"))
+        self.setAccessibleName(tr("Divider of the split view"))
         self._held_at: float | None = None
 
     def mousePressEvent(self, event: QMouseEvent) -> None:

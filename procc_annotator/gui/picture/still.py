@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPixmap
 
 from procc_annotator.gui.picture.items import paint_overlay
+from procc_annotator.gui.theme import text_times
 from procc_annotator.interact.overlay_shapes import Overlay
 
 
@@ -40,10 +41,14 @@ class StillOverlay:
             seen: where in the view the overlay can be seen; texts stay inside. None for all of it.
         """
         ratio = painter.device().devicePixelRatioF()
-        asked = overlay, scale, offset, room, seen, ratio
+        times = text_times()
+        asked = overlay, scale, offset, room, seen, ratio, times
         if asked != self._painted:
             self._painted, self._picture = asked, None
-            paint_overlay(painter, overlay, scale=scale, offset=offset, clip=clip, room=seen)
+            paint_overlay(
+                painter, overlay, scale=scale, offset=offset, clip=clip, room=seen,
+                text_times=times,
+            )  # fmt: skip
             return
         if self._picture is None:
             self._picture = QPixmap(room * ratio)
@@ -51,7 +56,9 @@ class StillOverlay:
             self._picture.fill(Qt.GlobalColor.transparent)
             own = QPainter(self._picture)
             whole = QRectF(0, 0, room.width(), room.height())
-            paint_overlay(own, overlay, scale=scale, offset=offset, clip=whole, room=seen)
+            paint_overlay(
+                own, overlay, scale=scale, offset=offset, clip=whole, room=seen, text_times=times
+            )
             own.end()
         painter.save()
         painter.setClipRect(clip, Qt.ClipOperation.IntersectClip)

@@ -17,6 +17,7 @@ from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.plots.looks import source_pen, symbol_of
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.theme import follow_theme, muted, readable
+from procc_annotator.language import tr
 from procc_annotator.session.runs.audit_figures import FloatArray, Table, envelope
 
 D = TypeVar("D")
@@ -65,7 +66,7 @@ class PlotPage(QWidget, Generic[D]):
     """One plot; whoever holds it computes its data, perhaps in another thread, and has it drawn.
 
     Class attributes:
-        title: its name in the list of plots.
+        title: its name in the list of plots, marked by ``word``.
         scopes: which choices of frames make sense.
         by_class: whether one class can be chosen.
         follows_tau, follows_frame: whether the data (not only a mark) depends on these.
@@ -91,7 +92,7 @@ class PlotPage(QWidget, Generic[D]):
         self.view.setBackground(None)
         follow_theme(self.view)
         self.view.setObjectName(f"{name}_view")
-        self.view.setAccessibleName(self.title)
+        self.view.setAccessibleName(tr(self.title))
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.view.ci.layout.setContentsMargins(0, 9, 12, 0)  # figures at the ends of axes
         self.sharpness: float | None = None  # px of the device a logical one; None: the screen's

@@ -12,6 +12,7 @@ from PySide6.QtGui import QPalette, QResizeEvent
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
+from procc_annotator.language import tr, word
 from procc_annotator.session.runs.audit import TAU_GRID
 from procc_annotator.session.runs.audit_bands import AuditBand, difference_band, mean_band
 from procc_annotator.session.runs.audit_figures import FloatArray, Table, mean_curve, timeline
@@ -32,11 +33,11 @@ class JacCurves:
 class TauPage(PlotPage[JacCurves]):
     """JaC over tau, of the frame or as the mean over the set."""
 
-    title = "JaC over tau"
+    title = word("JaC over tau")
 
     def __init__(self) -> None:
         super().__init__("plot_tau")
-        self.item = self.add_plot(0, "tau (px)", "JaC", movable=False)
+        self.item = self.add_plot(0, tr("tau (px)"), "JaC", movable=False)
         self.item.setXRange(0, MAX_TAU, padding=0.01)
         self.item.setYRange(0, 1, padding=0.04)
         self.line = self.pg.InfiniteLine(angle=90, movable=True, bounds=(MIN_TAU, MAX_TAU))
@@ -73,9 +74,9 @@ class TauPage(PlotPage[JacCurves]):
         self.say_empty("" if any(data.frames) else request.why_nothing(_nothing(request)))
         said = []
         if request.scope == "set" and len(set(data.frames)) > 1:
-            said.append("Each curve is the mean of the frames that source has a camera for.")
+            said.append(tr("Each curve is the mean of the frames that source has a camera for."))
         if any(np.isfinite(own.band.low).any() for own in data.bands):
-            said.append(f"Shaded: 95 % bands, {data.bands[0].clustered}.")
+            said.append(tr("Shaded: 95 % bands, {drawn}.", drawn=data.bands[0].clustered))
             said += [data.problem] if data.problem else []
         return " ".join(said)
 
@@ -95,10 +96,10 @@ class TauPage(PlotPage[JacCurves]):
     @staticmethod
     def table(data: JacCurves, request: PlotRequest) -> Table:
         names = [source.name for source in request.sources]
-        header = ["tau_px", *(f"jac {name}" for name in names)]
+        header = ["tau_px", *(f"jac {name}" for name in names)]  # not shown
         columns = [TAU_GRID, *data.curves]
         for name, own in zip(names, data.bands, strict=False):
-            header += [f"low {name}", f"high {name}"]
+            header += [f"low {name}", f"high {name}"]  # not shown
             columns += [own.band.low, own.band.high]
         return Table(tuple(header), tuple(columns))
 
@@ -114,7 +115,7 @@ class TauPage(PlotPage[JacCurves]):
             for source, curve, n in zip(request.sources, data.curves, data.frames, strict=True)
             if n
         ]
-        self.readout.emit(" · ".join([f"tau {TAU_GRID[column]:.1f} px", *values]))
+        self.readout.emit(" · ".join([tr("tau {px:.1f} px", px=TAU_GRID[column]), *values]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,12 +137,12 @@ class Differences:
 class DifferencePage(PlotPage[Differences]):
     """JaC of the judged source less that of others over tau, on the frames both have."""
 
-    title = "JaC over tau, differences"
+    title = word("JaC over tau, differences")
     scopes: tuple[Scope, ...] = ("set",)
 
     def __init__(self) -> None:
         super().__init__("plot_difference")
-        self.item = self.add_plot(0, "tau (px)", "JaC, difference", movable=False)
+        self.item = self.add_plot(0, tr("tau (px)"), tr("JaC, difference"), movable=False)
         self.item.setXRange(0, MAX_TAU, padding=0.01)
         self.zero = self.pg.InfiniteLine(angle=0, movable=False)
         self.item.addItem(self.zero, ignoreBounds=True)
@@ -173,10 +174,13 @@ class DifferencePage(PlotPage[Differences]):
         self.say_empty("" if shown else request.why_nothing(_nothing_to_compare(data)))
         if not shown or data.first is None:
             return ""
-        return (
-            f"{data.first.name} less each other source, on the frames both have. Beyond chance"
-            f" where the 95 % band lies beside 0; {shown[0].clustered}. {data.problem}"
-        ).rstrip()
+        said = tr(
+            "{name} less each other source, on the frames both have. Beyond chance where the 95 %"
+            " band lies beside 0; {drawn}.",
+            name=data.first.name,
+            drawn=shown[0].clustered,
+        )
+        return f"{said} {data.problem}".rstrip()
 
     def restyle(self) -> None:
         self.zero.setPen(self.pg.mkPen(self.palette().color(QPalette.ColorRole.Text), width=1))
@@ -186,15 +190,16 @@ class DifferencePage(PlotPage[Differences]):
         header, columns = ["tau_px"], [TAU_GRID]
         for source, own in zip(data.others, data.bands, strict=True):
             first = "" if data.first is None else data.first.name
-            header += [f"{kind} {first} less {source.name}" for kind in ("jac", "low", "high")]
+            names = f"{first} less {source.name}"  # not shown
+            header += [f"{kind} {names}" for kind in ("jac", "low", "high")]
             columns += [own.band.values, own.band.low, own.band.high]
         return Table(tuple(header), tuple(columns))
 
 
 def _nothing_to_compare(data: Differences) -> str:
     if len(data.others) < 1:
-        return "One source alone has nothing to be compared with.\nLoad or show another one."
-    return "No frame that two of the shown sources have is scored yet."
+        return tr("One source alone has nothing to be compared with.\nLoad or show another one.")
+    return tr("No frame that two of the shown sources have is scored yet.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -207,14 +212,14 @@ class Timelines:
 class TimelinePage(PlotPage[Timelines]):
     """JaC of every frame under every source; a click shows the frame."""
 
-    title = "JaC over the frames"
+    title = word("JaC over the frames")
     scopes: tuple[Scope, ...] = ("set",)
     follows_tau = True
     digits = 3
 
     def __init__(self, name: str = "plot_timeline") -> None:
         super().__init__(name)
-        self.item = self.add_plot(0, "frame", "JaC")
+        self.item = self.add_plot(0, tr("frame"), "JaC")
         self.item.setMouseEnabled(x=True, y=False)
         self.item.disableAutoRange()
         self.item.setYRange(0, 1, padding=0.06)
@@ -256,7 +261,7 @@ class TimelinePage(PlotPage[Timelines]):
         return ""
 
     def mark(self, request: PlotRequest) -> None:
-        self.item.setLabel("left", f"JaC at {request.tau:.1f} px")
+        self.item.setLabel("left", tr("JaC at {tau:.1f} px", tau=request.tau))
         self.here.setVisible(request.current >= 0)
         self.here.setValue(request.current + 1)
 
@@ -265,11 +270,11 @@ class TimelinePage(PlotPage[Timelines]):
         tone = self.palette().color(QPalette.ColorRole.Highlight)
         tone.setAlphaF(0.85)
         self.here.setPen(self.pg.mkPen(tone, width=3))
-        self.item.setLabel("bottom", "frame", color=text.name())
+        self.item.setLabel("bottom", tr("frame"), color=text.name())
 
     @staticmethod
     def table(data: Timelines, request: PlotRequest) -> Table:
-        names = (f"jac@{request.tau:g} {source.name}" for source in request.sources)
+        names = (f"jac@{request.tau:g} {source.name}" for source in request.sources)  # not shown
         numbers = np.arange(1, len(request.frames) + 1)
         return Table(("number", "frame", *names), (numbers, request.frames, *data.values))
 
@@ -296,7 +301,8 @@ class TimelinePage(PlotPage[Timelines]):
             f"{source.name} –"
             for source, values, *_ in self._lines
         ]  # fmt: skip
-        self.readout.emit(" · ".join([f"{self._frames[index]} (frame {index + 1})", *values]))
+        frame = tr("{name} (frame {n})", name=self._frames[index], n=index + 1)
+        self.readout.emit(" · ".join([frame, *values]))
 
     def _click(self, event: Any) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
@@ -309,5 +315,5 @@ class TimelinePage(PlotPage[Timelines]):
 def _nothing(request: PlotRequest) -> str:
     """Why there is no curve."""
     if request.scope == "frame":
-        return "No score of this frame: it is not annotated, or no shown source has its camera."
-    return "No scores yet. They are computed in the background, frame by frame."
+        return tr("No score of this frame: it is not annotated, or no shown source has its camera.")
+    return tr("No scores yet. They are computed in the background, frame by frame.")

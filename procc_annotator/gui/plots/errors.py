@@ -12,6 +12,7 @@ from PySide6.QtGui import QPalette
 from procc_annotator.gui.panels.overview.plots import count_ticks
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.request import PlotRequest
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.runs.audit_figures import (
     Histogram,
     Points,
@@ -37,12 +38,12 @@ class ErrorBars:
 class HistogramPage(PlotPage[ErrorBars]):
     """How many points have which error, overall or of one class."""
 
-    title = "Errors, as a histogram"
+    title = word("Errors, as a histogram")
     by_class = True
 
     def __init__(self) -> None:
         super().__init__("plot_histogram")
-        self.item = self.add_plot(0, "reprojection error (px)", "points", movable=False)
+        self.item = self.add_plot(0, tr("reprojection error (px)"), tr("points"), movable=False)
         self._shown: tuple[ErrorBars, PlotRequest] | None = None
         self.view.scene().sigMouseMoved.connect(self._hover)
 
@@ -74,10 +75,8 @@ class HistogramPage(PlotPage[ErrorBars]):
         self.item.setYRange(0, max(highest, 1) * 1.05, padding=0)
         self.item.getAxis("left").setTicks([count_ticks(highest)])
         self.say_empty("" if highest else no_points(request))
-        return " ".join(
-            filter(None, ("The last bar holds all larger errors." if data.bars.open_ended else "",
-                          left_out(data.points)))
-        )  # fmt: skip
+        beyond = tr("The last bar holds all larger errors.") if data.bars.open_ended else ""
+        return " ".join(filter(None, (beyond, left_out(data.points))))
 
     @staticmethod
     def table(data: ErrorBars, request: PlotRequest) -> Table:
@@ -85,7 +84,7 @@ class HistogramPage(PlotPage[ErrorBars]):
         upper = edges[1:].astype(float)
         if data.bars.open_ended:
             upper[-1] = np.nan
-        names = (f"points {source.name}" for source in request.sources)
+        names = (f"points {source.name}" for source in request.sources)  # not shown
         return Table(("from_px", "below_px", *names), (edges[:-1], upper, *data.bars.counts))
 
     def _hover(self, at: QPointF) -> None:
@@ -100,9 +99,16 @@ class HistogramPage(PlotPage[ErrorBars]):
             self.readout.emit("")
             return
         last = data.bars.open_ended and bar == len(edges) - 2
-        interval = f"{edges[bar]:g} px or more" if last else f"{edges[bar]:g}-{edges[bar + 1]:g} px"
+        interval = f"{edges[bar]:g}-{edges[bar + 1]:g} px"
+        if last:
+            interval = tr("{px:g} px or more", px=edges[bar])
         counts = [
-            f"{source.name} {counts[bar]:,} of {counts.sum():,}"
+            tr(
+                "{name} {part:,} of {total:,}",
+                name=source.name,
+                part=counts[bar],
+                total=counts.sum(),
+            )
             for source, counts in zip(request.sources, data.bars.counts, strict=True)
         ]
         self.readout.emit(" · ".join([interval, *counts]))
@@ -124,13 +130,13 @@ class RadialPlot:
 class RadiusPage(PlotPage[RadialPlot]):
     """Error against image radius: a rise towards the corners is unmodelled distortion."""
 
-    title = "Errors, by image radius"
+    title = word("Errors, by image radius")
     by_class = True
 
     def __init__(self) -> None:
         super().__init__("plot_radius")
         self.item = self.add_plot(
-            0, "distance from the centre (corner = 1)", "reprojection error (px)"
+            0, tr("distance from the centre (corner = 1)"), tr("reprojection error (px)")
         )
         self.item.vb.setLimits(xMin=-0.05, yMin=-0.05)
 
@@ -162,11 +168,16 @@ class RadiusPage(PlotPage[RadialPlot]):
         self.item.setXRange(0, 1, padding=0.02)
         self.item.setYRange(0, data.top, padding=0)
         self.say_empty("" if total else no_points(request))
-        some = f"Dots: {painted:,} of {total:,} points, the largest errors among them."
+        some = tr_count(
+            total,
+            "Dots: {painted:,} of {n:,} point, the largest errors among them.",
+            "Dots: {painted:,} of {n:,} points, the largest errors among them.",
+            painted=painted,
+        )
         medians = any(len(radial.centres) > 1 for radial in data.radial)
         return " ".join(
             filter(None, (some if painted < total else "",
-                          "Lines: running median of all points." if medians else "",
+                          tr("Lines: running median of all points.") if medians else "",
                           left_out(data.points)))
         )  # fmt: skip
 
@@ -191,13 +202,18 @@ def sample(errors: Any, most: int) -> Any:
 
 def no_points(request: PlotRequest) -> str:
     """Why there is no point to plot."""
+    here = request.scope == "frame"
     if request.class_row is not None and request.class_row < len(request.titles):
-        what = f"No point of {request.titles[request.class_row]}"
+        title = tr(request.titles[request.class_row])
+        if here:
+            why = tr("No point of {element} in this frame.", element=title)
+        else:
+            why = tr("No point of {element} so far.", element=title)
+    elif here:
+        why = tr("No annotated point that a shown source projects in this frame.")
     else:
-        what = "No annotated point that a shown source projects"
-    return request.why_nothing(
-        f"{what} {'in this frame' if request.scope == 'frame' else 'so far'}."
-    )
+        why = tr("No annotated point that a shown source projects so far.")
+    return request.why_nothing(why)
 
 
 def left_out(points: tuple[Points, ...]) -> str:
@@ -205,7 +221,11 @@ def left_out(points: tuple[Points, ...]) -> str:
     count = sum(p.undefined for p in points)
     if not count:
         return ""
-    return f"{count:,} point{'s' if count > 1 else ''} without a distance left out."
+    return tr_count(
+        count,
+        "{n:,} point without a distance left out.",
+        "{n:,} points without a distance left out.",
+    )
 
 
 def point_table(request: PlotRequest, points: tuple[Points, ...], **more: Any) -> Table:

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from procc_annotator.gui.plots.looks import source_pen, symbol_of
 from procc_annotator.gui.plots.request import PlottedSource
-from procc_annotator.io.camera_files.fitted_on import marked
+from procc_annotator.io.camera_files.fitted_on import FITTED
+from procc_annotator.language import tr
 
 _SYMBOL = 8.0  # logical px
 
@@ -35,7 +36,7 @@ class Legend(QWidget):
         """Name sources, each with more to say of it (may be empty)."""
         self._sources = tuple(sources)
         self.setVisible(bool(sources))
-        self.setAccessibleName(f"Sources: {self.text}")
+        self.setAccessibleName(tr("Sources: {names}", names=self.text))
         self.setToolTip(self.text)
         self.updateGeometry()
         self.update()
@@ -115,4 +116,5 @@ def _paint_symbol(painter: QPainter, source: PlottedSource, at: QPointF) -> None
 
 
 def _entry(source: PlottedSource, more: str) -> str:
-    return f"{marked(source.name, source.fitted)} {more}".strip()
+    name = f"{source.name} ({tr(FITTED)})" if source.fitted else source.name
+    return f"{name} {more}".strip()

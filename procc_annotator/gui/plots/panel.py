@@ -8,6 +8,7 @@ from typing import Any, Protocol
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QComboBox,
     QGridLayout,
     QHBoxLayout,
@@ -29,10 +30,12 @@ from procc_annotator.gui.plots.sources import PlotSources, Restrict
 from procc_annotator.gui.plots.taking import TakingAlong
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.language import tr, word
 
 _INTERVAL_MS = 60
-_SCOPES = {"frame": "This frame", "set": "Whole set"}
+_SCOPES = {"frame": word("This frame"), "set": word("Whole set")}
 _ALL_CLASSES = -1
+_WIDE = 34  # lines of text: then what is chosen stands in one row
 
 
 class _Kind(Protocol):
@@ -101,9 +104,9 @@ class PlotsPanel(TakingAlong):
         self._elements = tuple(titles)
         blocked = self.classes.blockSignals(True)
         self.classes.clear()
-        self.classes.addItem("All elements", _ALL_CLASSES)
+        self.classes.addItem(tr("All elements"), _ALL_CLASSES)
         for row, title in enumerate(titles.values()):
-            self.classes.addItem(title, row)
+            self.classes.addItem(tr(title), row)
         row = self._elements.index(before) if before in self._elements else _ALL_CLASSES
         self.classes.setCurrentIndex(self.classes.findData(row))
         self.classes.blockSignals(blocked)
@@ -111,16 +114,16 @@ class PlotsPanel(TakingAlong):
     def _build_more(self) -> QToolButton:
         more = QToolButton()
         more.setObjectName("plots_more")
-        more.setText("Save")
-        more.setToolTip("Copy or save the plot and its numbers")
-        more.setAccessibleName("Copy or save the plot")
+        more.setText(tr("Save"))
+        more.setToolTip(tr("Copy or save the plot and its numbers"))
+        more.setAccessibleName(tr("Copy or save the plot"))
         more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(more)
         for name, text, slot in (
-            ("copy_picture", "Copy picture", self.copy_picture),
-            ("copy_numbers", "Copy numbers", self.copy_numbers),
-            ("save_picture", "Save picture…", self.ask_picture),
-            ("save_numbers", "Save numbers…", self.ask_numbers),
+            ("copy_picture", tr("Copy picture"), self.copy_picture),
+            ("copy_numbers", tr("Copy numbers"), self.copy_numbers),
+            ("save_picture", tr("Save picture…"), self.ask_picture),
+            ("save_numbers", tr("Save numbers…"), self.ask_numbers),
         ):
             action = menu.addAction(text, slot)
             action.setObjectName(f"plots_{name}")
@@ -128,15 +131,15 @@ class PlotsPanel(TakingAlong):
         return more
 
     def _build(self) -> None:
-        self.chooser = _combo("plots_page", "Plot")
+        self.chooser = _combo("plots_page", tr("Plot"))
         self.chooser.currentIndexChanged.connect(self._turn_page)
-        self.scope = _combo("plots_scope", "Frames")
+        self.scope = _combo("plots_scope", tr("Frames"))
         for scope, words in _SCOPES.items():
-            self.scope.addItem(words, scope)
-        self.scope.setToolTip("Plot the frame on screen, or all frames scored so far")
+            self.scope.addItem(tr(words), scope)
+        self.scope.setToolTip(tr("Plot the frame on screen, or all frames scored so far"))
         self.scope.currentIndexChanged.connect(self._redraw)
-        self.classes = _combo("plots_class", "Element")
-        self.classes.setToolTip("Plot the points of one element only")
+        self.classes = _combo("plots_class", tr("Element"))
+        self.classes.setToolTip(tr("Plot the points of one element only"))
         self._offer_classes()
         self._document.fieldChanged.connect(self._offer_classes)
         self.classes.currentIndexChanged.connect(self._redraw)
@@ -160,8 +163,11 @@ class PlotsPanel(TakingAlong):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.setSpacing(4)
-        layout.addLayout(first)
-        layout.addLayout(second)
+        self._choices = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._choices.setSpacing(4)
+        self._choices.addLayout(first, 1)
+        self._choices.addLayout(second, 1)
+        layout.addLayout(self._choices)
         layout.addWidget(self.legend)
         layout.addLayout(self._stack, 1)
         self._stack.addWidget(self.empty)
@@ -185,7 +191,7 @@ class PlotsPanel(TakingAlong):
     def _offer_kinds(self) -> None:
         if not self._kinds:
             self._kinds = _kinds()
-            self.chooser.addItems([kind.title for kind in self._kinds])
+            self.chooser.addItems([tr(kind.title) for kind in self._kinds])
 
     @property
     def _kind(self) -> _Kind:
@@ -208,7 +214,7 @@ class PlotsPanel(TakingAlong):
     # --- showing --------------------------------------------------------------------------
 
     def choose(self, title: str) -> None:
-        """Show a plot by its title."""
+        """Show a plot by its title, in English."""
         self._offer_kinds()
         self.chooser.setCurrentIndex([kind.title for kind in self._kinds].index(title))
 
@@ -261,9 +267,11 @@ class PlotsPanel(TakingAlong):
     def _why_empty(self) -> str:
         document = self._document
         if document.frame is None:
-            return "Open a folder of pictures to see plots."
+            return tr("Open a folder of pictures to see plots.")
         if not document.sources:
-            return "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
+            return tr(
+                "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
+            )
         return ""
 
     def _forget(self, why: str) -> None:
@@ -314,13 +322,13 @@ class PlotsPanel(TakingAlong):
 
         self._computing.start(work, done)
         if self._stack.currentWidget() is not page:  # nothing of it was drawn yet
-            self.empty.setText("Computing…")
+            self.empty.setText(tr("Computing…"))
             self._stack.setCurrentWidget(self.empty)
             self.more.setEnabled(False)
 
     def _fail(self, text: str) -> None:
         self._again = False
-        self._forget(f"This plot could not be computed: {text}.")
+        self._forget(tr("This plot could not be computed: {error}.", error=text))
 
     def _cancel(self) -> None:
         self._computing.cancel()
@@ -346,16 +354,19 @@ class PlotsPanel(TakingAlong):
         if request.scope == "frame":
             name = request.frames[request.current] if request.current >= 0 else ""
             if request.blind:
-                return "(hidden)"
-            return "" if name in source.audits else "(no score)"
+                return tr("(hidden)")
+            return "" if name in source.audits else tr("(no score)")
         if request.blind:
-            return f"({len(source.audits):,} committed)"
-        return f"({len(source.audits):,} of {len(request.frames):,})"
+            return tr("({n:,} committed)", n=len(source.audits))
+        return tr("({n:,} of {total:,})", n=len(source.audits), total=len(request.frames))
 
     # --- events ---------------------------------------------------------------------------
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        wide = self.width() > _WIDE * self.fontMetrics().height()
+        way = QBoxLayout.Direction.LeftToRight if wide else QBoxLayout.Direction.TopToBottom
+        self._choices.setDirection(way)
         self._read_out("")
 
 

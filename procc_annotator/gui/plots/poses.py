@@ -11,6 +11,7 @@ from PySide6.QtGui import QPalette
 
 from procc_annotator.gui.plots.base import Items, PlotPage
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.runs.audit_figures import (
     POSE_QUANTITIES,
     POSE_UNITS,
@@ -101,7 +102,7 @@ class PosesPage(PlotPage[PosePlot]):
     # --- inside ---------------------------------------------------------------------------
 
     def _make_plot(self, row: int, column: int) -> None:
-        plot = self.add_plot(row, "frame", f"{_NAMES[column]} ({POSE_UNITS[column]})")
+        plot = self.add_plot(row, tr("frame"), f"{tr(_NAMES[column])} ({POSE_UNITS[column]})")
         plot.setMouseEnabled(x=True, y=False)
         plot.enableAutoRange(axis="y")
         if row < len(self.columns) - 1:
@@ -137,11 +138,18 @@ class PosesPage(PlotPage[PosePlot]):
         for source, found in zip(request.sources, data.poses, strict=True):
             if not found.with_pose:
                 if found.without:
-                    parts.append(f"{source.name}: its model has no pose.")
+                    parts.append(tr("{name}: its model has no pose.", name=source.name))
                 continue
             count = int(np.count_nonzero(found.jumps[:, columns].any(axis=1)))
             if count:
-                parts.append(f"{source.name}: {count:,} jump{'s' if count > 1 else ''} (rings).")
+                parts.append(
+                    tr_count(
+                        count,
+                        "{name}: {n:,} jump (rings).",
+                        "{name}: {n:,} jumps (rings).",
+                        name=source.name,
+                    )
+                )
         return " ".join(parts)
 
     def _thin_out(self) -> None:
@@ -166,15 +174,15 @@ class PosesPage(PlotPage[PosePlot]):
         if index < 0 or request is None or data is None:
             self.readout.emit("")
             return
-        parts = [f"{request.frames[index]} (frame {index + 1})"]
+        parts = [tr("{name} (frame {n})", name=request.frames[index], n=index + 1)]
         for source, found in zip(request.sources, data.poses, strict=True):
             if found.with_pose:
                 values = found.values[index]
                 parts.append(
                     f"{source.name} "
                     + ", ".join(
-                        f"{_NAMES[c]} {values[c]:.2f} {POSE_UNITS[c]}"
-                        if np.isfinite(values[c]) else f"{_NAMES[c]} –"
+                        f"{tr(_NAMES[c])} {values[c]:.2f} {POSE_UNITS[c]}"
+                        if np.isfinite(values[c]) else f"{tr(_NAMES[c])} –"
                         for c in self.columns
                     )
                 )  # fmt: skip
@@ -191,7 +199,7 @@ class PosesPage(PlotPage[PosePlot]):
 class AnglesPage(PosesPage):
     """Where the cameras look, and how far they zoom."""
 
-    title = "Pan, tilt, roll, zoom over the frames"
+    title = word("Pan, tilt, roll, zoom over the frames")
     columns = (0, 1, 2, 3)
 
     def __init__(self) -> None:
@@ -201,17 +209,19 @@ class AnglesPage(PosesPage):
 class PositionPage(PosesPage):
     """Where the cameras stand."""
 
-    title = "Position over the frames"
+    title = word("Position over the frames")
     columns = (4, 5, 6)
 
     def __init__(self) -> None:
         super().__init__("plot_position")
 
 
-_NAMES = ("pan", "tilt", "roll", "focal", "x", "y", "height")
+_NAMES = (word("pan"), word("tilt"), word("roll"), word("focal"), "x", "y", word("height"))
 
 
 def _no_pose(data: PosePlot) -> str:
     if any(found.without for found in data.poses):
-        return "The shown sources are of models without a pose (homographies, projections alone)."
-    return "No poses yet. They are gathered in the background, frame by frame."
+        return tr(
+            "The shown sources are of models without a pose (homographies, projections alone)."
+        )
+    return tr("No poses yet. They are gathered in the background, frame by frame.")

@@ -9,6 +9,7 @@ from typing import Literal
 
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.runs.audit import FrameAudit
 from procc_annotator.session.runs.frame_order import FrameOrder
@@ -78,15 +79,17 @@ class PlotRequest:
         try:
             return FrameOrder.read(self.order_file), ""
         except InputError as error:
-            return None, f"Shots are told by names, since {error}."
+            return None, tr("Shots are told by names, since {error}.", error=error)
 
     def why_nothing(self, otherwise: str) -> str:
         """Why there is nothing to plot: blind mode, or what else a page says."""
         if not self.blind:
             return otherwise
         if self.scope == "frame":
-            return "Hidden: blind mode shows this plot once this frame is committed."
-        return "Hidden: blind mode shows committed frames only, and none of them is in this plot."
+            return tr("Hidden: blind mode shows this plot once this frame is committed.")
+        return tr(
+            "Hidden: blind mode shows committed frames only, and none of them is in this plot."
+        )
 
     def audits(self, source: PlottedSource) -> list[FrameAudit]:
         """What the scope holds of a source, in the order of the frames."""

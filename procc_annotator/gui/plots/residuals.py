@@ -19,6 +19,7 @@ from procc_annotator.gui.plots.errors import (
 )
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
 from procc_annotator.gui.theme import muted
+from procc_annotator.language import tr, word
 from procc_annotator.session.runs.audit_figures import (
     Arrows,
     FloatArray,
@@ -47,7 +48,7 @@ class Vectors:
 class VectorsPage(PlotPage[Vectors]):
     """Where in the picture the projection lies beside the clicks, and which way."""
 
-    title = "Residuals over the picture"
+    title = word("Residuals over the picture")
     by_class = True
 
     def __init__(self) -> None:
@@ -61,14 +62,14 @@ class VectorsPage(PlotPage[Vectors]):
         self._framed: tuple[int, int] | None = None
         self.factor = QComboBox()
         self.factor.setObjectName("plot_vectors_factor")
-        self.factor.setAccessibleName("Arrows drawn longer")
-        self.factor.setToolTip("How many times longer than they are arrows are drawn")
-        self.factor.addItem("automatic", _AUTOMATIC)
+        self.factor.setAccessibleName(tr("Arrows drawn longer"))
+        self.factor.setToolTip(tr("How many times longer than they are arrows are drawn"))
+        self.factor.addItem(tr("automatic"), _AUTOMATIC)
         for factor in _FACTORS:
             self.factor.addItem(f"{factor} ×", factor)
         self.factor.currentIndexChanged.connect(lambda _: self.changed.emit())
         row = QHBoxLayout()
-        row.addWidget(QLabel("Arrows"))
+        row.addWidget(QLabel(tr("Arrows")))
         row.addWidget(self.factor)
         row.addStretch(1)
         layout = self.layout()
@@ -97,18 +98,23 @@ class VectorsPage(PlotPage[Vectors]):
             self.item.setRange(xRange=(0, width), yRange=(0, height), padding=0.02)
         count = sum(len(arrows.counts) for arrows in data.arrows)
         if not count and request.scope == "set" and any(len(p.errors_px) for p in data.points):
-            self.say_empty("Too few points so far: five in a part of the picture make an arrow.")
+            self.say_empty(
+                tr("Too few points so far: five in a part of the picture make an arrow.")
+            )
         else:
             self.say_empty("" if count else no_points(request))
-        each = (
-            "from the click towards the projection"
-            if request.scope == "frame"
-            else "the median residual of each part of the picture with 5 points or more"
-        )
-        return " ".join(
-            filter(None, (f"Arrows {factor} times as long as they are: {each}.",
-                          left_out(data.points)))
-        )  # fmt: skip
+        if request.scope == "frame":
+            said = tr(
+                "Arrows {factor} times as long as they are: from the click towards the projection.",
+                factor=factor,
+            )
+        else:
+            said = tr(
+                "Arrows {factor} times as long as they are: the median residual of each part of"
+                " the picture with 5 points or more.",
+                factor=factor,
+            )
+        return " ".join(filter(None, (said, left_out(data.points))))
 
     def _draw_arrows(self, source: PlottedSource, arrows: Arrows, factor: float) -> None:
         lines = arrow_lines(arrows.at_px, arrows.vectors_px * factor)
@@ -165,12 +171,12 @@ class Directions:
 class DirectionsPage(PlotPage[Directions]):
     """All residuals from one centre: a cloud beside the cross is a bias."""
 
-    title = "Residuals, by direction"
+    title = word("Residuals, by direction")
     by_class = True
 
     def __init__(self) -> None:
         super().__init__("plot_directions")
-        self.item = self.add_plot(0, "to the right (px)", "down (px)")
+        self.item = self.add_plot(0, tr("to the right (px)"), tr("down (px)"))
         self.item.setAspectLocked(True)
         self.item.invertY(True)
         self.cross = [self.pg.InfiniteLine(angle=angle, movable=False) for angle in (0, 90)]
@@ -208,7 +214,7 @@ class DirectionsPage(PlotPage[Directions]):
             for source, middle in zip(request.sources, data.biases, strict=True)
             if middle is not None
         ]
-        text = f"Median of clicks to projection: {'; '.join(said)}." if said else ""
+        text = tr("Median of clicks to projection: {ways}.", ways="; ".join(said)) if said else ""
         return " ".join(filter(None, (text, left_out(data.points))))
 
     def _draw_bias(self, source: PlottedSource, middle: tuple[float, float]) -> None:
@@ -237,5 +243,6 @@ class DirectionsPage(PlotPage[Directions]):
 
 def _way(dx: float, dy: float) -> str:
     """A residual in words: 1.2 px right, 0.3 px up."""
-    across = f"{abs(dx):.2f} px {'right' if dx >= 0 else 'left'}"
-    return f"{across}, {abs(dy):.2f} px {'down' if dy >= 0 else 'up'}"
+    across = tr("{px:.2f} px right", px=abs(dx)) if dx >= 0 else tr("{px:.2f} px left", px=abs(dx))
+    down = tr("{px:.2f} px down", px=abs(dy)) if dy >= 0 else tr("{px:.2f} px up", px=abs(dy))
+    return f"{across}, {down}"

@@ -6,18 +6,19 @@ import numpy as np
 
 from procc_annotator.gui.plots.curves import TimelinePage, Timelines
 from procc_annotator.gui.plots.request import PlotRequest
+from procc_annotator.language import tr, word
 from procc_annotator.session.runs.audit_figures import Table
 from procc_annotator.session.runs.frame_jitter import frame_jitter
 
 _LEAST_SPAN_PX = 1.0
-_NO_CAMERAS = "No three frames in a row have a camera that goes from one to the next."
+_NO_CAMERAS = word("No three frames in a row have a camera that goes from one to the next.")
 
 
 class SteadyPage(TimelinePage):
     """Jitter of every frame under every source, with a camera or an annotation; a click shows the
     frame."""
 
-    title = "Jitter over the frames"
+    title = word("Jitter over the frames")
     follows_tau = False
     digits = 2
 
@@ -46,12 +47,12 @@ class SteadyPage(TimelinePage):
         known = [float(np.nanmax(v)) for v in data.values if np.isfinite(v).any()]
         self.item.setYRange(0, max([_LEAST_SPAN_PX, *known]), padding=0.06)
         super().draw(data, request)
-        self.say_empty("" if known else request.why_nothing(_NO_CAMERAS))
-        return "How far each frame is from steady motion between its neighbours."
+        self.say_empty("" if known else request.why_nothing(tr(_NO_CAMERAS)))
+        return tr("How far each frame is from steady motion between its neighbours.")
 
     def mark(self, request: PlotRequest) -> None:
         super().mark(request)
-        self.item.setLabel("left", "jitter (px)")
+        self.item.setLabel("left", tr("jitter (px)"))
 
     @staticmethod
     def table(data: Timelines, request: PlotRequest) -> Table:

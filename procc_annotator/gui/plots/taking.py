@@ -17,8 +17,8 @@ from procc_annotator.gui.plots.request import PlotRequest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import run_in_background
 from procc_annotator.gui.writing import ask_where, write
-from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.language import tr, tr_count
 from procc_annotator.report.plotted import plotted_sheet
 from procc_annotator.report.sheet.as_csv import CRLF, csv_bytes
 
@@ -46,7 +46,7 @@ class TakingAlong(QWidget):
             with self._drawn_sharp(SHARPNESS):
                 image = picture.image()
             QGuiApplication.clipboard().setImage(image)
-            self._document.say("the plot is on the clipboard as a picture")
+            self._document.say(tr("the plot is on the clipboard as a picture"))
 
     def copy_numbers(self) -> None:
         """Put the plotted numbers on the clipboard as CSV."""
@@ -54,13 +54,13 @@ class TakingAlong(QWidget):
 
     def ask_picture(self) -> None:
         """Ask for a file and write the plot there."""
-        path = self._ask("png", "Picture (*.png);;Vector graphics (*.svg)")
+        path = self._ask("png", tr("Picture (*.png);;Vector graphics (*.svg)"))
         if path is not None:
             self.save_picture(path)
 
     def ask_numbers(self) -> None:
         """Ask for a file and write the plotted numbers there."""
-        path = self._ask("csv", "Table (*.csv)")
+        path = self._ask("csv", tr("Table (*.csv)"))
         if path is not None:
             self.save_numbers(path)
 
@@ -76,16 +76,16 @@ class TakingAlong(QWidget):
         self._numbers(lambda text: self._write(path, text.encode))
 
     @property
-    def _so_far(self) -> str:
-        """What to say of a plot that is not of all frames yet; empty where it is."""
+    def _unfinished(self) -> bool:
+        """Whether the plot is not of all frames yet."""
         request = self._request
-        unfinished = request is not None and request.scope == "set"
-        return ", as far as scored" if unfinished and self._document.set_scores.running else ""
+        of_set = request is not None and request.scope == "set"
+        return of_set and self._document.set_scores.running
 
     def _numbers(self, use: Callable[[str], None]) -> None:
         page, data, request = self.page, self._data, self._request
         if request is None or page.is_empty:
-            self._document.say("there is nothing plotted to take along")
+            self._document.say(tr("there is nothing plotted to take along"))
             return
         run_in_background(
             lambda _: csv_bytes(plotted_sheet(page.table(data, request)), line_end=CRLF).decode(),
@@ -96,21 +96,23 @@ class TakingAlong(QWidget):
 
     def _put_text(self, text: str) -> None:
         QGuiApplication.clipboard().setText(text)
-        self._document.say("the plotted numbers are on the clipboard")
+        self._document.say(tr("the plotted numbers are on the clipboard"))
 
     def _picture(self) -> PlotPicture | None:
         page, request = self.page, self._request
         if request is None or page.is_empty:
-            self._document.say("there is nothing plotted to take along")
+            self._document.say(tr("there is nothing plotted to take along"))
             return None
         if request.scope == "frame":
             what = request.frames[request.current]
         else:
-            what = f"{counted(len(request.frames), 'frame')}{self._so_far}"
+            what = tr_count(len(request.frames), "{n:,} frame", "{n:,} frames")
+            if self._unfinished:
+                what = tr("{frames}, as far as scored", frames=what)
         if request.class_row is not None:
-            what += f", {request.titles[request.class_row]}"
+            what += f", {tr(request.titles[request.class_row])}"
         terms = f"{what}; {self._document.setup.describe()}"
-        return PlotPicture(page, self.legend, (page.title, terms, self._said))
+        return PlotPicture(page, self.legend, (tr(page.title), terms, self._said))
 
     @contextmanager
     def _drawn_sharp(self, sharpness: float) -> Iterator[None]:
@@ -128,17 +130,17 @@ class TakingAlong(QWidget):
 
     def _ask(self, suffix: str, filters: str) -> Path | None:
         if self._document.frame is None or self._request is None:
-            self._document.say("there is nothing plotted to take along")
+            self._document.say(tr("there is nothing plotted to take along"))
             return None
         words = "".join(c for c in self.page.title.lower() if c.isalnum() or c == " ")
         name = f"{words.replace(' ', '_')}.{suffix}"
-        return ask_where(self._document, self, "Save the plot", name, filters)
+        return ask_where(self._document, self, tr("Save the plot"), name, filters)
 
     def _write(self, path: Path, content: Callable[[], bytes]) -> None:
-        document, more = self._document, self._so_far
+        said = tr("wrote {path}, as far as scored") if self._unfinished else tr("wrote {path}")
         write(
-            document,
+            self._document,
             lambda _: write_atomic(path, content()),
-            lambda _: f"wrote {path}{more}",
+            lambda _: said.format(path=path),
             owner=self,
         )

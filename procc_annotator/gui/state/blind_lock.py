@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.store import Store
+from procc_annotator.language import tr
 from procc_annotator.session.facts.blind_work import (
     LOCK_SETTING,
     LockEvent,
@@ -49,7 +50,9 @@ class BlindLock(QObject):
     @property
     def no_fit(self) -> str:
         """Why there is no live fit whatever somebody wants; empty when there may be one."""
-        return f"{reason}: there is no live fit in it" if (reason := self.reason) else ""
+        if not (reason := self.reason):
+            return ""
+        return tr("{reason}: there is no live fit in it", reason=reason)
 
     def of_dataset(self) -> dict[str, object]:
         """What the state is to hold of the dataset whose database is the review's by now."""
@@ -62,7 +65,8 @@ class BlindLock(QObject):
             self.wanted = blind
             self._store.set(blind=blind)
         elif not blind:
-            say(self._store, f"{self.reason}: menu Frame unlocks it, which is recorded")
+            text = tr("{reason}: menu Frame unlocks it, which is recorded", reason=self.reason)
+            say(self._store, text)
             self.refused.emit()
 
     def set_locked(self, locked: bool) -> None:
@@ -70,7 +74,7 @@ class BlindLock(QObject):
         way."""
         review = self._review
         if review.database is None:
-            say(self._store, "open a folder of pictures first", "warning")
+            say(self._store, tr("open a folder of pictures first"), "warning")
             return
         events = self._events()
         if locked != (lock_of(events) is not None):
@@ -78,9 +82,12 @@ class BlindLock(QObject):
             self._locking = True
             review.set_setting(LOCK_SETTING, write_events((*events, event)))
             self._locking = False
-            words = "locked to blind mode" if locked else "not locked to blind mode any more"
-            reach = f", {review.reach}" if review.reach else ""
-            say(self._store, f"this dataset is {words}{reach}")
+            said = [
+                tr("this dataset is locked to blind mode")
+                if locked
+                else tr("this dataset is not locked to blind mode any more")
+            ]
+            say(self._store, ", ".join(filter(None, (*said, review.reach))))
 
     # --- inside ---
 
@@ -92,12 +99,10 @@ class BlindLock(QObject):
         return {"blind_lock": lock, "blind": self.wanted or lock is not None}
 
     def _said(self, event: LockEvent) -> str:
-        done = "locked this dataset to" if event.locked else "unlocked this dataset from"
         if not event.time:
-            words = "This dataset is locked to blind mode"
+            words = tr("This dataset is locked to blind mode")
         else:
-            day = time.strftime("%Y-%m-%d %H:%M", time.localtime(event.time))
-            words = f"{event.author or 'Somebody'} {done} blind mode on {day}"
+            words = _who_and_when(event)
         reach = self._review.reach
         return f"{words} ({reach})" if reach else words
 
@@ -117,3 +122,11 @@ class BlindLock(QObject):
             self._store.set(committed=self._review.committed_frames())
         elif self._review.record(frame).committed != (frame in known):
             self._store.set(committed=known ^ {frame})
+
+
+def _who_and_when(event: LockEvent) -> str:
+    who = event.author or tr("Somebody")
+    day = time.strftime("%Y-%m-%d %H:%M", time.localtime(event.time))
+    if event.locked:
+        return tr("{who} locked this dataset to blind mode on {day}", who=who, day=day)
+    return tr("{who} unlocked this dataset from blind mode on {day}", who=who, day=day)

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.interact.palette import SOURCE_COLOURS
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet, FrameCameras
 from procc_annotator.session.dataset.fitted_cameras import FIT_NAME, FittedCameras
 from procc_annotator.session.dataset.tracked_cameras import TRACK_NAME
@@ -165,5 +166,5 @@ def where_else(path: Path) -> str:
     except OSError:  # a single file or an archive
         inner = []
     if inner:
-        return f"load one of its folders: {', '.join(inner[:6])}"
-    return "expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix"
+        return tr("load one of its folders: {names}", names=", ".join(inner[:6]))
+    return tr("expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix")

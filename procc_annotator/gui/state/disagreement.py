@@ -13,6 +13,7 @@ from procc_annotator.gui.state.metre_map_shapes import MapShapes, shapes_in_pict
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrames
 from procc_annotator.gui.state.store import Store
+from procc_annotator.language import tr
 from procc_annotator.metric.disagreement import Disagreement, disagreement
 from procc_annotator.metric.even_grid import value_at
 
@@ -76,22 +77,22 @@ class DisagreementWatch(Derived[Compared]):
             return problem
         found = self.value
         if found is not None and found.values.statistics.metres.maximum is None:
-            return "The two see no part of the field in common in this frame."
+            return tr("The two see no part of the field in common in this frame.")
         if found is not None and found.same:
-            return "Both cameras are the same in this frame."
+            return tr("Both cameras are the same in this frame.")
         return ""
 
     def _made_of(self) -> Inputs | str | None:
         state = self._store.state
         a, b = state.active, state.compared
         if not state.projection_visible:
-            return "Blind: hidden until this frame is committed."
+            return tr("Blind: hidden until this frame is committed.")
         if state.frame is None:
-            return "Open a folder of pictures first."
+            return tr("Open a folder of pictures first.")
         if a is None and len(state.sources) > 1:
-            return "No source is judged: choose one first."
+            return tr("No source is judged: choose one first.")
         if a is None or b is None:
-            return "Two sources of cameras are needed: load another one."
+            return tr("Two sources of cameras are needed: load another one.")
         shown = [self._source_frames.of(source) for source in (a, b)]
         cameras = [each.camera for each in shown if each is not None]
         if len(cameras) < 2:
@@ -107,15 +108,25 @@ def _why_not(names: tuple[str, str], cameras: Sequence[CameraOrProjections | Non
     named = list(zip(names, cameras, strict=True))
     without = [name for name, camera in named if camera is None]
     if without:
-        return f"{' and '.join(without)}: no camera for this frame."
+        return tr("{names}: no camera for this frame.", names=_both(without))
     projections = [name for name, camera in named if isinstance(camera, ElementProjections)]
     if not projections:
         return ""
-    verb = "shares" if len(projections) == 1 else "share"
-    return (
-        f"{' and '.join(projections)} {verb} only where the elements are shown, no camera:"
-        " there is no ground to compare."
+    if len(projections) == 1:
+        return tr(
+            "{name} shares only where the elements are shown, no camera: there is no ground to"
+            " compare.",
+            name=projections[0],
+        )
+    return tr(
+        "{names} share only where the elements are shown, no camera: there is no ground to"
+        " compare.",
+        names=_both(projections),
     )
+
+
+def _both(names: Sequence[str]) -> str:
+    return names[0] if len(names) == 1 else tr("{a} and {b}", a=names[0], b=names[1])
 
 
 def compare_cameras(

@@ -25,6 +25,7 @@ from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.label_check import LabelCheck
 from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.map_sight import MapSight
 from procc_annotator.gui.state.notices import UNSAVED, Level
 from procc_annotator.gui.state.opening import Opening
 from procc_annotator.gui.state.outside_changes import OutsideChanges
@@ -287,6 +288,7 @@ class Document(QObject):
             self.corrections,
         )
         self.ghosts = Ghosts(store, signals, self.foresight, self.review)
+        self.map_sight = MapSight(store, signals, self.foresight, self.judge)
         self.paint_watch = PaintWatch(store, signals)
         self.label_check = LabelCheck(
             store, signals, self.review, self.live_fit, self.judge, self.paint_watch
@@ -306,9 +308,9 @@ class Document(QObject):
 
     # --- from outside the store -----------------------------------------------------------------
 
-    def say(self, text: str, level: Level = "info") -> None:
-        """Tell the user one line."""
-        say(self.store, text, level)
+    def say(self, text: str, level: Level = "info", remedy: str = "") -> None:
+        """Tell the user one line, and which action may help."""
+        say(self.store, text, level, remedy)
 
     def set_author(self, author: str) -> None:
         """Give points, comments and versions another author from now on."""
@@ -327,6 +329,7 @@ class Document(QObject):
             self.field_choice,
             self.landmarks,
             self.ghosts,
+            self.map_sight,
             self.foresight,
             self.corrections,
             self.proposals,
@@ -355,4 +358,4 @@ class Document(QObject):
         say(self.store, text, "warning")
 
     def _say_unsaved(self, text: str) -> None:
-        notify(self.store, UNSAVED, text, "error")
+        notify(self.store, UNSAVED, text, "error", remedy="save")

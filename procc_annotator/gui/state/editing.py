@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Literal
 
 from PySide6.QtCore import QObject
 
@@ -17,10 +16,11 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.selection import that_survives
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
+from procc_annotator.language import spoken, tr, word
 from procc_annotator.session.dataset.workspace import SAVED_ELSEWHERE, Workspace
 from procc_annotator.session.facts.origins import OriginKind, PointKey
 
-_NOTHING_OPEN = "open a folder of pictures first"
+_NOTHING_OPEN = word("open a folder of pictures first")
 
 
 class Editing(QObject):
@@ -59,7 +59,7 @@ class Editing(QObject):
         be had. Until then nothing has been clicked that could be lost."""
         state = self._store.state
         if not state.editable:
-            say(self._store, state.why_not_editable or _NOTHING_OPEN, "warning")
+            say(self._store, state.why_not_editable or tr(_NOTHING_OPEN), "warning")
             return False
         if self.presence.still_owned():
             return True
@@ -86,7 +86,7 @@ class Editing(QObject):
         state = self._store.state
         workspace, frame, before = state.workspace, state.frame, state.annotation
         if workspace is None or frame is None or state.why_broken:
-            say(self._store, state.why_broken or _NOTHING_OPEN, "warning")
+            say(self._store, state.why_broken or tr(_NOTHING_OPEN), "warning")
             return False
         if annotation == before:
             self._warned_of = None
@@ -141,11 +141,11 @@ class Editing(QObject):
 
     def undo(self) -> None:
         """Go back one step of this frame."""
-        self._travel("undo", "undone")
+        self._travel(back=True)
 
     def redo(self) -> None:
         """Go forward one step of this frame."""
-        self._travel("redo", "redone")
+        self._travel(back=False)
 
     @property
     def steps(self) -> tuple[str | None, str | None]:
@@ -229,13 +229,15 @@ class Editing(QObject):
         blind = not state.projection_visible
         if blind and not seen.annotated and not self._empty_asked:
             self._empty_asked = True
-            say(self._store, _EMPTY_COMMIT)
+            say(self._store, tr(_EMPTY_COMMIT))
             return
         waiting = len(seen.unconfirmed)
         self.review.commit(frame.name, seen, blind=blind)
         self._store.set(committed=state.committed | {frame.name})
-        left = f"; unconfirmed elements do not count: {waiting}" if waiting else ""
-        say(self._store, f"{frame.name} is done{left}")
+        said = [tr("{frame} is done", frame=frame.name)]
+        if waiting:
+            said.append(tr("unconfirmed elements do not count: {count}", count=waiting))
+        say(self._store, "; ".join(said))
 
     # --- inside -------------------------------------------------------------------------------
 
@@ -257,26 +259,29 @@ class Editing(QObject):
         self.saver.save_behind(index)
         self._auditing.frame_edited()
 
-    def _travel(self, direction: Literal["undo", "redo"], done: str) -> None:
+    def _travel(self, *, back: bool) -> None:
         state = self._store.state
         workspace, frame, before = state.workspace, state.frame, state.annotation
         if workspace is None or frame is None or not self.begin_edit():
             return
         if self._store.state.annotation is not before:
-            self._say_saved_elsewhere(f"nothing is {done}")
+            self._say_saved_elsewhere(tr("nothing is undone") if back else tr("nothing is redone"))
             return
-        if direction == "undo" and self._would_take_away(workspace):
+        if back and self._would_take_away(workspace):
             return
-        step = workspace.undo if direction == "undo" else workspace.redo
+        step = workspace.undo if back else workspace.redo
         label = step(state.frame_index)
         if label is None:
-            say(self._store, f"nothing to {direction} on this frame")
+            nothing = tr("nothing to undo on this frame")
+            say(self._store, nothing if back else tr("nothing to redo on this frame"))
             return
         now = workspace.state(state.frame_index).history.current
         said = self.review.touched(frame.name, before, now)
         with self._store.together():
             self._show_edited(workspace, stepped=True)
-            say(self._store, "; ".join(filter(None, (f"{done}: {label}", said))))
+            what = spoken(label)
+            done = tr("undone: {step}", step=what) if back else tr("redone: {step}", step=what)
+            say(self._store, "; ".join(filter(None, (done, said))))
 
     def _would_take_away(self, workspace: Workspace) -> bool:
         """Whether undo would take away what somebody else saved, and was not told so before: it
@@ -285,7 +290,7 @@ class Editing(QObject):
         if history.undo_label != SAVED_ELSEWHERE or self._warned_of is history.current:
             return False
         self._warned_of = history.current
-        self._say_saved_elsewhere("undo once more takes that away")
+        self._say_saved_elsewhere(tr("undo once more takes that away"))
         return True
 
     def _follow_save(self) -> None:
@@ -321,11 +326,12 @@ class Editing(QObject):
 
     def _say_read_again(self) -> None:
         if (name := self._store.state.frame_name) is not None:
-            say(self._store, f"{name} was changed elsewhere: read again")
+            say(self._store, tr("{frame} was changed elsewhere: read again", frame=name))
 
     def _say_saved_elsewhere(self, so: str) -> None:
         if (name := self._store.state.frame_name) is not None:
-            say(self._store, f"{name} was changed elsewhere and read again: {so}")
+            told = tr("{frame} was changed elsewhere and read again: {so}", frame=name, so=so)
+            say(self._store, told)
 
 
 def held(workspace: Workspace, index: int) -> dict[str, object]:
@@ -338,7 +344,7 @@ def held(workspace: Workspace, index: int) -> dict[str, object]:
     }
 
 
-_EMPTY_COMMIT = (
+_EMPTY_COMMIT = word(
     "blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked"
     " after that is no blind work"
 )

@@ -26,6 +26,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.terms import Terms
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.language import tr
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.database.places import folder_of
 from procc_annotator.session.dataset.dataset_field import (
@@ -136,7 +137,7 @@ class FieldChoice(QObject):
         if (read := self._jobs.pop("read", None)) is not None:  # of the field before
             read.cancel()
         self._chosen, self.question = True, None
-        self._tell_own(field.described if field.own_terms else field.title)
+        self._tell_own(field.described if field.own_terms else tr(field.title))
         self.changed.emit()
 
     def resize(
@@ -194,7 +195,7 @@ class FieldChoice(QObject):
         elif self.mismatch is not None and self.mismatch.better is not None:
             self.choose(self.mismatch.better.name)
         else:
-            say(self._store, "no other field knows the classes here better")
+            say(self._store, tr("no other field knows the classes here better"))
 
     def leave(self) -> None:
         """It is not the field that is asked about, and that is kept; or say nothing more of these
@@ -246,10 +247,16 @@ class FieldChoice(QObject):
             job.finish()
 
     def _tell_own(self, field: str) -> None:
-        reach = f", {self._review.reach}" if self._review.reach else ""
-        opened = self._store.state.workspace is not None
-        whose = "this dataset's field from now on" if opened else "field"
-        say(self._store, f"{whose}{reach}: {field}")
+        reach = self._review.reach
+        if self._store.state.workspace is None:
+            text = tr("field: {field}", field=field)
+        elif not reach:
+            text = tr("this dataset's field from now on: {field}", field=field)
+        else:
+            text = tr(
+                "this dataset's field from now on, {reach}: {field}", reach=reach, field=field
+            )
+        say(self._store, text)
 
     def _fail(self, text: str) -> None:
         say(self._store, text, "error")
@@ -258,9 +265,10 @@ class FieldChoice(QObject):
         own = self.decided_by_file
         if own is None or source == own:
             return True
-        refusal = (
-            f"{own} says what the field of this dataset is: to choose another one, move that file"
-            " away and open the dataset again"
+        refusal = tr(
+            "{file} says what the field of this dataset is: to choose another one, move that file"
+            " away and open the dataset again",
+            file=own,
         )
         notify(self._store, _REFUSAL, refusal)
         return False

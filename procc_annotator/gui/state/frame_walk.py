@@ -20,6 +20,7 @@ from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import Latest
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray, decode_half
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.workspace import Workspace
 
 
@@ -115,8 +116,10 @@ class FrameWalk(QObject):
                 self.go_to(index)
                 return
             index += step
-        where = "after" if step > 0 else "before"
-        say(self._store, f"every frame {where} this one is annotated")
+        if step > 0:
+            say(self._store, tr("every frame after this one is annotated"))
+        else:
+            say(self._store, tr("every frame before this one is annotated"))
 
     def leave(self) -> None:
         """The frame on screen is left, and may be another window's: what is under way is finished,

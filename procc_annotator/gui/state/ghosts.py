@@ -25,6 +25,7 @@ from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.interact.next_element import next_element
+from procc_annotator.language import tr
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
 
@@ -272,8 +273,9 @@ class Ghosts(QObject):
     def _say_failed(self, text: str) -> None:
         asked = self._to_find()
         if asked is not None and isinstance(ghost := asked[0], Ghost):
-            title = self._store.state.field.title_of(ghost.name)
-            say(self._store, f"{title}: its line could not be looked for: {text}", "warning")
+            title = tr(self._store.state.field.title_of(ghost.name))
+            told = tr("{title}: its line could not be looked for: {why}", title=title, why=text)
+            say(self._store, told, "warning")
 
     def close(self) -> None:
         """Look for nothing any more."""

@@ -15,6 +15,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.landmark_file import LandmarkFile
+from procc_annotator.language import tr
 from procc_annotator.session.landmarks.landmark_clicks import (
     LocatedLandmark,
     why_kept,
@@ -134,7 +135,9 @@ class LandmarkPlacing(QObject):
         elif not landmarks.edit(placed):
             return  # it was said why
         if deleted:
-            say(store, f"{name.strip()} was deleted meanwhile: its place was not kept", "warning")
+            title = tr(name.strip())
+            told = tr("{title} was deleted meanwhile: its place was not kept", title=title)
+            say(store, told, "warning")
             return
         for one in located[:1]:
             if why := why_kept(landmarks.file, name, one.clicked.instant):
@@ -150,15 +153,25 @@ class LandmarkPlacing(QObject):
 
 def _title(file: LandmarkFile, name: str) -> str:
     entries = by_name(file.landmarks).get(name)
-    return entries[0].shown_title if entries else name.strip()
+    return tr(entries[0].shown_title if entries else name.strip())
 
 
 def _words(one: LocatedLandmark) -> str:
-    found, name = one.found, one.clicked.name.strip()
+    found, name = one.found, tr(one.clicked.name.strip())
     if found.position is None or found.deviations_m is None:
         return f"{name}: {found.failure}"
     views = len(one.clicked.clicks) - len(one.without_view) - len(found.left_out)
-    left = f"; left out: {', '.join(found.left_out)}" if found.left_out else ""
     place = ", ".join(f"{value:.2f}" for value in found.position)
     deviations = ", ".join(f"{value:.2f}" for value in found.deviations_m)
-    return f"{name} is at {place} m, ± {deviations}, from {views} views{left}"
+    said = [
+        tr(
+            "{title} is at {place} m, ± {deviations}, from {views} views",
+            title=name,
+            place=place,
+            deviations=deviations,
+            views=views,
+        )
+    ]
+    if found.left_out:
+        said.append(tr("left out: {names}", names=", ".join(found.left_out)))
+    return "; ".join(said)

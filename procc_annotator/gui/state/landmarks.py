@@ -29,6 +29,7 @@ from procc_annotator.io.landmark_file import (
     load_landmarks,
     save_landmarks,
 )
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.landmarks import landmark_edits
 from procc_annotator.session.landmarks.dataset_landmarks import (
@@ -77,6 +78,7 @@ class Landmarks(QObject):
         self._placing.changed.connect(self.changed)
         self._ellipses = LandmarkEllipses(store, live_fit, judge, self._here)
         self._ellipses.changed.connect(self.ellipsesChanged)
+        self._damage = ""  # what the problem is, of the files alone
         self._files = LandmarkFiles(self)
         self._files.read.connect(self._take_read)
         self._files.damaged.connect(self._note_damage)
@@ -97,7 +99,8 @@ class Landmarks(QObject):
             self.strange = strange_rows_of(self.groups, workspace)
             field = field_with(field, self.file, self.groups, self._path(workspace))
         except InputError as error:
-            self.problem = f"the dataset's landmarks are not used: {error}"
+            self._damage = str(error)
+            self.problem = tr("the dataset's landmarks are not used: {why}", why=self._damage)
             self.file = LandmarkFile()
         self.changed.emit()
         return field
@@ -198,7 +201,7 @@ class Landmarks(QObject):
         if self.problem:
             self.problem = ""
             withdraw(self._store, PROBLEM)
-            say(self._store, "the dataset's landmarks can be used again")
+            say(self._store, tr("the dataset's landmarks can be used again"))
         self._use(file, groups, field)
 
     def _tell_strange(self, strange: str) -> None:
@@ -212,13 +215,12 @@ class Landmarks(QObject):
 
     def _note_damage(self, text: str) -> None:
         """The last good landmarks stay, and nothing is written until the files can be read."""
-        if self.problem.endswith(text):
+        if self.problem and self._damage == text:
             return  # it was said so
-        problem = f"the dataset's landmarks stay as they were: {text}"
-        if problem != self.problem:
-            self.problem = problem
-            notify(self._store, PROBLEM, problem)
-            self.changed.emit()
+        self._damage = text
+        self.problem = tr("the dataset's landmarks stay as they were: {why}", why=text)
+        notify(self._store, PROBLEM, self.problem)
+        self.changed.emit()
 
     # --- where they are clicked ---
 

@@ -18,6 +18,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrame, look_up
 from procc_annotator.gui.state.store import Store
+from procc_annotator.language import tr
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.clicks.insight import Insight, gain_insight
 from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
@@ -146,7 +147,7 @@ class LiveFit(Derived[Fitted]):
         state = self._store.state
         name = state.frame_name
         if not self.wanted:
-            return "the live fit is off"
+            return tr("the live fit is off")
         if name is None or not self.allowed:
             return None
         # Points are shares of the picture: where it cannot be read, any size of its shape will do.
@@ -171,7 +172,7 @@ class LiveFit(Derived[Fitted]):
         self.look()
 
     def _say(self, text: str) -> None:
-        say(self._store, f"the fit failed: {text}", "warning")
+        say(self._store, tr("the fit failed: {why}", why=text), "warning")
 
 
 def _fit(

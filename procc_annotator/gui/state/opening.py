@@ -19,6 +19,7 @@ from procc_annotator.gui.state.landmarks import PROBLEM, STRANGE, Landmarks
 from procc_annotator.gui.state.saying import notify, say
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.store import Store
+from procc_annotator.language import tr
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.workspace import Workspace
 
@@ -44,7 +45,7 @@ class Opening(QObject):
 
     def open_path(self, path: Path, annotations: Path | None = None) -> bool:
         """Open a folder of pictures or one picture; on failure the session stays as it is."""
-        if not self._leave("the other dataset"):
+        if not self._leave(tr("not everything is saved yet: the other dataset was not opened")):
             return False
         try:
             workspace = Workspace.open(path, self._store.state.field, annotations)
@@ -57,7 +58,7 @@ class Opening(QObject):
 
     def open_workspace(self, workspace: Workspace) -> bool:
         """Show a dataset that was put together elsewhere (frames of a video)."""
-        if not self._leave("the video"):
+        if not self._leave(tr("not everything is saved yet: the video was not opened")):
             return False
         self._take(workspace)
         self._opened = None
@@ -72,7 +73,7 @@ class Opening(QObject):
         """
         workspace, field = self._store.state.workspace, self._store.state.field
         if workspace is None:
-            raise UsageError("nothing is open")
+            raise UsageError(tr("nothing is open"))
         if self._opened is None:  # frames of a video
             return partial(Workspace, workspace.root, workspace.frames, field, ())
         path, annotations = self._opened
@@ -80,11 +81,11 @@ class Opening(QObject):
 
     # --- inside ---
 
-    def _leave(self, other: str) -> bool:
+    def _leave(self, refusal: str) -> bool:
         self._walk.leave()
         if self._editing.saver.save_all():
             return True
-        say(self._store, f"not everything is saved yet: {other} was not opened", "error")
+        say(self._store, refusal, "error")
         return False
 
     def _take(self, workspace: Workspace) -> None:
@@ -109,7 +110,7 @@ class Opening(QObject):
             setup=replace(setup, field=field) if other_field else setup,
         )
         if field.own_terms:
-            say(self._store, f"the field of this dataset: {field.described}")
+            say(self._store, tr("the field of this dataset: {field}", field=field.described))
         landmarks = {PROBLEM: self._landmarks.problem, STRANGE: self._landmarks.strange}
         notices = [
             *_unwritable(workspace),
@@ -129,4 +130,6 @@ def _unwritable(workspace: Workspace) -> Iterator[str]:
     """That nothing can be saved, said before anybody has worked for nothing."""
     folder = workspace.frames[0].annotation_folder if workspace.frames else workspace.folder
     if folder.is_dir() and not os.access(folder, os.W_OK):
-        yield f"{folder} cannot be written: nothing that is annotated here can be saved"
+        yield tr(
+            "{folder} cannot be written: nothing that is annotated here can be saved", folder=folder
+        )

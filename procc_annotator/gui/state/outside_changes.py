@@ -18,6 +18,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.sources import Sources
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.file_stamps import Stamp
 
@@ -102,10 +103,11 @@ class OutsideChanges(QObject):
         if source not in self._store.state.sources or source.camera_set is not newer.before:
             return  # removed, or loaded again meanwhile
         if newer.cameras is None:
-            say(self._store, f"cameras of {source.name} changed: {newer.problem}", "warning")
+            told = tr("cameras of {name} changed: {why}", name=source.name, why=newer.problem)
+            say(self._store, told, "warning")
             return
         self._sources.add_source(newer.cameras, active=False, changed=newer.frames)
-        say(self._store, f"cameras of {source.name} changed on disk: read again")
+        say(self._store, tr("cameras of {name} changed on disk: read again", name=source.name))
 
     def _take(self, changed: Mapping[int, Stamp]) -> None:
         state = self._store.state

@@ -8,6 +8,7 @@ from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
+from procc_annotator.language import tr
 from procc_annotator.metric.project import ProjectedField, project_paint
 from procc_annotator.metric.setup import EvaluationSetup
 
@@ -26,7 +27,7 @@ class PaintedWidth(Derived[ProjectedField]):
         return None if camera is None else (camera, self._store.state.setup)
 
     def _say(self, text: str) -> None:
-        say(self._store, f"the painted width cannot be drawn: {text}", "warning")
+        say(self._store, tr("the painted width cannot be drawn: {why}", why=text), "warning")
 
 
 def _project(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:

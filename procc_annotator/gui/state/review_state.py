@@ -19,10 +19,10 @@ from collections.abc import Callable, Iterable, Mapping
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.language import tr
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.facts.blind_work import (
     BlindCommit,
-    BlindWork,
     read_commit,
     setting_of,
     write_commit,
@@ -117,20 +117,25 @@ class ReviewState(QObject):
         revealed = self.blind_commit(frame) is not None
         if was is Status.IN_PROGRESS and after == annotation:
             self.set_status(frame, earlier)
-            return f"{frame} is {earlier.value} again" if earlier in _JUDGED or revealed else ""
+            if earlier not in _JUDGED and not revealed:
+                return ""
+            return tr("{frame} is {status} again", frame=frame, status=tr(earlier.value, "a frame"))
         # The annotator's own "done" stands, unless it said that the clicks are blind work.
         if was is Status.IN_PROGRESS or (was is Status.DONE and not revealed):
             return ""
         self._before_edits[frame] = was, before
         self.set_status(frame, Status.IN_PROGRESS)
+        status = tr(was.value, "a frame")
         if revealed:
-            return (
-                f"{frame} was {was.value} and is in progress again: {BlindWork.EDITED.value}, it"
-                " is no blind work any more"
+            return tr(
+                "{frame} was {status} and is in progress again: edited after the cameras were"
+                " shown, it is no blind work any more",
+                frame=frame,
+                status=status,
             )
-        return (
-            f"{frame} was {was.value} and is in progress again" if (was is Status.APPROVED) else ""
-        )
+        if was is not Status.APPROVED:
+            return ""
+        return tr("{frame} was {status} and is in progress again", frame=frame, status=status)
 
     def commit(self, frame: str, annotation: FrameAnnotation, *, blind: bool) -> None:
         """Declare a frame's clicks final.
@@ -221,8 +226,8 @@ class ReviewState(QObject):
         if self.database is None or self.database.shared:
             return ""
         if self.database.path is None:
-            return "in this window only: nothing can be written"
-        return "for you alone: the dataset's folder cannot be written"
+            return tr("in this window only: nothing can be written")
+        return tr("for you alone: the dataset's folder cannot be written")
 
     def setting(self, key: str) -> str | None:
         """What the dataset was given under a key; None when nothing is."""

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.errors import ChangedOnDiskError, InputError, SaveError
 from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.pending_save import Written
 from procc_annotator.session.dataset.workspace import Workspace
 
@@ -186,7 +187,7 @@ class Saver(QObject):
 
         def give_up(text: str) -> None:
             # Which of them were written nobody knows. All stay dirty: the next try finds out.
-            error = "not saved: " + text
+            error = tr("not saved: {why}", why=text)
             take([Written(p, SaveError(f"{p.path}: {error}"), unsure=True) for p in batch])
 
         job = run_in_background(

@@ -18,10 +18,11 @@ from procc_annotator.io.annotation_files.soccernet_annotation import read_annota
 from procc_annotator.io.collections import AnnotationFiles, list_annotations
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource
+from procc_annotator.language import tr, tr_count
 from procc_annotator.metric.agreement import FrameAgreement, compare_annotations
 from procc_annotator.session.dataset.annotation_source import ReadSource, open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.words import listed
+from procc_annotator.words import first_of
 
 _Read = tuple[FileSource, AnnotationFiles]
 
@@ -63,7 +64,7 @@ class SecondAnnotator(QObject):
             source = open_annotations(annotations_of(path), field)
             files = list_annotations(source)
             if not files:
-                said = (f"{path}: holds no annotation (*.json)", *files.notices)
+                said = (tr("{path}: holds no annotation (*.json)", path=path), *files.notices)
                 raise UsageError("; ".join(said))
             return source, files
 
@@ -82,7 +83,14 @@ class SecondAnnotator(QObject):
         said = list(read[1].notices)
         if isinstance(self._source, ReadSource) and (unknown := self._source.unknown):
             labels = [printable(label) for label in unknown]
-            said.append(f"no class of this field: {listed(labels, 'label')}")
+            said.append(
+                tr_count(
+                    len(labels),
+                    "no class of this field: {n} label ({names})",
+                    "no class of this field: {n} labels ({names})",
+                    names=first_of(labels),
+                )
+            )
         if said:
             say(self._store, "; ".join(said))
         self.opened.emit(path)
@@ -119,7 +127,7 @@ class SecondAnnotator(QObject):
                 self.annotation = self.reader()(frame)
             except InputError as error:
                 self.error = str(error)
-                say(self._store, f"second annotator: {error}", "warning")
+                say(self._store, tr("second annotator: {why}", why=error), "warning")
         self.changed.emit()
 
     def agreement(

@@ -10,6 +10,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.gui.state.editing import Editing
 from procc_annotator.gui.state.store import Store
+from procc_annotator.language import tr, word
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import OriginKind
 
@@ -20,8 +21,8 @@ Change = Callable[[FrameAnnotation], FrameAnnotation | str]
 class LeftAlone(StrEnum):
     """Why an import has nothing to do in a frame."""
 
-    SAME = "it holds the same already"
-    ANNOTATED = "it is annotated already"
+    SAME = word("it holds the same already")
+    ANNOTATED = word("it is annotated already")
 
 
 def why_left_alone(
@@ -48,7 +49,7 @@ def edit_frame(
         kind: how new points came to be.
 
     Returns:
-        Why the frame was left as it was, not locked; empty when it was not.
+        Why the frame was left as it was, not locked, for `tr`; empty when it was not.
     """
     workspace = store.state.workspace
     assert workspace is not None
@@ -56,11 +57,11 @@ def edit_frame(
     editing.saver.settle(index)
     if here:
         if not editing.begin_edit():
-            return store.state.why_not_editable or "it cannot be edited"
+            return store.state.why_not_editable or tr("it cannot be edited")
     else:
         holder = editing.presence.borrow(name)
         if holder is not None:
-            return f"{holder.author or 'somebody'} is editing it"
+            return tr("{who} is editing it", who=holder.author or tr("somebody"))
     put = _put_on_screen if here else _put_elsewhere
     why = put(workspace, editing, index, change, label, kind)
     if why:

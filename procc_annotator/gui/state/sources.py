@@ -20,6 +20,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.set_scores import SetScores
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.verdicts import KeptVerdicts
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 
@@ -46,7 +47,10 @@ class Sources(QObject):
             say(self._store, str(error), "error")
             return False
         if not cameras.frames or self._only_below(cameras):
-            say(self._store, f"{path}: no cameras in it ({where_else(path)})", "error")
+            told = tr(
+                "{path}: no cameras in it ({what_to_do})", path=path, what_to_do=where_else(path)
+            )
+            say(self._store, told, "error")
             return False
         source = self.add_source(cameras)
         if name is not None:
@@ -71,9 +75,12 @@ class Sources(QObject):
         workspace = self._store.state.workspace
         if workspace is not None and self._none_matches(cameras):
             frames = workspace.frames
-            yield (
-                f"{cameras.path}: no camera has the name of a frame (cameras are named like"
-                f" {next(iter(cameras.frames))!r}, frames like {frames[0].name!r})"
+            yield tr(
+                "{path}: no camera has the name of a frame (cameras are named like {camera!r},"
+                " frames like {frame!r})",
+                path=cameras.path,
+                camera=next(iter(cameras.frames)),
+                frame=frames[0].name,
             )
 
     def add_source(

@@ -17,6 +17,7 @@ from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
 from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.image.decode import HalfPicture, PixelArray
+from procc_annotator.language import tr
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.clicks.correction import Correction
 from procc_annotator.session.dataset.camera_set import FrameCameras
@@ -181,8 +182,10 @@ class State:
         holder = self.holder
         if self.why_broken or holder is None:
             return self.why_broken
-        who = " on ".join(part for part in (holder.author, holder.host) if part) or "somebody"
-        return f"{who} is editing it; it opens by itself once they leave it"
+        who = holder.author or holder.host or tr("somebody")
+        if holder.author and holder.host:
+            who = tr("{who} on {machine}", who=holder.author, machine=holder.host)
+        return tr("{who} is editing it; it opens by itself once they leave it", who=who)
 
     @property
     def editable(self) -> bool:
@@ -196,8 +199,10 @@ class State:
         if self.frame is None:
             return ""
         if self.damage:
-            return "annotation cannot be read"
-        return "" if self.counts or self.shown_annotation.annotated else "nothing annotated yet"
+            return tr("annotation cannot be read")
+        if self.counts or self.shown_annotation.annotated:
+            return ""
+        return tr("nothing annotated yet")
 
     # --- blind mode: the one gate that everything about a camera passes -----------------------
 

@@ -19,6 +19,7 @@ from procc_annotator.gui.state.metre_map_shapes import MapShapes, map_shapes
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interact.map_looks import UNCERTAINTY
+from procc_annotator.language import tr
 from procc_annotator.metric.contours import filled_contours
 from procc_annotator.metric.even_grid import value_at
 
@@ -107,7 +108,7 @@ class UncertaintyWatch(Derived[KnownGround]):
             return problem
         found = self.value
         nothing = found is not None and found.values.statistics.median is None
-        return "The fitted camera sees no part of the field." if nothing else ""
+        return tr("The fitted camera sees no part of the field.") if nothing else ""
 
     def set_wanted(self, wanted: bool) -> None:
         """Whether somebody wants to see it; it takes the place of the disagreement."""
@@ -118,19 +119,22 @@ class UncertaintyWatch(Derived[KnownGround]):
     def _made_of(self) -> Inputs | str | None:
         state, live = self._store.state, self._live_fit
         if state.frame is None:
-            return "Open a folder of pictures first."
+            return tr("Open a folder of pictures first.")
         if barred := self._blind_lock.no_fit:
             return f"{barred[0].upper()}{barred[1:]}."
         if not live.allowed:
-            return "Blind: hidden until this frame is committed."
+            return tr("Blind: hidden until this frame is committed.")
         if not live.wanted:
-            return "The live fit is off, so there is no uncertainty map (Ctrl+T switches it on)."
+            return tr(
+                "The live fit is off, so there is no uncertainty map (Ctrl+T switches it on)."
+            )
         fit = live.result
         if fit is None:
-            why = "There is no fit of this frame, so no uncertainty map."
-            return None if live.working else why
+            if live.working:
+                return None
+            return tr("There is no fit of this frame, so no uncertainty map.")
         if fit.camera is None:
-            return f"No camera yet, so no uncertainty map: {fit.failure}."
+            return tr("No camera yet, so no uncertainty map: {why}.", why=tr(fit.failure or ""))
         return fit, state.sized_field
 
     def _give_way(self) -> None:

@@ -21,6 +21,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.turned_rows import TurnedRows
 from procc_annotator.gui.theme import blend
 from procc_annotator.interact import palette as tones
+from procc_annotator.language import tr
 from procc_annotator.session.facts.origins import Status
 
 _THUMB = QSize(80, 45)
@@ -41,7 +42,7 @@ class Filmstrip(QTableView):
     def __init__(self, document: Document, frames: FramesModel) -> None:
         super().__init__()
         self.setObjectName("filmstrip")
-        self.setAccessibleName("Frames as small pictures")
+        self.setAccessibleName(tr("Frames as small pictures"))
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys are the picture's
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.setMouseTracking(True)

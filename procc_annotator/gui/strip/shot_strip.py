@@ -22,6 +22,7 @@ from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.content import StripContent
 from procc_annotator.gui.strip.painting import Rows, paint_frames, paint_here, rows_of
 from procc_annotator.gui.strip.words import words_of
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
 
 _WHEEL_STEP = 1.25
@@ -49,7 +50,7 @@ class ShotStrip(QWidget):
     def __init__(self, document: Document) -> None:
         super().__init__()
         self.setObjectName("shotStrip")
-        self.setAccessibleName("Frames of the shot")
+        self.setAccessibleName(tr("Frames of the shot"))
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys are the picture's
         self._document = document

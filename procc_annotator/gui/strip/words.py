@@ -4,8 +4,17 @@ from __future__ import annotations
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.content import StripContent
+from procc_annotator.language import tr, word
 from procc_annotator.session.dataset.tracked_cameras import doubt_about
 from procc_annotator.session.facts.origins import Status
+
+# How a frame's camera came about.
+_STATES = {
+    "anchor": word("anchor", "a frame"),
+    "followed": word("followed", "a frame"),
+    "bridged": word("bridged", "a frame"),
+    "lost": word("lost", "a frame"),
+}
 
 
 def words_of(document: Document, content: StripContent, number: int | None) -> str:
@@ -17,25 +26,32 @@ def words_of(document: Document, content: StripContent, number: int | None) -> s
     name = None
     if index is not None and document.workspace is not None:
         name = document.workspace.frames[index].name
-    said = [f"frame {number} of {sequence.first}–{sequence.last}"]
+    said = [
+        tr(
+            "frame {number} of {first}–{last}",
+            number=number,
+            first=sequence.first,
+            last=sequence.last,
+        )
+    ]
     if name is not None and "/" in name:
         said = [name]  # in a tree numbers go on from folder to folder
     if sequence.step > 1:
-        said.append(f"names count by {sequence.step}")
+        said.append(tr("names count by {step}", step=sequence.step))
     if sequence.video is not None:
         seconds = number / sequence.fps
         said.append(f"{int(seconds // 60)}:{seconds % 60:05.2f}")
     if number in content.anchors:
-        said.append("annotated")
+        said.append(tr("annotated"))
     if number in content.dragged and not content.hidden:
-        said.append("its camera was dragged")
+        said.append(tr("its camera was dragged"))
     status = content.statuses.get(number, Status.UNTOUCHED)
     if status is not Status.UNTOUCHED:
-        said.append(status.value)
+        said.append(tr(status.value, "a frame"))
     if document.state.reveals(name):
         said.extend(_of_track(document, number))
     else:
-        said.append("blind: its camera is hidden")
+        said.append(tr("blind: its camera is hidden"))
     return "  ·  ".join(said)
 
 
@@ -43,10 +59,13 @@ def _of_track(document: Document, number: int) -> list[str]:
     frame = document.shot_track.tracked.get(number)
     if frame is None:
         return []
-    said: list[str] = [frame.state]
+    said = [tr(_STATES[frame.state], "a frame")]
     if frame.fit is not None and frame.fit.camera is not None:
-        far = f", {frame.residual_px:.1f} px from it" if frame.residual_px is not None else ""
-        said[0] += f", {frame.coverage:.0%} of the lines on paint{far}"
+        said[0] = tr(
+            "{state}, {share:.0%} of the lines on paint", state=said[0], share=frame.coverage
+        )
+        if (far := frame.residual_px) is not None:
+            said[0] = tr("{found}, {far:.1f} px from it", found=said[0], far=far)
     if doubt := doubt_about(frame):
-        said.append(f"doubtful: {doubt}")
+        said.append(tr("doubtful: {why}", why=doubt))
     return said

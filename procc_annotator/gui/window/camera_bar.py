@@ -11,10 +11,11 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.gui.window.status import ElidedLabel, SteadyLabel
 from procc_annotator.gui.window.tau_control import TauControl
+from procc_annotator.language import tr, word
 
-_NO_CAMERA = "no camera"
+_NO_CAMERA = word("no camera")
 _WIDEST_CAMERA = 14  # average letters
-_JAC_TIP = "Jaccard index of this frame at tau"
+_JAC_TIP = word("Jaccard index of this frame at tau")
 
 
 class CameraBar(QWidget):
@@ -29,12 +30,12 @@ class CameraBar(QWidget):
         self.cameras = QComboBox()
         self.cameras.setObjectName("cameraCombo")
         self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.cameras.setToolTip("The camera set that is judged (C switches)")
+        self.cameras.setToolTip(tr("The camera set that is judged (C switches)"))
         self.cameras.activated.connect(lambda i: document.set_active_camera(i - 1))
         self.jac = SteadyLabel()
         self.jac.setObjectName("judgedJac")
         self.jac.setFont(fixed_width(self.jac.font()))
-        self.jac.setToolTip(_JAC_TIP)
+        self.jac.setToolTip(tr(_JAC_TIP))
         self.jac.setContentsMargins(6, 0, 2, 0)
         self.terms = ElidedLabel()
         self.terms.setObjectName("judgedTerms")
@@ -54,7 +55,7 @@ class CameraBar(QWidget):
     def _show_cameras(self, _: object = None) -> None:
         """The loaded sets and the active one."""
         document = self._document
-        names = [_NO_CAMERA, *(s.name for s in document.camera_sets)]
+        names = [tr(_NO_CAMERA), *(s.name for s in document.camera_sets)]
         with QSignalBlocker(self.cameras):
             if names != self._listed:
                 self._fill_cameras(names)
@@ -80,21 +81,23 @@ class CameraBar(QWidget):
         document = self._document
         score = document.score
         if score is not None and (why := document.why_not_judged):
-            self.jac.setText(f"<b>JaC –</b> {why}")
+            self.jac.setText(tr("<b>JaC –</b> {why}", why=why))
         elif score is not None:
             own = document.active_source is document.fit_source.source
-            self.jac.setText(f"<b>JaC {score.jac:.3f}</b>{' of the fit' if own else ''}")
+            said = tr("<b>JaC {jac:.3f}</b> of the fit") if own else "<b>JaC {jac:.3f}</b>"
+            self.jac.setText(said.format(jac=score.jac))
         elif document.active_camera is None:
             self.jac.setText("")
         elif not document.projection_visible:
-            self.jac.setText("<b>blind</b>: commit to see JaC")
+            self.jac.setText(tr("<b>blind</b>: commit to see JaC"))
         else:
-            words = "camera unreadable" if document.camera_error else "no camera here"
+            words = tr("camera unreadable") if document.camera_error else tr("no camera here")
             self.jac.setText(f"<b>{words}</b>")
         hidden = not document.projection_visible
-        self.jac.setToolTip(_JAC_TIP if hidden else document.camera_error or _JAC_TIP)
+        error = "" if hidden else document.camera_error
+        self.jac.setToolTip(error or tr(_JAC_TIP))
         camera = document.camera
         ground_only = camera is not None and projects_only_ground(camera)
         terms = document.setup.describe(ground_only=ground_only)
         self.terms.set_text(terms)
-        self.terms.setToolTip(f"What the score is computed with: {terms}")
+        self.terms.setToolTip(tr("What the score is computed with: {terms}", terms=terms))

@@ -8,16 +8,20 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.picture.pinned import Pinned
 from procc_annotator.gui.settings import COACHED, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.interact import palette as tones
+from procc_annotator.language import tr, word
+from procc_annotator.session.facts.origins import OriginKind
 
 _PLATE, _LIGHT, _QUIET = QColor(20, 20, 20, 225), QColor("#f4f4f4"), QColor("#b4b8bc")
 _PAD, _BESIDE, _SIGN = 12, 10, 26
-_TITLE = "Three steps to a frame"
+_TITLE = word("Three steps to a frame")
+_TAKEN = (OriginKind.SUGGESTED, OriginKind.ACCEPTED)  # what the camera expected
 
 
 class Coach(QObject):
@@ -48,12 +52,12 @@ class Coach(QObject):
     def steps(self) -> tuple[str, str, str]:
         """With the keys as they are now."""
         actions = self._actions
-        regularise = actions["regularise_all"].shortcut().toString()
-        tab = actions["next_ghost"].shortcut().toString()
+        regularise = actions["regularise_all"].shortcut().toString(NATIVE)
+        tab = actions["next_ghost"].shortcut().toString(NATIVE)
         return (
-            "Click the two ends of a painted line, then Enter",
-            f"{regularise}: points along every line, on its paint",
-            f"{tab}, then Enter: take what the camera expects",
+            tr("Click the two ends of a painted line, then Enter"),
+            tr("{keys}: points along every line, on its paint", keys=regularise),
+            tr("{keys}, then Enter: take what the camera expects", keys=tab),
         )
 
     def begin(self) -> None:
@@ -101,9 +105,16 @@ class Coach(QObject):
         before = self._annotated
         now = frame.name, frozenset(self._document.annotation.annotated)
         self._annotated = now
-        step = self._document.editing.steps[0] or ""
         if before[0] == now[0] and now[1] > before[1]:
-            self._tick(2 if step.startswith("accept") else 0)
+            self._tick(2 if self._taken(frame.name, now[1] - before[1]) else 0)
+
+    def _taken(self, frame: str, names: frozenset[str]) -> bool:
+        """Whether elements came to be by taking what the camera expects."""
+        document = self._document
+        origins = document.review.origins(frame)
+        lines = filter(None, map(document.annotation.get, names))
+        keys = ((p.u, p.v) for line in lines for p in line.points)
+        return any(key in origins and origins[key].kind in _TAKEN for key in keys)
 
     def _tick(self, step: int) -> None:
         if self._going:
@@ -142,13 +153,14 @@ class _Card(Pinned):
         """Show the steps, and which were done."""
         self.lines, self._done = steps, list(done)
         states = zip(steps, done, strict=True)
-        self.setAccessibleName("; ".join(f"{s}{', done' if d else ''}" for s, d in states))
+        told = (tr("{step}, done", step=s) if d else s for s, d in states)
+        self.setAccessibleName("; ".join(told))
         self.update()
 
     def wanted_size(self) -> QSize:
         """Room for all words."""
         metrics = QFontMetrics(self._bold())
-        words = max(metrics.horizontalAdvance(line) for line in (*self.lines, _TITLE + "    "))
+        words = max(metrics.horizontalAdvance(line) for line in (*self.lines, tr(_TITLE) + "    "))
         rows = len(self.lines) + 1
         return QSize(words + 2 * _PAD + _SIGN, round(rows * self._row() + 2 * _PAD))
 
@@ -162,7 +174,7 @@ class _Card(Pinned):
         left = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
         room = QRectF(_PAD, _PAD, self.width() - 2 * _PAD, row)
         painter.setPen(_QUIET)
-        painter.drawText(room, left, _TITLE)
+        painter.drawText(room, left, tr(_TITLE))
         following = self._done.index(False) if False in self._done else -1
         for number, (line, done) in enumerate(zip(self.lines, self._done, strict=True)):
             room = room.translated(0, row)
@@ -193,8 +205,8 @@ class _Close(Pinned):
         self._closed = closed
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents, False)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
-        self.setToolTip("Put the three steps away for ever (Help has the user guide)")
-        self.setAccessibleName("Put the three steps away")
+        self.setToolTip(tr("Put the three steps away for ever (Help has the user guide)"))
+        self.setAccessibleName(tr("Put the three steps away"))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         event.accept()

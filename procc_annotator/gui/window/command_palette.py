@@ -23,14 +23,15 @@ from PySide6.QtWidgets import (
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.settings import CALLED, Settings
 from procc_annotator.gui.theme import blend
-from procc_annotator.gui.window.palette_entries import Entry
+from procc_annotator.gui.window.palette_entries import KINDS, Entry
+from procc_annotator.language import tr, word
 
 _WIDTH = 680
 _ROWS = 12
 _PAD = 8
 _MARGIN = 24  # of the window that stays in sight around it
 _KIND_WIDTH = 68  # at the usual font; it grows with it
-_HINT = "Enter calls it · ↑ ↓ choose · Esc closes"
+_HINT = word("Enter calls it · ↑ ↓ choose · Esc closes")
 _MOVES = {
     Qt.Key.Key_Up: -1,
     Qt.Key.Key_Down: 1,
@@ -57,15 +58,17 @@ class CommandPalette(QFrame):
         self._before: QWidget | None = None  # who had the keyboard
         self.search = QLineEdit()
         self.search.setObjectName("paletteSearch")
-        self.search.setPlaceholderText("An action, element, frame, camera source, folder, number")
-        self.search.setAccessibleName("Find anything")
+        self.search.setPlaceholderText(
+            tr("An action, element, frame, camera source, folder, number")
+        )
+        self.search.setAccessibleName(tr("Find anything"))
         self.search.setClearButtonEnabled(True)
         self.search.textChanged.connect(self._show)
         self.search.installEventFilter(self)
         self.model = _Entries()
         self.list = QListView()
         self.list.setObjectName("paletteList")
-        self.list.setAccessibleName("What fits")
+        self.list.setAccessibleName(tr("What fits"))
         self.list.setModel(self.model)
         self.list.setItemDelegate(_EntryDelegate(self.list))
         self.list.setUniformItemSizes(True)
@@ -75,7 +78,7 @@ class CommandPalette(QFrame):
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.list.clicked.connect(self._call)
-        self.hint = QLabel(_HINT)
+        self.hint = QLabel(tr(_HINT))
         self.hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(_PAD, _PAD, _PAD, _PAD)
@@ -123,8 +126,9 @@ class CommandPalette(QFrame):
         self.model.replace(self._found(text, self._settings.get(CALLED)))
         self.list.setCurrentIndex(self.model.index(0))
         self.list.scrollToTop()
-        nothing = f"Nothing is called “{text.strip()}”." if not self.model.rowCount() else _HINT
-        self.hint.setText(nothing)
+        found = self.model.rowCount() > 0
+        nothing = tr("Nothing is called “{text}”.", text=text.strip())
+        self.hint.setText(tr(_HINT) if found else nothing)
 
     def _call(self, index: Index) -> None:
         entry = self.model.entry(index.row())
@@ -200,8 +204,8 @@ class _Entries(QAbstractListModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             return entry.detail
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            state = {None: "", True: "on", False: "off"}[entry.on]
-            parts = (entry.kind, entry.title, state, entry.keys, entry.detail)
+            state = {None: "", True: tr("on"), False: tr("off")}[entry.on]
+            parts = (tr(entry.kind), entry.title, state, entry.keys, entry.detail)
             return ", ".join(part for part in parts if part)
         return None
 
@@ -230,8 +234,10 @@ class _EntryDelegate(QStyledItemDelegate):
         align = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
         painter.setFont(option.font)
         painter.setPen(quiet)
-        kind_width = max(_KIND_WIDTH, metrics.horizontalAdvance("Element") + 2 * _PAD)
-        painter.drawText(QRect(room.topLeft(), QSize(kind_width, room.height())), align, entry.kind)
+        widest = max(metrics.horizontalAdvance(tr(kind)) for kind in KINDS)
+        kind_width = max(_KIND_WIDTH, widest + 2 * _PAD)
+        at = QRect(room.topLeft(), QSize(kind_width, room.height()))
+        painter.drawText(at, align, tr(entry.kind))
         keys_width = metrics.horizontalAdvance(entry.keys)
         if entry.keys:
             at = room.adjusted(room.width() - keys_width, 0, 0, 0)

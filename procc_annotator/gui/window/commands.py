@@ -14,6 +14,7 @@ from procc_annotator.gui.window.key_sheet import KeySheet
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.options import Options
 from procc_annotator.gui.window.settings_dialog import SettingsDialog
+from procc_annotator.language import tr
 from procc_annotator.version import __version__
 
 _TAU_STEP = 0.5
@@ -59,7 +60,7 @@ class Commands:
         """Judge with the next source (1) or the one before (-1)."""
         document = self._document
         if not document.sources:
-            document.say("no cameras are loaded (Ctrl+L)")
+            document.say(tr("no cameras are loaded (Ctrl+L)"))
             return
         active = document.active_source
         if active is None:
@@ -82,17 +83,17 @@ class Commands:
         """Divide the picture between the active and the compared source."""
         self._canvas.set_split(split)
         if split:
-            self._say_if_alone("to see side by side")
+            self._say_if_alone(tr("load a second set of cameras to see side by side (Ctrl+L)"))
 
     def set_disagreement(self, shown: bool) -> None:
         """Show where the active and the compared source disagree."""
         self._document.disagreement.set_wanted(shown)
         if shown:
-            self._say_if_alone("to compare")
+            self._say_if_alone(tr("load a second set of cameras to compare (Ctrl+L)"))
 
-    def _say_if_alone(self, purpose: str) -> None:
+    def _say_if_alone(self, text: str) -> None:
         if self._document.compared is None:
-            self._document.say(f"load a second set of cameras {purpose} (Ctrl+L)")
+            self._document.say(text)
 
     # --- the program ----------------------------------------------------------------------
 
@@ -107,7 +108,8 @@ class Commands:
         """Open the user guide beside the window, or bring it to the front."""
         folder = guide_folder()
         if folder is None:
-            self._document.say("this installation came without its user guide", "warning")
+            text = tr("this installation came without its user guide")
+            self._document.say(text, "warning")
             return
         if self._guide is None:
             self._guide = Guide(folder, self._window)
@@ -147,6 +149,7 @@ class Commands:
         """Say which version this is."""
         QMessageBox.about(
             self._window,
-            "About ProCC Annotator",
-            f"ProCC Annotator {__version__}\nAnnotate and audit sports-camera calibrations.",
-        )
+            tr("About ProCC Annotator"),
+            tr("ProCC Annotator {version}\nAnnotate and audit sports-camera calibrations.",
+               version=__version__),
+        )  # fmt: skip

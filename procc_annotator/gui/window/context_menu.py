@@ -20,6 +20,7 @@ from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
 from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
 from procc_annotator.gui.tasks.review.label_check import LabelCheckCommands
 from procc_annotator.gui.window.menus import Actions
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _POINT = ("delete", "select_all")
@@ -55,7 +56,7 @@ def canvas_menu(
     waiting = annotation.get_unconfirmed(name) if name is not None else None
     polyline = waiting or (annotation.get(name) if name is not None else None)
     if drawing:
-        menu.addSection(f"Drawing {class_title(document.field, name or '')}")
+        menu.addSection(tr("Drawing {title}", title=class_title(document.field, name or "")))
         add(*_DRAWING)
     elif on_ground or name is None or polyline is None or not polyline.points:
         if ghost_tasks is not None and ghost is not None:
@@ -66,11 +67,12 @@ def canvas_menu(
     else:
         title = class_title(document.field, name)
         if waiting is not None:
-            menu.addSection(f"{title}, unconfirmed")
+            menu.addSection(tr("{title}, unconfirmed", title=title))
             add("confirm", *_UNCONFIRMED)
         if (point := document.selected_point) is not None:
             count = len(document.selected_points)
-            menu.addSection(f"{count} points" if count > 1 else f"Point {point[1] + 1} of {title}")
+            this = tr("Point {number} of {title}", number=point[1] + 1, title=title)
+            menu.addSection(tr_count(count, "{n} point", "{n} points") if count > 1 else this)
             add(*_POINT)
             if count < 2 and 0 < point[1] < len(polyline.points) - 1:
                 _add_split(menu, document, element_edits, name)
@@ -87,7 +89,7 @@ def _add_split(menu: QMenu, document: Document, element_edits: ElementEdits, nam
         class_menu(
             menu,
             document.field,
-            "Split here: the rest becomes",
+            tr("Split here: the rest becomes"),
             first=free,
             disabled=document.annotation.annotated,
             keymap=document.state.keymap,
@@ -104,15 +106,16 @@ def _add_remedies(
     if label_check is None:
         return
     for found in concerned:
-        reason = found.finding.reason
+        reason = tr(found.finding.reason)
         short = reason if len(reason) <= _LONGEST_REASON else f"{reason[: _LONGEST_REASON - 1]}…"
         heading = menu.addSection(short)
         heading.setToolTip(reason)
         for remedy in found.finding.remedies:
-            action = menu.addAction(remedy.text[:1].upper() + remedy.text[1:])
+            text = tr(remedy.text)
+            action = menu.addAction(text[:1].upper() + text[1:])
             action.setToolTip(reason)
             action.triggered.connect(partial(_apply, label_check, found, remedy))
-        action = menu.addAction("Ignore this finding")
+        action = menu.addAction(tr("Ignore this finding"))
         action.triggered.connect(partial(_ignore, label_check, document, found))
 
 
@@ -126,18 +129,18 @@ def _ignore(label_check: LabelCheckCommands, document: Document, found: FoundInF
 
 
 def _add_ghost(menu: QMenu, document: Document, tasks: GhostTasks, name: str) -> None:
-    menu.addSection(f"Ghost of {class_title(document.field, name)}")
-    menu.addAction("Accept", lambda: tasks.accept_named(name))
-    menu.addAction("Look closely", lambda: tasks.look_at(name))
-    menu.addAction("Not visible here", lambda: tasks.set_not_visible(name, True))
-    menu.addSection("Frame")
+    menu.addSection(tr("Ghost of {title}", title=class_title(document.field, name)))
+    menu.addAction(tr("Accept"), lambda: tasks.accept_named(name))
+    menu.addAction(tr("Look closely"), lambda: tasks.look_at(name))
+    menu.addAction(tr("Not visible here"), lambda: tasks.set_not_visible(name, True))
+    menu.addSection(tr("Frame"))
 
 
 def _add_not_visible(menu: QMenu, document: Document, tasks: GhostTasks) -> None:
     """The elements said to be not visible: choosing one takes that back."""
     names = tasks.not_visible()
     if names:
-        hidden = menu.addMenu("Not visible here: take back")
+        hidden = menu.addMenu(tr("Not visible here: take back"))
         for name in names:
             take_back = partial(tasks.set_not_visible, name, False)
             hidden.addAction(class_title(document.field, name)).triggered.connect(take_back)
@@ -153,7 +156,7 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
         class_menu(
             menu,
             field,
-            "Change class to (swaps with an annotated one)",
+            tr("Change class to (swaps with an annotated one)"),
             first=likely[:4],
             disabled=(name,),
             keymap=document.state.keymap,
@@ -167,7 +170,7 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
             class_menu(
                 menu,
                 field,
-                "Merge into",
+                tr("Merge into"),
                 first=[c for c in others if c in met],
                 disabled=[c for c in every if c not in others],
                 keymap=document.state.keymap,
@@ -176,7 +179,7 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
         )
 
 
-_WITHOUT_GEOMETRY = "Without geometry"
+_WITHOUT_GEOMETRY = word("Without geometry")
 
 
 def class_menu(
@@ -214,7 +217,7 @@ def class_menu(
     if field.classes_without_geometry:
         groups.setdefault(_WITHOUT_GEOMETRY, []).extend(field.classes_without_geometry)
     for group, names in groups.items():
-        submenu = menu.addMenu(_literal(group))
+        submenu = menu.addMenu(_literal(tr(group)))
         for name in names:
             _add(submenu, field, name, disabled, keymap, chosen)
         submenu.setEnabled(any(a.isEnabled() for a in submenu.actions()))

@@ -7,7 +7,13 @@ from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QToolButton, QWidget
 
 from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.menus import Actions
+from procc_annotator.language import tr, word
 
+_TITLES = {
+    "annotate": word("Annotate", "desk"),
+    "judge": word("Judge", "desk"),
+    "review": word("Review", "desk"),
+}
 _ROOM = 6  # px around the words: no more than the menus have beside them
 
 
@@ -22,7 +28,7 @@ class DeskSwitch(QWidget):
         row.setSpacing(2)
         for desk in DESKS:
             action = actions[f"desk_{desk}"]
-            action.setIconText(desk.capitalize())
+            action.setIconText(tr(_TITLES[desk], "desk"))
             button = QToolButton()
             button.setObjectName(f"desk_{desk}")
             button.setDefaultAction(action)
@@ -31,7 +37,7 @@ class DeskSwitch(QWidget):
             button.setMaximumHeight(button.fontMetrics().height() + _ROOM)
             row.addWidget(button)
         if window.menuBar().isNativeMenuBar():  # on macOS it has no corner
-            bar = window.addToolBar("Desks")
+            bar = window.addToolBar(tr("Desks"))
             bar.setObjectName("desks")
             bar.addWidget(self)
         else:

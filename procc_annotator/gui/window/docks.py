@@ -15,26 +15,28 @@ from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
 
 from procc_annotator.gui.panels.refresher import Refresher
+from procc_annotator.language import tr, word
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
-_VERSION = 6  # of the arrangement; what another version saved is not restored
+_BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
+_VERSION = 7  # of the arrangement; what another version saved is not restored
 _FRAMES_WIDTH, _INSPECTOR_WIDTH = 17, 23  # lines of text: 240 and 320 px at the usual font
 _MOST_OF_WINDOW = 0.48  # what both may take of its width
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 190, 230  # below that texts are cut off
 
 TITLES = {
-    "frames": "Frames",
-    "field_map": "Field map",
-    "elements": "Elements",
-    "cameras": "Cameras",
-    "scores": "Scores",
-    "fit": "Fit",
-    "findings": "Check",
-    "landmarks": "Landmarks",
-    "plots": "Plots",
-    "review": "Review",
-    "agreement": "Agreement",
+    "frames": word("Frames"),
+    "field_map": word("Field map"),
+    "elements": word("Elements"),
+    "cameras": word("Cameras"),
+    "scores": word("Scores"),
+    "fit": word("Fit"),
+    "findings": word("Check"),
+    "landmarks": word("Landmarks"),
+    "plots": word("Plots"),
+    "review": word("Review"),
+    "agreement": word("Agreement"),
 }
 _ALONE = ("frames", "field_map")  # the others share a column as tabs, desk by desk
 DESKS: Mapping[str, tuple[str, ...]] = {
@@ -42,7 +44,9 @@ DESKS: Mapping[str, tuple[str, ...]] = {
     "judge": ("scores", "cameras", "fit", "plots"),
     "review": ("review", "agreement"),
 }
+_BELOW = frozenset(["plots"])  # in a drawer below the picture, which is shut at first
 _LATER = frozenset(["agreement"])  # until there is a second annotator
+_DRAWER_HEIGHT = 0.38  # of the window's height
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,12 +57,14 @@ class DeskLook:
         open: its docks that are not closed.
         front: the one in front of its tabs.
         width, map_height: of the column and of the field map above it, px; 0 where it is not shown.
+        drawer_height: of what lies below the picture, px; 0 where it was not seen yet.
     """
 
     open: tuple[str, ...]
     front: str
     width: int = 0
     map_height: int = 0
+    drawer_height: int = 0
 
 
 def _catch_up(panel: QWidget, in_sight: bool) -> None:
@@ -83,7 +89,7 @@ class Docks:
         self._open = QByteArray()
         self.by_name: dict[str, QDockWidget] = {}
         for name, title in TITLES.items():
-            dock = QDockWidget(title, window)
+            dock = QDockWidget(tr(title), window)
             dock.setObjectName(f"dock_{name}")
             dock.setWidget(panels[name])
             narrowest = _NARROWEST_FRAMES if name == "frames" else _NARROWEST_PANEL
@@ -99,12 +105,15 @@ class Docks:
         """The layout the window starts with."""
         window, docks = self._window, self.by_name
         window.setDockNestingEnabled(True)
+        # The drawer is as wide as the picture, and leaves the columns beside it their height.
+        window.setCorner(Qt.Corner.BottomLeftCorner, _LEFT)
+        window.setCorner(Qt.Corner.BottomRightCorner, _RIGHT)
         for name, dock in docks.items():
             dock.setFloating(False)
             dock.hide()  # one above the other they would need more height than the window has
-            window.addDockWidget(_LEFT if name == "frames" else _RIGHT, dock)
+            window.addDockWidget(_area_of(name), dock)
         window.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
-        in_tabs = [name for desk in DESKS.values() for name in desk]
+        in_tabs = [name for desk in DESKS.values() for name in desk if name not in _BELOW]
         for before, after in pairwise(in_tabs):
             window.tabifyDockWidget(docks[before], docks[after])
         self._looks = {desk: _first_look(desk) for desk in DESKS}
@@ -152,6 +161,7 @@ class Docks:
             docks[look.front].raise_()
             if look.width:
                 self._resize(look)
+        self._resize_drawer(look.drawer_height)
         self.show_whole_tabs()
         self.turned(self.desk)
 
@@ -161,16 +171,28 @@ class Docks:
         if look.map_height:
             self._window.resizeDocks([above], [look.map_height], Qt.Orientation.Vertical)
 
+    def _resize_drawer(self, height: int = 0) -> None:
+        """Have the drawer so high, px; 0: as it is at first."""
+        drawers = [d for name in _BELOW if not (d := self.by_name[name]).isHidden()]
+        height = height or round(_DRAWER_HEIGHT * self._window.height())
+        if drawers:
+            sizes = [height] * len(drawers)
+            self._window.resizeDocks(drawers, sizes, Qt.Orientation.Vertical)
+
     def _look(self) -> DeskLook:
         docks = self.by_name
         names = DESKS[self.desk]
         opened = tuple(name for name in names if not docks[name].isHidden())
-        shown = [n for n in opened if not docks[n].visibleRegion().isEmpty()]
-        front = shown[0] if shown else (opened or names)[0]
+        in_tabs = [n for n in opened if n not in _BELOW]
+        shown = [n for n in in_tabs if not docks[n].visibleRegion().isEmpty()]
+        front = shown[0] if shown else (in_tabs or names)[0]
         field_map = docks["field_map"]
         height = 0 if field_map.isHidden() or field_map.isFloating() else field_map.height()
         width = docks[front].width() if opened and not docks[front].isFloating() else 0
-        return DeskLook(opened, front, width, height)
+        drawer = self._looks[self.desk].drawer_height
+        for name in _BELOW & set(opened):
+            drawer = docks[name].height()
+        return DeskLook(opened, front, width, height, drawer)
 
     def show(self, name: str) -> None:
         """Open a dock, turning to its desk, and bring it to the front of its tabs."""
@@ -178,12 +200,17 @@ class Docks:
         desk = next((desk for desk, names in DESKS.items() if name in names), self.desk)
         if not dock.isFloating():
             self.turn_to(desk)
+        opens = dock.isHidden() and name in _BELOW
         dock.show()
         dock.raise_()
+        if opens:
+            self._resize_drawer(self._looks[desk].drawer_height)
         self.show_whole_tabs()
 
     def hide(self, name: str) -> None:
         """Close a dock."""
+        if name in _BELOW and self.by_name[name].isVisible():
+            self._looks[self.desk] = self._look()  # as high it opens again
         self.by_name[name].hide()
 
     def show_whole_tabs(self) -> None:
@@ -234,7 +261,13 @@ def _nobody(_: str) -> None:
 
 def _first_look(desk: str) -> DeskLook:
     names = DESKS[desk]
-    return DeskLook(tuple(name for name in names if name not in _LATER), names[0])
+    return DeskLook(tuple(name for name in names if name not in _LATER | _BELOW), names[0])
+
+
+def _area_of(name: str) -> Qt.DockWidgetArea:
+    if name in _BELOW:
+        return _BOTTOM
+    return _LEFT if name == "frames" else _RIGHT
 
 
 def _look_of(desk: str, kept: object) -> DeskLook | None:
@@ -244,10 +277,12 @@ def _look_of(desk: str, kept: object) -> DeskLook | None:
         return None
     names = [n for n in DESKS[desk] if n in kept["open"] and n not in _LATER]
     front = kept.get("front")
-    width, height = kept.get("width"), kept.get("map_height")
+    sizes = [kept.get(name) for name in ("width", "map_height", "drawer_height")]
+    width, height, drawer = (size if isinstance(size, int) else 0 for size in sizes)
     return DeskLook(
         tuple(names),
         str(front) if front in names else (names or DESKS[desk])[0],
-        width if isinstance(width, int) else 0,
-        height if isinstance(height, int) else 0,
+        width,
+        height,
+        drawer,
     )

@@ -6,10 +6,11 @@ import re
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QUrl
-from PySide6.QtGui import QDesktopServices, QTextBlock, QTextCursor
+from PySide6.QtGui import QDesktopServices, QPalette, QTextBlock, QTextCursor
 from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
+    QLabel,
     QLineEdit,
     QListWidget,
     QListWidgetItem,
@@ -18,6 +19,8 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+
+from procc_annotator.language import is_english, tr
 
 _FIRST = "user-guide.md"
 _SIZE = (980, 700)
@@ -38,19 +41,21 @@ class Guide(QDialog):
     def __init__(self, folder: Path, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("guide")
-        self.setWindowTitle("User guide")
+        self.setWindowTitle(tr("User guide"))
         self._folder, self.page_name = folder, ""
-        self.search = QLineEdit(placeholderText="Find words in this page", clearButtonEnabled=True)
+        find = tr("Find words in this page")
+        self.search = QLineEdit(placeholderText=find, clearButtonEnabled=True)
         self.search.setObjectName("guideSearch")
-        self.search.setAccessibleName("Find words in this page")
+        self.search.setAccessibleName(find)
         self.search.returnPressed.connect(self._find)
         self.headings = QListWidget()
         self.headings.setObjectName("guideHeadings")
-        self.headings.setAccessibleName("Headings")
+        self.headings.setAccessibleName(tr("Headings"))
         self.headings.itemClicked.connect(self._go)
         self.headings.itemActivated.connect(self._go)
         self.page = QTextBrowser()
         self.page.setObjectName("guidePage")
+        self.page.setAccessibleName(tr("User guide"))
         self.page.setOpenLinks(False)
         self.page.anchorClicked.connect(self._follow)
         parts = QSplitter(Qt.Orientation.Horizontal)
@@ -61,6 +66,8 @@ class Guide(QDialog):
         row.addWidget(self.search)
         column = QVBoxLayout(self)
         column.addLayout(row)
+        if not is_english():
+            column.addWidget(_language_note())
         column.addWidget(parts, 1)
         screen = self.screen().availableGeometry().size()
         self.resize(min(_SIZE[0], screen.width()), min(_SIZE[1], screen.height()))
@@ -111,6 +118,13 @@ class Guide(QDialog):
             item = self.headings.item(row)
             if _anchor(item.text()) == wanted:
                 self._go(item)
+
+
+def _language_note() -> QLabel:
+    note = QLabel(tr("The user guide is in English."))
+    note.setObjectName("guideLanguage")
+    note.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+    return note
 
 
 def _anchor(heading: str) -> str:

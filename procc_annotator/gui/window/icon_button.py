@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import QAction, QColor, QFont, QFontMetrics, QKeySequence, QPainter, QPaintEvent
-from PySide6.QtWidgets import QStyle, QStyleOptionToolButton, QToolButton, QWidget
+from PySide6.QtWidgets import QSizePolicy, QStyle, QStyleOptionToolButton, QToolButton, QWidget
 
 from procc_annotator.gui.icons import paint_icon
 from procc_annotator.gui.theme import blend
@@ -12,6 +12,7 @@ from procc_annotator.gui.theme import blend
 _ICON = 1.45  # heights of a line of text
 _PAD = 5
 _KEY_FONT = 0.72
+_USUAL_KEY = "Ctrl+Z"  # not shown
 _RADIUS = 4.0
 
 
@@ -26,6 +27,7 @@ class IconButton(QToolButton):
         self._icon, self._with_key, self._key = icon, with_key, ""
         self._hint: QSize | None = None  # asked for hundreds of times whenever a window is laid out
         self.setAutoRaise(True)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
     def show_action(self, action: QAction, key_of: QAction | None = None, key: str = "") -> None:
         """Do what an action does, and tell what it is called.
@@ -98,7 +100,9 @@ class IconButton(QToolButton):
         if not self._with_key:
             return QSize(side, side)
         metrics = QFontMetrics(self._key_font())
-        return QSize(max(side, metrics.horizontalAdvance("Ctrl+Z") + 6), self.height_with_key())
+        usual = metrics.horizontalAdvance(_USUAL_KEY) + 6
+        width = max(side, usual, metrics.horizontalAdvance(self._key) + 2)
+        return QSize(width, self.height_with_key())
 
     def _take(self) -> None:
         """Another key, or another step that is undone."""
@@ -107,7 +111,8 @@ class IconButton(QToolButton):
             keys.toString(QKeySequence.SequenceFormat.NativeText)
             for keys in action.shortcuts() or other.shortcuts()
         ]
-        self._key = min(keys, key=len, default=self._held)
+        self._key, self._hint = min(keys, key=len, default=self._held), None
+        self.updateGeometry()
         words = action.text().replace("&&", "&")
         self.setAccessibleName(words)
         self.setToolTip(f"{words}\n{action.toolTip()}")

@@ -5,8 +5,9 @@ It is painted: the same as rich text takes Qt a quarter of a second.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import reduce
 
 from PySide6.QtCore import QEvent, QPoint, QRect, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -20,12 +21,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from procc_annotator.language import tr
+
 _MOST_COLUMNS = 4
 _LETTERS = 46  # what a column holds in a line, keys and words together
 _KEYS_SHARE = 0.42  # of a column's width
 _GAP = 18
 _LINES_AROUND = 2  # a title and the room above it, in lines
-_Placed = tuple["list[tuple[QRect, str, bool]]", "list[tuple[QRect, SheetRow]]"]
 _WRAP = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop
 
 
@@ -37,11 +39,21 @@ class SheetRow:
         keys: as people write them; they mean the same.
         text: what they do.
         calls: what a click calls, as the sheet knows it; "" for what only a hand can do.
+        english: the same in English, which finds it whatever the language.
     """
 
     keys: tuple[str, ...]
     text: str
     calls: str = ""
+    english: str = ""
+
+    def holds(self, words: Sequence[str], title: str) -> bool:
+        """Whether it has all of some words, in small letters, or the title of its section has."""
+        text = f"{' '.join(self.keys)} {self.text} {self.english} {title}".casefold()
+        return all(word in text for word in words)
+
+
+_Placed = tuple[list[tuple[QRect, str, bool]], list[tuple[QRect, SheetRow]]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,12 +70,7 @@ class Section:
 
     def matching(self, words: Sequence[str]) -> Section:
         """The rows that have all these words, in small letters, in their keys, text or title."""
-        kept = tuple(
-            row
-            for row in self.rows
-            if all(w in f"{' '.join(row.keys)} {row.text} {self.title}".casefold() for w in words)
-        )
-        return Section(self.title, kept)
+        return Section(self.title, tuple(r for r in self.rows if r.holds(words, self.title)))
 
 
 class KeyColumns(QWidget):
@@ -94,7 +101,10 @@ class KeyColumns(QWidget):
         return "\n".join(
             line
             for section in self.sections
-            for line in (section.title, *(f"{_keys(row.keys)}\t{row.text}" for row in section.rows))
+            for line in (
+                section.title,
+                *(f"{keys_text(row.keys)}\t{row.text}" for row in section.rows),
+            )
         )
 
     def sizeHint(self) -> QSize:
@@ -156,18 +166,24 @@ class KeyColumns(QWidget):
         placed = self._texts if width == self.width() else self._placed(width)[0]
         return max((box.bottom() for box, _, _ in placed), default=0) + _GAP
 
+    def _words_of_keys(self) -> Iterator[str]:
+        for section in self.sections:
+            for row in section.rows:
+                yield from " ".join(row.keys).split()
+
     def _placed(self, width: int) -> _Placed:
         usual, bold = QFontMetrics(self.font()), QFontMetrics(_bold(self.font()))
         count = width // (_LETTERS * usual.averageCharWidth())
         count = min(max(count, 1), _MOST_COLUMNS)
         column = (width - (count - 1) * _GAP) // count
-        keys = round(_KEYS_SHARE * column)
+        longest = max(map(bold.horizontalAdvance, self._words_of_keys()), default=0) + _GAP // 2
+        keys = max(round(_KEYS_SHARE * column), min(longest, column // 2))
         line = usual.height()
         sized = []
         for section in self.sections:
             heights = [
                 max(
-                    _tall(bold, keys - _GAP // 2, _keys(row.keys)),
+                    _tall(bold, keys - _GAP // 2, _breakable(row.keys)),
                     _tall(usual, column - keys, row.text),
                 )
                 for row in section.rows
@@ -183,7 +199,7 @@ class KeyColumns(QWidget):
                 y += line + line // 4
                 for row, height in zip(section.rows, heights, strict=True):
                     keys_box = QRect(x, y, keys - _GAP // 2, height)
-                    texts.append((keys_box, _keys(row.keys), True))
+                    texts.append((keys_box, _breakable(row.keys), True))
                     texts.append((QRect(x + keys, y, column - keys, height), row.text, False))
                     rows.append((QRect(x, y, column, height), row))
                     y += height
@@ -191,8 +207,14 @@ class KeyColumns(QWidget):
         return texts, rows
 
 
-def _keys(keys: tuple[str, ...]) -> str:
-    return " or ".join(keys)
+def keys_text(keys: tuple[str, ...]) -> str:
+    """Keys that mean the same, in words: "A or PgUp"."""
+    return reduce(lambda one, other: tr("{one} or {other}", one=one, other=other), keys or ("",))
+
+
+def _breakable(keys: tuple[str, ...]) -> str:
+    """Keys that may go on in the next line after a plus."""
+    return keys_text(keys).replace("+", "+\u200b")
 
 
 def _bold(font: QFont) -> QFont:

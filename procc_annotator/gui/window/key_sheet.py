@@ -22,6 +22,8 @@ from procc_annotator.gui.gestures import GESTURES
 from procc_annotator.gui.keymap import NATIVE, Keymap
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.window.key_columns import KeyColumns, Section, SheetRow
+from procc_annotator.gui.window.menus import in_menu
+from procc_annotator.language import tr
 
 _SIZE = QSize(1240, 860)
 _ACTION, _ELEMENT = "action:", "element:"  # what a row calls, before its name
@@ -35,19 +37,19 @@ def sections_of(field: Field, keymap: Keymap) -> tuple[Section, ...]:
         rows = []
         for spec in ACTIONS:
             if spec.menu.split("/")[0] == menu:
-                place = spec.menu.split("/", 1)[1] + ": " if "/" in spec.menu else ""
-                text = place + spec.text.lstrip("-")
-                rows.append(
-                    SheetRow(_native(keymap.of_action(spec)), text, f"{_ACTION}{spec.name}")
-                )
-        sections.append(Section(menu, tuple(rows)))
-    sections.append(Section("In the picture", tuple(SheetRow((k,), text) for k, text in GESTURES)))
+                keys = _native(keymap.of_action(spec))
+                text = in_menu(spec.menu, tr(spec.text.lstrip("-")))
+                english = f"{spec.menu} {spec.text}"
+                rows.append(SheetRow(keys, text, f"{_ACTION}{spec.name}", english))
+        sections.append(Section(tr(menu), tuple(rows)))
+    gestures = (SheetRow((tr(k),), tr(does), "", f"{k} {does}") for k, does in GESTURES)
+    sections.append(Section(tr("In the picture"), tuple(gestures)))
     elements = [
-        SheetRow((key_text(field, name, keymap),), field.title_of(name), f"{_ELEMENT}{name}")
-        for name in element_keys(field, keymap)
+        SheetRow((key_text(field, name, keymap),), tr(title), f"{_ELEMENT}{name}", title)
+        for name, title in ((name, field.title_of(name)) for name in element_keys(field, keymap))
     ]
     if elements:
-        sections.append(Section("Choose an element", tuple(elements)))
+        sections.append(Section(tr("Choose an element"), tuple(elements)))
     return tuple(sections)
 
 
@@ -60,11 +62,13 @@ class KeySheet(QDialog):
     def __init__(self, field: Field, keymap: Keymap, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("keySheet")
-        self.setWindowTitle("Keys")
+        self.setWindowTitle(tr("Keys"))
         self.search = QLineEdit()
         self.search.setObjectName("keySearch")
-        self.search.setPlaceholderText("Search: a word, or a key. A click does what a row says.")
-        self.search.setAccessibleName("Search the keys")
+        self.search.setPlaceholderText(
+            tr("Search: a word, or a key. A click does what a row says.")
+        )
+        self.search.setAccessibleName(tr("Search the keys"))
         self.search.setClearButtonEnabled(True)
         self.search.textChanged.connect(self._show)
         self.search.returnPressed.connect(self._call_only)
@@ -77,7 +81,7 @@ class KeySheet(QDialog):
         scrolled.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         scrolled.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scrolled.setWidget(self.columns)
-        scrolled.setAccessibleName("Actions and their keys")
+        scrolled.setAccessibleName(tr("Actions and their keys"))
         self.nothing = empty_state("", "keys_nothing")
         self.pages = QStackedWidget()
         self.pages.addWidget(scrolled)
@@ -118,7 +122,8 @@ class KeySheet(QDialog):
         words = self.search.text().casefold().split()
         found = tuple(shown for s in self._sections if (shown := s.matching(words)).rows)
         self.columns.set_sections(found)
-        self.nothing.setText(f"No key, action or element has “{self.search.text().strip()}”.")
+        text = self.search.text().strip()
+        self.nothing.setText(tr("No key, action or element has “{text}”.", text=text))
         self.pages.setCurrentIndex(0 if found else 1)
 
 

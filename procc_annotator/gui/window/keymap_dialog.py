@@ -37,12 +37,14 @@ from procc_annotator.gui.keymap import (
 )
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.panels.rows import Index, RowsModel, list_rows
+from procc_annotator.gui.window.key_columns import keys_text
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.language import tr, word
 
 _SIZE = QSize(760, 620)
 _MARGIN = 40
-_OWN = "Keys of your own"
-_FILES = "Keys (*.json)"
+_OWN = word("Keys of your own")
+_FILES = word("Keys (*.json)")
 _WHAT, _KEYS, _CLASH = range(3)
 
 
@@ -52,10 +54,11 @@ class KeyRow:
 
     Attributes:
         called: an action of the table, or an element of the field.
-        place: its menu, or "Element".
+        place: its menu, or that it is an element.
         title: its name.
         keys: as they are now.
         clash: what else they call; "" for nothing.
+        english: what it is in English, which finds it whatever the language.
     """
 
     called: ActionSpec | Element
@@ -63,20 +66,21 @@ class KeyRow:
     title: str
     keys: tuple[str, ...]
     clash: str
+    english: str
 
     @property
     def text(self) -> str:
         """What it is and where it is found."""
-        return f"{self.place}: {self.title}"
+        return tr("{menu}: {action}", menu=self.place, action=self.title)
 
     @property
     def keys_text(self) -> str:
         """Its keys as people write them."""
-        return " or ".join(QKeySequence(key).toString(NATIVE) for key in self.keys)
+        return keys_text(tuple(QKeySequence(key).toString(NATIVE) for key in self.keys))
 
     def holds(self, words: list[str]) -> bool:
         """Whether it has all of some words, in small letters."""
-        text = f"{self.text} {self.keys_text}".casefold()
+        text = f"{self.text} {self.keys_text} {self.english}".casefold()
         return all(word in text for word in words)
 
 
@@ -86,23 +90,26 @@ class KeymapDialog(QDialog):
     def __init__(self, field: Field, keymap: Keymap, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("keymapDialog")
-        self.setWindowTitle("Change keys")
+        self.setWindowTitle(tr("Change keys"))
         self.keymap = keymap
         self._field = field
         self._build()
         self._show()
-        self.resize(_SIZE.boundedTo(parent.window().size() - QSize(_MARGIN, _MARGIN)))
+        size = _SIZE.expandedTo(self.sizeHint())
+        self.resize(size.boundedTo(parent.window().size() - QSize(_MARGIN, _MARGIN)))
 
     # --- building -----------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self.search = QLineEdit(placeholderText="Search: a word, or a key", clearButtonEnabled=True)
+        words = tr("Search: a word, or a key")
+        self.search = QLineEdit(placeholderText=words, clearButtonEnabled=True)
         self.search.setObjectName("keymapSearch")
-        self.search.setAccessibleName("Search")
+        self.search.setAccessibleName(tr("Search"))
         self.presets = QComboBox()
         self.presets.setObjectName("keymapPresets")
-        self.presets.setAccessibleName("All keys at once")
-        self.presets.addItems([*PRESETS, _OWN])
+        self.presets.setAccessibleName(tr("All keys at once"))
+        for name in (*PRESETS, _OWN):
+            self.presets.addItem(tr(name), name)
         self.presets.activated.connect(self._take_preset)
         above = QHBoxLayout()
         above.addWidget(self.search, 1)
@@ -111,7 +118,7 @@ class KeymapDialog(QDialog):
         self.search.textChanged.connect(self._show)
         self.table = QTableView()
         self.table.setObjectName("keymapTable")
-        self.table.setAccessibleName("Keys")
+        self.table.setAccessibleName(tr("Keys"))
         self.table.setModel(self.model)
         list_rows(self.table)
         header = self.table.horizontalHeader()
@@ -132,10 +139,10 @@ class KeymapDialog(QDialog):
         """What changes the keys of the row that is chosen."""
         self.chosen = QLabel()
         self.pressed = _PressedKeys()
-        self.add = QPushButton("Add")
-        self.only = QPushButton("Only these")
-        self.none = QPushButton("No keys")
-        self.usual = QPushButton("Usual keys")
+        self.add = QPushButton(tr("Add"))
+        self.only = QPushButton(tr("Only these"))
+        self.none = QPushButton(tr("No keys"))
+        self.usual = QPushButton(tr("Usual keys"))
         self.add.clicked.connect(lambda: self._give((*self._row_keys(), self._typed())))
         self.only.clicked.connect(lambda: self._give((self._typed(),)))
         self.none.clicked.connect(lambda: self._give(()))
@@ -156,8 +163,8 @@ class KeymapDialog(QDialog):
         self.ok = box.button(QDialogButtonBox.StandardButton.Ok)
         self.ok.setAutoDefault(False)
         role = QDialogButtonBox.ButtonRole.ResetRole
-        self.export_button = box.addButton("Export…", role)
-        self.import_button = box.addButton("Import…", role)
+        self.export_button = box.addButton(tr("Export…"), role)
+        self.import_button = box.addButton(tr("Import…"), role)
         self.export_button.clicked.connect(self._ask_export)
         self.import_button.clicked.connect(self._ask_import)
         for button in (self.export_button, self.import_button):
@@ -181,10 +188,10 @@ class KeymapDialog(QDialog):
             at = next((i for i, row in enumerate(found) if row.called is before.called), -1)
             self.table.setCurrentIndex(self.model.index(at, _WHAT))
         kept = next((name for name, preset in PRESETS.items() if preset == self.keymap), _OWN)
-        self.presets.setCurrentText(kept)
+        self.presets.setCurrentIndex(self.presets.findData(kept))
         text = ""
         if hard:
-            text = "⚠ Keys that call two actions call neither: give one of them other keys."
+            text = tr("⚠ Keys that call two actions call neither: give one of them other keys.")
         show_note(self.problem, text)
         self.ok.setEnabled(not hard)
         self._show_chosen()
@@ -193,10 +200,11 @@ class KeymapDialog(QDialog):
         return [
             KeyRow(
                 spec,
-                spec.menu.replace("/", " › "),
-                spec.text.lstrip("-"),
+                " › ".join(map(tr, spec.menu.split("/"))),
+                tr(spec.text.lstrip("-")),
                 self.keymap.of_action(spec),
-                clashing.get(f"action:{spec.name}", ""),
+                clashing.get(f"action:{spec.name}", ""),  # not shown
+                f"{spec.menu} {spec.text}",
             )
             for spec in ACTIONS
         ]
@@ -205,13 +213,16 @@ class KeymapDialog(QDialog):
         rows = []
         for element in self._field.elements:
             keys = self.keymap.of_element(element)
-            clash = clashing.get(f"element:{element.name}", "")
-            rows.append(KeyRow(element, "Element", element.title, (keys,) if keys else (), clash))
+            clash = clashing.get(f"element:{element.name}", "")  # not shown
+            english, title = f"Element {element.title}", tr(element.title)  # not shown
+            given = (keys,) if keys else ()
+            rows.append(KeyRow(element, tr("Element"), title, given, clash, english))
         return rows
 
     def _show_chosen(self) -> None:
         row, typed = self._row(), bool(self._typed())
-        self.chosen.setText(row.title if row is not None else "Choose a row, then press its keys")
+        nothing = tr("Choose a row, then press its keys")
+        self.chosen.setText(row.title if row is not None else nothing)
         one_only = row is not None and isinstance(row.called, Element)
         self.add.setEnabled(row is not None and typed and not (one_only and row.keys))
         self.only.setEnabled(row is not None and typed)
@@ -252,7 +263,7 @@ class KeymapDialog(QDialog):
             self._give(usual if isinstance(called, Element) else called.keys)
 
     def _take_preset(self, index: int) -> None:
-        preset = PRESETS.get(self.presets.itemText(index))
+        preset = PRESETS.get(self.presets.itemData(index))
         if preset is not None:
             self.keymap = preset
         self._show()
@@ -260,7 +271,7 @@ class KeymapDialog(QDialog):
     # --- files --------------------------------------------------------------------------------
 
     def _ask_export(self) -> None:
-        chosen, _ = QFileDialog.getSaveFileName(self, "Export keys", "keys.json", _FILES)
+        chosen, _ = QFileDialog.getSaveFileName(self, tr("Export keys"), "keys.json", tr(_FILES))
         if not chosen:
             return
         data = json.dumps(to_values(self.keymap), indent=1, ensure_ascii=False) + "\n"
@@ -270,13 +281,14 @@ class KeymapDialog(QDialog):
             show_note(self.problem, str(error))
 
     def _ask_import(self) -> None:
-        chosen, _ = QFileDialog.getOpenFileName(self, "Import keys", "", _FILES)
+        chosen, _ = QFileDialog.getOpenFileName(self, tr("Import keys"), "", tr(_FILES))
         if not chosen:
             return
         try:
             self.keymap = from_values(json.loads(Path(chosen).read_text(encoding="utf-8")))
         except (OSError, UnicodeDecodeError, json.JSONDecodeError, UsageError) as error:
-            show_note(self.problem, f"{chosen}: {error}; the keys stay as they are")
+            text = tr("{file}: {error}; the keys stay as they are", file=chosen, error=error)
+            show_note(self.problem, text)
             return
         self._show()
 
@@ -285,19 +297,19 @@ class _KeyRows(RowsModel[KeyRow]):
     """What keys call, their keys, and what else they would call."""
 
     def __init__(self) -> None:
-        super().__init__(("Action or element", "Keys", ""))
+        super().__init__((tr("Action or element"), tr("Keys"), ""))
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         row = self.rows[index.row()]
         if role == Qt.ItemDataRole.ToolTipRole and isinstance(row.called, ActionSpec):
-            return row.called.tip
+            return tr(row.called.tip)
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         if index.column() == _WHAT:
             return row.text
         if index.column() == _KEYS:
             return row.keys_text
-        return f"⚠ also: {row.clash}" if row.clash else ""
+        return tr("⚠ also: {what}", what=row.clash) if row.clash else ""
 
 
 class _PressedKeys(QKeySequenceEdit):
@@ -306,6 +318,9 @@ class _PressedKeys(QKeySequenceEdit):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("keymapPressed")
-        self.setAccessibleName("New keys: press them here")
+        self.setAccessibleName(tr("New keys: press them here"))
         self.setMaximumSequenceLength(1)
         self.setClearButtonEnabled(True)
+        words = self.findChildren(QLineEdit)[0].placeholderText()  # Qt's own
+        beside = 2 * self.fontMetrics().height()
+        self.setMinimumWidth(self.fontMetrics().horizontalAdvance(words) + beside)

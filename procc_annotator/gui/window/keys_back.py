@@ -12,11 +12,12 @@ from procc_annotator.gui.panels.parts import LEFT_BY_ESCAPE
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.picture.held_keys import beside_picture, typed_into
 
+_ENTER, _BACKSPACE, _ESCAPE = "Enter", "Backspace", "Escape"  # not shown
 _NAMES = {
-    Qt.Key.Key_Return: "Enter",
-    Qt.Key.Key_Enter: "Enter",
-    Qt.Key.Key_Backspace: "Backspace",
-    Qt.Key.Key_Escape: "Escape",
+    Qt.Key.Key_Return: _ENTER,
+    Qt.Key.Key_Enter: _ENTER,
+    Qt.Key.Key_Backspace: _BACKSPACE,
+    Qt.Key.Key_Escape: _ESCAPE,
 }
 
 
@@ -78,14 +79,14 @@ class KeysBack(QObject):
         if name is None or widget is not QApplication.focusWidget():
             return None  # what one widget does not want comes to those around it
         if isinstance(widget, QWidget) and not typed_into(widget) and canvas.editor.drawing:
-            if not held or (shift and name == "Enter"):
+            if not held or (shift and name == _ENTER):
                 return lambda: canvas.key(name, shift)
             return None
-        if held or name == "Backspace":
+        if held or name == _BACKSPACE:
             return None
         if isinstance(widget, QDoubleSpinBox):
-            return widget.interpretText if name == "Enter" else lambda: self._put_back(widget)
-        if isinstance(widget, QLineEdit) and widget.property(LEFT_BY_ESCAPE) and name == "Escape":
+            return widget.interpretText if name == _ENTER else lambda: self._put_back(widget)
+        if isinstance(widget, QLineEdit) and widget.property(LEFT_BY_ESCAPE) and name == _ESCAPE:
             return lambda: self._put_back(widget)
         return _nothing if isinstance(widget, QComboBox) else None
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict
 from operator import attrgetter
 from typing import cast
@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QWidget
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
 from procc_annotator.gui.keymap import NATIVE, Keymap
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr
+from procc_annotator.language import spoken, tr
 
 
 class Actions:
@@ -25,7 +25,9 @@ class Actions:
         self._reasons: dict[str, str] = {}
         self._texts: dict[str, str] = {}
         self._groups: dict[str, QActionGroup] = {}
-        self.menus: dict[str, QMenu] = {m: window.menuBar().addMenu(_mnemonic(m)) for m in MENUS}
+        self.menus: dict[str, QMenu] = {
+            name: window.menuBar().addMenu(said) for name, said in mnemonics(MENUS).items()
+        }
         for spec in ACTIONS:
             action = self._make(spec, window, canvas)
             menu = self._menu(spec.menu)
@@ -59,7 +61,8 @@ class Actions:
         """Say behind an action's text which step it is about; None: there is none."""
         action = self._by_name[name]
         text = self._texts.setdefault(name, action.text())
-        action.setText(f"{text}: {step}".replace("&", "&&") if step else text)
+        said = tr("{action}: {step}", action=text, step=step).replace("&", "&&")
+        action.setText(said if step else text)
 
     def set_reason(self, name: str, reason: str) -> None:
         """Say in an action's tip why it does not do what it says; empty: it does."""
@@ -95,6 +98,12 @@ class Actions:
         return menu
 
 
+def in_menu(menu: str, title: str) -> str:
+    """An action's title behind that of its submenu, if it stands in one."""
+    _, _, place = menu.partition("/")
+    return tr("{menu}: {action}", menu=tr(place), action=title) if place else title
+
+
 def _give_keys(action: QAction, spec: ActionSpec, keys: Sequence[str]) -> None:
     """Have keys call an action, and its tip name the first of them."""
     action.setShortcuts([QKeySequence(key) for key in keys])
@@ -102,10 +111,23 @@ def _give_keys(action: QAction, spec: ActionSpec, keys: Sequence[str]) -> None:
     action.setToolTip(f"{tr(spec.tip)}{first}")
 
 
-def _mnemonic(title: str) -> str:
-    """A menu's title, with the letter that opens it; one of two that begin alike has its second."""
-    said = tr(title)
-    return f"&{said}" if title != "Element" else f"{said[:1]}&{said[1:]}"
+def mnemonics(titles: Iterable[str]) -> dict[str, str]:
+    """Titles of menus as they are said, each with the letter that opens it: the first that no menu
+    before has; where a language has none, that of the English title stands behind."""
+    taken: set[str] = set()
+    said = {}
+    for title in titles:
+        words = tr(title)
+        bare = not any(map(_is_key, words))
+        letters = filter(_is_key, title if bare else words)
+        key = next((letter for letter in letters if letter.lower() not in taken), "")
+        taken.add(key.lower())
+        said[title] = f"{words}(&{key.upper()})" if bare else words.replace(key, f"&{key}", 1)
+    return said
+
+
+def _is_key(letter: str) -> bool:
+    return letter.isascii() and letter.isalpha()
 
 
 class ActionStates(QObject):
@@ -141,8 +163,8 @@ class ActionStates(QObject):
 
     def _show_steps(self) -> None:
         undone, redone = self._document.editing.steps
-        self._actions.set_step("undo", undone)
-        self._actions.set_step("redo", redone)
+        self._actions.set_step("undo", undone and spoken(undone))
+        self._actions.set_step("redo", redone and spoken(redone))
 
     def _show_live_fit(self) -> None:
         self._actions.set_checked("live_fit", self._document.live_fit.wanted)

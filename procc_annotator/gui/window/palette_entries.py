@@ -10,15 +10,21 @@ from pathlib import Path
 
 from PySide6.QtGui import QAction, QKeySequence
 
-from procc_annotator.gui.actions import ACTIONS
+from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.settings import OFFERED, RECENT, SWITCHES, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.live_fit import MODELS
 from procc_annotator.gui.window.docks import TITLES
-from procc_annotator.gui.window.menus import Actions
+from procc_annotator.gui.window.menus import Actions, in_menu
 from procc_annotator.gui.window.welcome import described
 from procc_annotator.interact.type_ahead import loose_rank, match_rank, misspelt
+from procc_annotator.language import tr, word
+
+# What sorts of things there are besides actions, which are of the sort of their menu.
+_CAMERAS, _PANEL, _SETTING, _OPEN = word("Cameras"), word("Panel"), word("Setting"), word("Open")
+_ELEMENT, _FRAME, _CAMERA = word("Element"), word("Frame"), word("Camera")
+KINDS = (*MENUS, _CAMERAS, _PANEL, _SETTING, _OPEN)
 
 _MOST_FRAMES = 30  # that are listed of those whose names fit
 _BY_DETAIL = 10  # the rank of what fits by what is said of it, behind all that fit by name
@@ -31,13 +37,14 @@ class Entry:
 
     Attributes:
         key: what it is remembered by as called last; "" for things of one dataset.
-        kind: what sort of thing it is, in a word.
+        kind: what sort of thing it is, one of `KINDS`.
         title: its name, as menus and panels have it.
         detail: what it does, or where it lies.
         keys: what else calls it, as people write it.
         run: calls it.
         on: whether it is on; None for what is neither.
         enabled: whether it can be called now.
+        english: its name in English, which finds it whatever the language.
     """
 
     key: str
@@ -48,6 +55,12 @@ class Entry:
     run: Callable[[], object]
     on: bool | None = None
     enabled: bool = True
+    english: str = ""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What it is called by: its name, and the English one if that is another."""
+        return (self.title,) if self.english in ("", self.title) else (self.title, self.english)
 
 
 class PaletteEntries:
@@ -85,7 +98,7 @@ class PaletteEntries:
         ranked = [(rank, e) for e in fitting if (rank := _rank(text, e)) is not None]
         ranked.sort(key=lambda pair: (pair[0], len(pair[1].title)))
         best = [*self._of_numbers(text), *(entry for _, entry in ranked)]
-        return best or [entry for entry in entries if misspelt(text, entry.title)]
+        return best or [e for e in entries if any(misspelt(text, name) for name in e.names)]
 
     # --- what there is ------------------------------------------------------------------------
 
@@ -93,17 +106,18 @@ class PaletteEntries:
         for spec in ACTIONS:
             if spec.name == _SELF:
                 continue
-            action = self._actions[spec.name]
-            place = spec.menu.split("/", 1)[1] + ": " if "/" in spec.menu else ""
+            action, place = self._actions[spec.name], spec.menu.partition("/")[2]
+            english = spec.text.lstrip("-")
             yield Entry(
-                f"action:{spec.name}",
+                f"action:{spec.name}",  # not shown
                 spec.menu.split("/")[0],
-                place + action.text(),
-                spec.tip,
+                in_menu(spec.menu, action.text()),
+                tr(spec.tip),
                 _keys_of(action),
                 action.trigger,
                 action.isChecked() if action.isCheckable() else None,
                 action.isEnabled(),
+                f"{place}: {english}" if place else english,
             )
 
     def _of_the_window(self) -> Iterator[Entry]:
@@ -112,54 +126,59 @@ class PaletteEntries:
         for name in (*(e.name for e in field.elements), *field.classes_without_geometry):
             yield Entry(
                 "",
-                "Element",
-                field.title_of(name),
+                _ELEMENT,
+                tr(field.title_of(name)),
                 name,
                 key_text(field, name, document.state.keymap),
                 partial(document.select_class, name),
                 document.selected_class == name,
+                english=field.title_of(name),
             )
         for index, source in enumerate(document.sources):
             yield Entry(
                 "",
-                "Cameras",
-                f"Judge {source.name}",
-                "Judge with this source",
+                _CAMERAS,
+                tr("Judge {source}", source=source.name),
+                tr("Judge with this source"),
                 "",
                 partial(document.set_active_camera, index),
                 source is document.active_source,
+                english=f"Judge {source.name}",  # not shown
             )
         for model in MODELS:
             yield Entry(
-                f"model:{model}",
-                "Camera",
-                f"Live fit: model {model}",
-                "Fit this model to the clicks; auto takes the simplest that they support",
+                f"model:{model}",  # not shown
+                _CAMERA,
+                tr("Live fit: model {model}", model=model),
+                tr("Fit this model to the clicks; auto takes the simplest that they support"),
                 "",
                 partial(document.live_fit.set_model, model),
                 document.live_fit.model == model,
+                english=f"Live fit: model {model}",  # not shown
             )
         for name, title in TITLES.items():
             yield Entry(
-                f"panel:{name}",
-                "Panel",
-                f"Panel {title}",
-                "Open this panel and bring it to the front",
+                f"panel:{name}",  # not shown
+                _PANEL,
+                tr("Panel {title}", title=tr(title)),
+                tr("Open this panel and bring it to the front"),
                 "",
                 partial(self._show_panel, name),
+                english=f"Panel {title}",  # not shown
             )
         for setting in OFFERED:
             if setting.shown is not None and setting.key not in SWITCHES:  # those are actions
                 yield Entry(
-                    f"setting:{setting.key}",
-                    "Setting",
-                    f"{setting.shown.title}…",
-                    setting.text,
+                    f"setting:{setting.key}",  # not shown
+                    _SETTING,
+                    f"{tr(setting.shown.title)}…",
+                    tr(setting.text),
                     "",
                     partial(self._show_setting, setting.key),
+                    english=f"{setting.shown.title}…",
                 )
         for path in self._settings.get(RECENT):
-            yield Entry("", "Open", described(path), str(path), "", partial(self._open_path, path))
+            yield Entry("", _OPEN, described(path), str(path), "", partial(self._open_path, path))
 
     def _of_numbers(self, text: str) -> Iterator[Entry]:
         """What a number alone may mean: a threshold, a frame."""
@@ -171,9 +190,9 @@ class PaletteEntries:
         if 0 < number <= 100:
             yield Entry(
                 "",
-                "Camera",
-                f"Threshold {number:g} px",
-                "Judge elements by this tau",
+                _CAMERA,
+                tr("Threshold {px:g} px", px=number),
+                tr("Judge elements by this tau"),
                 "",
                 lambda: document.set_tau(number),
                 document.tau == number,
@@ -181,7 +200,8 @@ class PaletteEntries:
         count = len(document.workspace.frames) if document.workspace is not None else 0
         if number.is_integer() and 1 <= number <= count:
             index = int(number) - 1
-            yield self._frame(index, f"Frame {int(number)} of {count}")
+            title = tr("Frame {number} of {count}", number=int(number), count=count)
+            yield self._frame(index, title)
 
     def _of_frames(self, text: str) -> Iterator[Entry]:
         """Frames whose names hold every word."""
@@ -198,9 +218,9 @@ class PaletteEntries:
         name = document.workspace.frames[index].name
         return Entry(
             "",
-            "Frame",
+            _FRAME,
             title,
-            name if name != title else "Go to this frame",
+            name if name != title else tr("Go to this frame"),
             "",
             lambda: document.go_to(index),
             index == document.frame_index,
@@ -208,12 +228,12 @@ class PaletteEntries:
 
 
 def _rank(text: str, entry: Entry) -> int | None:
-    rank = loose_rank(text, entry.title)
-    if rank == 0 or match_rank(text, entry.keys) == 0:
+    ranks = [rank for name in entry.names if (rank := loose_rank(text, name)) is not None]
+    if 0 in ranks or match_rank(text, entry.keys) == 0:
         return 0
-    if rank is not None:
-        return rank
-    if match_rank(text, f"{entry.kind} {entry.title} {entry.detail}") is not None:
+    if ranks:
+        return min(ranks)
+    if match_rank(text, f"{entry.kind} {' '.join(entry.names)} {entry.detail}") is not None:
         return _BY_DETAIL
     return None
 

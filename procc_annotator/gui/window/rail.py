@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QMenu, QToolBar, QToolButton, QWidgetAction
 
+from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.window.icon_button import IconButton
 from procc_annotator.gui.window.menus import Actions
+from procc_annotator.language import tr
 
 # Icon, action, and whose key is shown where that has none; a None starts a new group.
 _BUTTONS: tuple[tuple[str, str, str] | None, ...] = (
@@ -26,7 +28,7 @@ _BUTTONS: tuple[tuple[str, str, str] | None, ...] = (
     ("blind", "blind", ""),
 )
 _BETWEEN, _REST = 2, 50  # px: between two buttons; lines between groups, and the rims
-_HELD = {"pan": "Space"}
+_HELD = {"pan": "Space"}  # not shown
 
 
 class Rail(QToolBar):
@@ -35,7 +37,7 @@ class Rail(QToolBar):
     lookChanged = Signal(object)  # how pictures are to be shown
 
     def __init__(self, actions: Actions) -> None:
-        super().__init__("Rail")
+        super().__init__(tr("Rail"))
         self.setObjectName("rail")
         self.setMovable(False)
         self.setFloatable(False)
@@ -51,7 +53,8 @@ class Rail(QToolBar):
             button = IconButton(icon, with_key=True)
             button.setObjectName(f"rail_{name}")
             other = actions[key_of] if key_of else None
-            button.show_action(actions[name], other, _HELD.get(name, ""))
+            held = QKeySequence(_HELD.get(name, "")).toString(NATIVE)
+            button.show_action(actions[name], other, held)
             self.buttons[name] = button
             self.addWidget(button)
         self.addSeparator()
@@ -75,9 +78,9 @@ class Rail(QToolBar):
         menu.addAction(action)
         button = IconButton("looks", with_key=True)
         button.setObjectName("lookButton")
-        button.setAccessibleName("Picture")
+        button.setAccessibleName(tr("Picture"))
         button.setToolTip(
-            "Picture\nBrightness, contrast, gamma, line enhance: only what you see changes"
+            tr("Picture\nBrightness, contrast, gamma, line enhance: only what you see changes")
         )
         button.setMenu(menu)
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)

@@ -7,10 +7,10 @@ from PySide6.QtWidgets import QLabel
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import alarm_colours, fixed_width
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 
 _PAD = 4
-_WIDEST = "saved 00:00:00"
+_ALARM = "background: {}; color: {}; padding: 1px 6px; font-weight: bold;"  # not shown
 
 
 class SaveState(QLabel):
@@ -33,7 +33,7 @@ class SaveState(QLabel):
         self.setToolTip(tip)
         background, colour = alarm_colours(self.palette())
         style = (
-            f"background: {background}; color: {colour}; padding: 1px 6px; font-weight: bold;"
+            _ALARM.format(background, colour)
             if alarm
             else ""  # a style sheet, however small, would keep the colours of the other theme
         )
@@ -44,7 +44,8 @@ class SaveState(QLabel):
     def minimumSizeHint(self) -> QSize:
         """Room for the usual words, so that neighbours stay where they are."""
         least = super().minimumSizeHint()
-        usual = self.fontMetrics().horizontalAdvance(_WIDEST) + 2 * _PAD
+        words = tr("saved {time}", time="00:00:00")
+        usual = self.fontMetrics().horizontalAdvance(words) + 2 * _PAD
         return least.expandedTo(QSize(usual, 0))
 
     def sizeHint(self) -> QSize:
@@ -55,12 +56,13 @@ class SaveState(QLabel):
         problems = saver.problems
         if problems:
             tip = "\n".join(str(p) for p in problems.values())
-            self.set_saved(f"NOT SAVED: {counted(len(problems), 'frame')}", alarm=True, tip=tip)
+            said = tr_count(len(problems), "NOT SAVED: {n} frame", "NOT SAVED: {n} frames")
+            self.set_saved(said, alarm=True, tip=tip)
         elif saver.under_way:
-            self.set_saved("saving...", alarm=False)
+            self.set_saved(tr("saving..."), alarm=False)
         elif saver.saved_at is not None:
-            self.set_saved(f"saved {saver.saved_at:%H:%M:%S}", alarm=False)
+            self.set_saved(tr("saved {time}", time=f"{saver.saved_at:%H:%M:%S}"), alarm=False)
         elif self._document.frame is not None:
-            self.set_saved("no changes", alarm=False)
+            self.set_saved(tr("no changes"), alarm=False)
         else:
             self.set_saved("", alarm=False)

@@ -28,6 +28,7 @@ from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.panels.parts import ScrolledContent, empty_state
 from procc_annotator.gui.settings import FLAG, NUMBER, OFFERED, Setting, Shown
 from procc_annotator.gui.window.options import Options
+from procc_annotator.language import tr
 
 _SIZE = QSize(680, 640)
 _MARGIN = 40  # of the window behind that stays in sight
@@ -44,17 +45,19 @@ class SettingRow(QWidget):
         self._options, self._changed = options, changed
         self.setObjectName(f"setting_{setting.key}")
         self.editor = self._make_editor(setting.shown)
-        self.editor.setAccessibleName(self._shown.title)
-        self.editor.setAccessibleDescription(setting.text)
+        title, text = tr(self._shown.title), tr(setting.text)
+        self.editor.setAccessibleName(title)
+        self.editor.setAccessibleDescription(text)
         self.back = QToolButton()
         self.back.setText("↺")
-        self.back.setToolTip(f"{self._shown.title}: back to {self._words(setting.default)}")
+        default = self._words(setting.default)
+        self.back.setToolTip(tr("{setting}: back to {value}", setting=title, value=default))
         self.back.setAccessibleName(self.back.toolTip())
         self.back.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.back.clicked.connect(lambda: self._take(setting.default))
-        name = QLabel(self._shown.title)
+        name = QLabel(title)
         name.setBuddy(self.editor)
-        does = QLabel(setting.text)
+        does = QLabel(text)
         does.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         does.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         does.setWordWrap(True)  # which says that its height follows from its width
@@ -69,9 +72,11 @@ class SettingRow(QWidget):
         self.refresh()
 
     def holds(self, words: list[str]) -> bool:
-        """Whether it has all of some words, in small letters."""
-        choices = " ".join(title for _, title in self._shown.choices)
-        text = f"{self._shown.group} {self._shown.title} {self.setting.text} {choices}".casefold()
+        """Whether it has all of some words, in small letters, as they are shown or in English."""
+        shown = self._shown
+        choices = [title for _, title in shown.choices]
+        english = [shown.group, shown.title, self.setting.text, *choices]
+        text = " ".join([*english, *map(tr, english)]).casefold()
         return all(word in text for word in words)
 
     def refresh(self) -> None:
@@ -98,7 +103,7 @@ class SettingRow(QWidget):
         if shown.choices:
             combo = QComboBox()
             for value, title in shown.choices:
-                combo.addItem(title, value)
+                combo.addItem(tr(title), value)
             combo.activated.connect(lambda index: self._take(combo.itemData(index)))
             made: QWidget = combo
         elif self.setting.kind is NUMBER:
@@ -120,10 +125,11 @@ class SettingRow(QWidget):
 
     def _words(self, value: Any) -> str:
         if self.setting.kind is FLAG:
-            return "on" if value else "off"
+            return tr("on") if value else tr("off")
         if self.setting.kind is NUMBER:
             return f"{float(value) * self._shown.times:g}{self._shown.unit}"
-        return dict(self._shown.choices).get(value) or str(value) or "none of your own"
+        words = dict(self._shown.choices).get(value)
+        return tr(words) if words else str(value) or tr("none of your own")
 
     def _take(self, value: Any) -> None:
         if value != self._options.value(self.setting):
@@ -139,11 +145,12 @@ class SettingsDialog(QDialog):
     def __init__(self, options: Options, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("settingsDialog")
-        self.setWindowTitle("Settings")
+        self.setWindowTitle(tr("Settings"))
         self._options = options
-        self.search = QLineEdit(placeholderText="Search the settings", clearButtonEnabled=True)
+        find = tr("Search the settings")
+        self.search = QLineEdit(placeholderText=find, clearButtonEnabled=True)
         self.search.setObjectName("settingsSearch")
-        self.search.setAccessibleName("Search the settings")
+        self.search.setAccessibleName(find)
         self.search.textChanged.connect(self._find)
         self.rows = [SettingRow(setting, options, self.refresh) for setting in OFFERED]
         self._heads: dict[str, QLabel] = {}
@@ -164,7 +171,7 @@ class SettingsDialog(QDialog):
         column.setSpacing(0)
         groups = dict.fromkeys(row.setting.shown.group for row in self.rows if row.setting.shown)
         for group in groups:
-            head = QLabel(group)
+            head = QLabel(tr(group))
             font = head.font()
             font.setBold(True)
             head.setFont(font)
@@ -187,9 +194,9 @@ class SettingsDialog(QDialog):
     def _make_buttons(self) -> QDialogButtonBox:
         box = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         reset = QDialogButtonBox.ButtonRole.ResetRole
-        self.all_back = box.addButton("All to their defaults", reset)
+        self.all_back = box.addButton(tr("All to their defaults"), reset)
         self.all_back.clicked.connect(self._take_all_back)
-        keys = box.addButton("Change keys…", reset)
+        keys = box.addButton(tr("Change keys…"), reset)
         keys.clicked.connect(self.keysWanted)
         for button in box.buttons():
             button.setAutoDefault(False)  # type: ignore[attr-defined]
@@ -233,7 +240,8 @@ class SettingsDialog(QDialog):
                 seen.add(row.setting.shown.group)
         for group, head in self._heads.items():
             head.setVisible(group in seen)
-        self._nothing.setText(f"No setting has “{self.search.text().strip()}”.")
+        text = self.search.text().strip()
+        self._nothing.setText(tr("No setting has “{text}”.", text=text))
         self._pages.setCurrentIndex(0 if seen else 1)
 
     def _take_all_back(self) -> None:

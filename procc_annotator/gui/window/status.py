@@ -12,9 +12,11 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWid
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.gui.window.apart import Apart
 from procc_annotator.interact.hints import SEPARATOR
+from procc_annotator.language import tr, word
 
 MESSAGE_END = "  ·  "  # what just happened stands before the hint
 _MESSAGE_MS = 5000
+_GROUND = word("ground ±{metres:.2f} m")
 _PAD = 4  # above and below a line
 _KEPT_HINTS = 4  # click, Enter, Esc and Tab
 _LEAST_TITLE = 22  # letters
@@ -171,25 +173,31 @@ class StatusLine(QStatusBar):
         self.hint.setObjectName("hint")
         self.pixels = Readout("cursorPixels", "-1234.5 -1234.5 px ")
         self.metres = Readout("cursorMetres", "-123.5 -123.5 m ")
-        self.pixels.setToolTip("Cursor in picture pixels; the centre of the top left pixel is 0 0")
-        self.metres.setToolTip("Cursor on the ground of the field, in metres from its centre")
+        self.pixels.setToolTip(
+            tr("Cursor in picture pixels; the centre of the top left pixel is 0 0")
+        )
+        self.metres.setToolTip(tr("Cursor on the ground of the field, in metres from its centre"))
         self.apart = Readout("cursorDisagreement", "Δ 12345.67 m 1234.5 px ")
         self.apart.setToolTip(
-            "How far apart the active and the compared camera see the cursor:\n"
-            "on the ground, and in pixels of the evaluation size"
+            tr(
+                "How far apart the active and the compared camera see the cursor:\n"
+                "on the ground, and in pixels of the evaluation size"
+            )
         )
         self.apart.hide()
-        self.good_to = Readout("cursorUncertainty", "ground ±1234.56 m ")
+        self.good_to = Readout("cursorUncertainty", tr(_GROUND, metres=1234.56) + " ")
         self.good_to.setToolTip(
-            "How surely the fitted camera knows the ground point at the cursor: standard\n"
-            "deviation in the worst direction, whatever the cursor itself is off by"
+            tr(
+                "How surely the fitted camera knows the ground point at the cursor: standard\n"
+                "deviation in the worst direction, whatever the cursor itself is off by"
+            )
         )
         self.good_to.hide()
         self.work = QLabel()
         self.work.setObjectName("backgroundWork")
         line = QWidget()
         layout = QHBoxLayout(line)
-        layout.setContentsMargins(0, _PAD, _PAD, _PAD)
+        layout.setContentsMargins(2 * _PAD, _PAD, _PAD, _PAD)
         layout.addWidget(self.hint, 1)
         for part in (self.work, self.apart, self.good_to, self.pixels, self.metres):
             layout.addWidget(part)
@@ -243,7 +251,7 @@ class StatusLine(QStatusBar):
         """Standard deviation on the ground at the cursor; takes no room unless it is shown."""
         if self.good_to.isHidden() == shown:
             self.good_to.setVisible(shown)
-        self.good_to.set_text("" if metres is None else f"ground ±{metres:.2f} m")
+        self.good_to.set_text("" if metres is None else tr(_GROUND, metres=metres))
 
     def set_work(self, text: str, tip: str = "") -> None:
         """What goes on in the background; empty when nothing does."""

@@ -10,6 +10,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.status import StatusLine
+from procc_annotator.language import tr
 
 
 class StatusReport(QObject):
@@ -38,22 +39,22 @@ class StatusReport(QObject):
 
     def _show_titles(self, field: Field) -> None:
         """What elements are called, which hints and messages name."""
-        self._status.hint.set_titles(e.title for e in field.elements)
+        self._status.hint.set_titles(tr(e.title) for e in field.elements)
 
     def show_scoring(self, done: int, total: int) -> None:
         """How far the scores of the set are; nothing once they are all there."""
-        text = f"scoring {done:,} / {total:,}" if done < total else ""
-        self._status.set_work(text, "Camera > Stop scoring the set ends it")
+        text = tr("scoring {done:,} / {total:,}", done=done, total=total) if done < total else ""
+        self._status.set_work(text, tr("Camera > Stop scoring the set ends it"))
 
     def show_comparing(self, done: int, total: int) -> None:
         """How far the comparison of two sources is; nothing once it is over."""
-        text = f"comparing {done:,} / {total:,}" if total else ""
-        self._status.set_work(text, "Camera > Stop scoring the set ends it")
+        text = tr("comparing {done:,} / {total:,}", done=done, total=total) if total else ""
+        self._status.set_work(text, tr("Camera > Stop scoring the set ends it"))
 
     def show_ghosts(self, done: int, total: int) -> None:
         """How far the look along all ghosts is; nothing once it is over."""
-        text = f"ghosts {done:,} / {total:,}" if total else ""
-        self._status.set_work(text, "Esc ends it")
+        text = tr("ghosts {done:,} / {total:,}", done=done, total=total) if total else ""
+        self._status.set_work(text, tr("Esc ends it"))
 
     def _look_again(self, *_: object) -> None:
         self.show_cursor(self._canvas.cursor_px)

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QSlider, QWidget
 from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
+from procc_annotator.language import tr
 
 
 class TauControl(QWidget):
@@ -16,7 +17,7 @@ class TauControl(QWidget):
     def __init__(self, document: Document) -> None:
         super().__init__()
         self._document = document
-        tip = "Threshold tau: an element passes when all its points are nearer (+ and -)"
+        tip = tr("Threshold tau: an element passes when all its points are nearer (+ and -)")
         label = QLabel("τ")
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.slider.setObjectName("tauSlider")
@@ -36,7 +37,7 @@ class TauControl(QWidget):
         layout.setContentsMargins(4, 0, 4, 0)
         for widget in (label, self.slider, self.spin):
             widget.setToolTip(tip)
-            widget.setAccessibleName("Threshold tau")
+            widget.setAccessibleName(tr("Threshold tau"))
             layout.addWidget(widget)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.slider.valueChanged.connect(lambda tenths: document.set_tau(tenths / 10))

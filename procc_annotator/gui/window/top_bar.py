@@ -25,6 +25,7 @@ from procc_annotator.gui.window.icon_button import IconButton
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.gui.window.save_state import SaveState
 from procc_annotator.gui.window.status import SteadyLabel
+from procc_annotator.language import tr
 from procc_annotator.session.facts.origins import Status
 
 _PAD = 5
@@ -124,7 +125,7 @@ class TopBar(QToolBar):
             actions: what the buttons do.
             fields: the menu in which a dataset's field is chosen.
         """
-        super().__init__("Top bar")
+        super().__init__(tr("Top bar"))
         self.setObjectName("topBar")
         self.setMovable(False)
         self.setFloatable(False)
@@ -169,11 +170,11 @@ class TopBar(QToolBar):
         self.position.setObjectName("framePosition")
         self.position.setFont(fixed_width(self.position.font()))
         # Nothing beside it moves when it changes.
-        words, advance = (s.value for s in Status), self.fontMetrics().horizontalAdvance
+        words, advance = (tr(s.value) for s in Status), self.fontMetrics().horizontalAdvance
         self.status = SteadyLabel(max(words, key=advance))
         self.status.setObjectName("frameStatus")
         self.status.setContentsMargins(4, 0, 4, 0)
-        self.status.setToolTip("Status of this frame (panel Review)")
+        self.status.setToolTip(tr("Status of this frame (panel Review)"))
 
     def _make_search(self, action: QAction) -> WordsButton:
         search = WordsButton("find", Qt.TextElideMode.ElideRight, 0)
@@ -183,7 +184,7 @@ class TopBar(QToolBar):
 
         def show() -> None:
             keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-            search.set_words("Find anything", keys)
+            search.set_words(tr("Find anything"), keys)
 
         action.changed.connect(show)
         show()
@@ -191,7 +192,7 @@ class TopBar(QToolBar):
 
     def _show_status(self, _frame: str = "") -> None:
         shown = self._document.frame
-        self.status.setText(self._document.review.status(shown.name).value if shown else "")
+        self.status.setText(tr(self._document.review.status(shown.name).value) if shown else "")
 
     def _show_frame(self, _: object = None) -> None:
         workspace = self._document.workspace
@@ -205,9 +206,9 @@ class TopBar(QToolBar):
         """What is open, and the sport it is of."""
         workspace, field = self._document.workspace, self._document.field
         name = workspace.root.name if workspace is not None else ""
-        self.chip.set_words(" · ".join(filter(None, (name, field.title))))
+        self.chip.set_words(" · ".join(filter(None, (name, tr(field.title)))))
         lines = [str(workspace.root)] if workspace is not None else []
-        lines += [f"Field: {field.described}", "Click to choose another one"]
+        lines += [tr("Field: {field}", field=field.described), tr("Click to choose another one")]
         self.chip.setToolTip("\n".join(lines))
 
 

@@ -10,6 +10,7 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QPushButton, QVBoxLayout, QWidget
 
 from procc_annotator.gui.settings import RECENT, Settings
+from procc_annotator.language import tr
 
 _SHOWN = 5
 _LEAST = 400  # px
@@ -27,13 +28,15 @@ class Welcome(QWidget):
     def __init__(self, *, with_sample: bool) -> None:
         super().__init__()
         self.setObjectName("welcome")
-        title = QLabel("Drop a folder of pictures here")
+        title = QLabel(tr("Drop a folder of pictures here"))
         font = title.font()
         font.setPointSizeF(font.pointSizeF() * 1.6)
         title.setFont(font)
         text = QLabel(
-            "Annotations are read from and saved to SoccerNet JSON beside the pictures. "
-            "Drop a folder of cameras later, to see them judged against your clicks."
+            tr(
+                "Annotations are read from and saved to SoccerNet JSON beside the pictures. "
+                "Drop a folder of cameras later, to see them judged against your clicks."
+            )
         )
         for label in (title, text):
             label.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -41,12 +44,12 @@ class Welcome(QWidget):
         row = QHBoxLayout()
         row.addStretch()
         buttons = [
-            ("Open folder…", "welcomeFolder", self.open_folder),
-            ("Open picture…", "welcomePicture", self.open_picture),
-            ("Open video…", "welcomeVideo", self.open_video),
+            (tr("Open folder…"), "welcomeFolder", self.open_folder),
+            (tr("Open picture…"), "welcomePicture", self.open_picture),
+            (tr("Open video…"), "welcomeVideo", self.open_video),
         ]
         if with_sample:
-            buttons.append(("Try the sample", "welcomeSample", self.open_sample))
+            buttons.append((tr("Try the sample"), "welcomeSample", self.open_sample))
         for caption, name, signal in buttons:
             button = QPushButton(caption)
             button.setObjectName(name)
@@ -73,7 +76,7 @@ class Welcome(QWidget):
         """Offer what was opened last, newest first."""
         centre = Qt.AlignmentFlag.AlignHCenter
         if paths:
-            self._recent.addWidget(QLabel("Go on with"), 0, centre)
+            self._recent.addWidget(QLabel(tr("Go on with")), 0, centre)
         for path in paths[:_SHOWN]:
             button = QPushButton(described(path).replace("&", "&&"))
             button.setObjectName("welcomeRecent")
@@ -94,7 +97,7 @@ class RecentMenu(QMenu):
     def __init__(
         self, settings: Settings, chosen: Callable[[Path], object], parent: QWidget
     ) -> None:
-        super().__init__("Open recent", parent)
+        super().__init__(tr("Open recent"), parent)
         self.setObjectName("recentMenu")
         self._settings = settings
         self._chosen = chosen
@@ -108,7 +111,7 @@ class RecentMenu(QMenu):
             action.setToolTip(str(path))
             action.triggered.connect(lambda _=False, path=path: self._chosen(path))
         if self.isEmpty():
-            self.addAction("Nothing was opened yet").setEnabled(False)
+            self.addAction(tr("Nothing was opened yet")).setEnabled(False)
 
 
 def described(path: Path) -> str:

@@ -18,9 +18,10 @@ from procc_annotator.errors import InputError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.csv_text import formula_text
 from procc_annotator.io.source import FileSource
+from procc_annotator.language import word
 
 # The mark of cameras that explain the points they were made from, and predict none of them.
-FITTED = "fitted on these clicks"
+FITTED = word("fitted on these clicks")
 FIT_KEY = "fit"  # of a camera file: what it was fitted from
 DIGEST = "annotation_sha256"  # among that, and the column of the table
 TABLE_FILE = "calibration.csv"  # beside cameras of any format

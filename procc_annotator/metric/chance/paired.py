@@ -88,6 +88,12 @@ def paired_differences(
     return found
 
 
+def fewest_clusters(level: float) -> int:
+    """How many it takes before any exchange of the sources is as rare as a difference must be: one
+    and its opposite always differ as much."""
+    return math.floor(1 - math.log2(1 - level)) + 1
+
+
 def corrected_for(several: Sequence[PairedDifference]) -> list[PairedDifference]:
     """The same with `PairedDifference.corrected` for as many comparisons as these are."""
     shares = holm([1.0 if one.p is None else one.p for one in several])

@@ -18,6 +18,7 @@ def frames_needed(
     *,
     level: float = 0.95,
     power: float = 0.8,
+    fewest: int = 1,
 ) -> int:
     """The frames of a set like this one in which a true difference is found beyond chance.
 
@@ -30,6 +31,7 @@ def frames_needed(
         frames, effective: those at hand, and how many clusters they effectively come in.
         level: of the interval that is to exclude 0.
         power: in which share of such sets it is to.
+        fewest: frames below which nothing is found for another reason.
     """
 
     def suffice(count: int) -> bool:
@@ -37,7 +39,7 @@ def frames_needed(
         reached = deviation * math.sqrt(frames / count) * _reach(clusters, level, power)
         return reached <= difference * (1 + 1e-9)
 
-    fewest = max(1, math.ceil(_FEWEST_CLUSTERS * frames / effective))
+    fewest = max(fewest, math.ceil(_FEWEST_CLUSTERS * frames / effective))
     if suffice(fewest):
         return fewest
     # More frames never reach farther: the bounds are doubled, then halved.

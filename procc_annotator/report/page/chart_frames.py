@@ -110,7 +110,7 @@ def _pairs(report: AuditReport, charted: list[Charted], jacs: list[Floats]) -> C
         f"JaC at {report.tau:g} px of the frames for which both have a camera. Left: a mark is a"
         " frame, a larger one several; above the dotted line the second source is better. Right:"
         " the differences in their order: where the curve crosses zero, one source stops being"
-        f" better.{cut} ({terms(report)}).",
+        f" better ({terms(report)}).{cut}",
         2.7 * len(pairs),
         draw,
     )

@@ -36,7 +36,7 @@ from procc_annotator.report.page.report_pictures import (
     choose_frames,
 )
 from procc_annotator.report.page.report_tables import comparison_table, fits_table, terms
-from procc_annotator.report.sheet.as_latex import ARTICLE_PT, latex_tables
+from procc_annotator.report.sheet.as_latex import COLUMN_PT, latex_tables
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.version import __version__
@@ -68,7 +68,7 @@ class ReportRequest:
     pictures: int = 3
     reference: str = ""
     recipe: str = ""
-    latex_width_pt: float = ARTICLE_PT
+    latex_width_pt: float = COLUMN_PT
 
 
 @dataclass(frozen=True)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from procc_annotator.metric.chance.intervals import Interval
-from procc_annotator.metric.chance.paired import PairedDifference
+from procc_annotator.metric.chance.paired import PairedDifference, fewest_clusters
 from procc_annotator.metric.chance.power import frames_needed, least_difference
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.sheet.counts import FRAMES, FRAMES_FOR, ONLY_A, ONLY_B, RANK, SHARED
@@ -78,7 +79,7 @@ def intervals_sheet(
             for figure in WITH_INTERVAL:
                 row += [figure.of(summary[tau]), *ends_of(found[figure.key, tau])]
             rows.append(tuple(row))
-    notes = (f"In brackets {certainty.described}.",)
+    notes = (f"In brackets {certainty.described}.", *certainty.cautions)
     return Sheet("intervals", "Intervals", tuple(columns), tuple(rows), described, notes)
 
 
@@ -118,6 +119,7 @@ def differences_sheet(certainty: Certainty, described: str) -> Sheet:
         "JaC and mean error are compared on the frames both sources have; frames that only one has"
         " count for completeness and the final score. Bold: beyond chance, between methods"
         " whose errors are of the same points.",
+        *certainty.cautions,
     )
     return Sheet(
         "differences", "Is the difference real", tuple(columns), tuple(rows), described, notes,
@@ -171,7 +173,8 @@ def power_sheet(certainty: Certainty, described: str) -> Sheet:
     for at, tau in enumerate(certainty.thresholds):
         for pair in certainty.pairs:
             found = pair.differences["mean_jac", tau]
-            needed = _needed(certainty, found.deviation, found.frames, found.effective, _POWER)
+            needed = _needed(certainty, found.deviation, found.frames, found.effective, _POWER,
+                             found.clusters)  # fmt: skip
             rows.append((tau, names[pair.a], names[pair.b], pair.shared, *needed))
         if not certainty.pairs:
             sampled, frames = certainty.jac_alone(0)
@@ -189,15 +192,25 @@ def power_sheet(certainty: Certainty, described: str) -> Sheet:
 
 
 def _needed(
-    certainty: Certainty, deviation: float | None, frames: int, effective: float, power: float
+    certainty: Certainty,
+    deviation: float | None,
+    frames: int,
+    effective: float,
+    power: float,
+    tested: int | None = None,
 ) -> tuple[Value, ...]:
+    """The least difference, and frames for each of `POINTS`; tested: of how many clusters, where
+    a permutation test has to agree."""
     if not deviation or not np.isfinite(deviation):
         return (None,) * (1 + len(POINTS))
     level = certainty.draws.level
+    fewest = 1 if tested is None else math.ceil(fewest_clusters(level) * frames / tested)
     needed = (
-        frames_needed(p, deviation, frames, effective, level=level, power=power) for p in POINTS
+        frames_needed(p, deviation, frames, effective, level=level, power=power, fewest=fewest)
+        for p in POINTS
     )
-    return (least_difference(deviation, effective, level=level, power=power), *needed)
+    least = least_difference(deviation, effective, level=level, power=power)
+    return (least if fewest <= frames else None, *needed)
 
 
 def curves_sheet(certainty: Certainty, described: str) -> Sheet:

@@ -47,6 +47,7 @@ def strata_sheet(
     notes = (
         f"In brackets {certainty.described}. The part where two sources differ most comes first; p"
         " is corrected for all parts and pairs. Bold: beyond chance.",
+        *_cautions(parts),
     )
     return Sheet(
         f"by_{by}", f"By {by}", _columns(certainty, by, tau), tuple(rows), described, notes,
@@ -74,7 +75,7 @@ def figures_sheet(parts: Sequence[Stratum], certainty: Certainty, described: str
                     row.append(float(ratios.parts[:, at].sum()) / whole if whole else None)
                     row += ends_of(ends[key, tau])
                 rows.append(tuple(row))
-    notes = (f"In brackets {certainty.described}.",)
+    notes = (f"In brackets {certainty.described}.", *_cautions(parts))
     return Sheet(
         f"by_{by}_figures", f"By {by}, every figure", tuple(columns), tuple(rows), described, notes,
         parts=tuple(begins[1:]),
@@ -118,6 +119,15 @@ def _columns(certainty: Certainty, by: str, tau: float) -> tuple[Column, ...]:
         columns += _with_interval(JAC_DIFFERENCE, "points", less)
         columns.append(of(P_CORRECTED, key=f"{P_CORRECTED.key} {less}", group=less))
     return tuple(columns)
+
+
+def _cautions(parts: Sequence[Stratum]) -> tuple[str, ...]:
+    """Of the part that has the fewest clusters."""
+    fewest = min(parts, key=lambda part: part.certainty.clusters.count).certainty
+    where = "" if len(parts) < 2 else "In the part with the fewest: "
+    return tuple(
+        f"{where}{said[0].lower()}{said[1:]}" if where else said for said in fewest.cautions
+    )
 
 
 def _with_interval(figure: Figure, heading: str, group: str) -> list[Column]:

@@ -10,16 +10,18 @@ from procc_annotator.report.sheet.shown import Cell, ShownColumn, shown
 _ARROWS = {"higher": ("more is better", "↑"), "lower": ("less is better", "↓")}
 
 
-def html_table(sheet: Sheet, *, short: bool = True, sortable: bool = False) -> str:
+_SHORT = 6  # rows that stay on one printed page
+
+
+def html_table(sheet: Sheet, *, sortable: bool = False) -> str:
     """The table within a box that scrolls where it is too wide; the keyboard can scroll it, too.
 
     Args:
-        short: is not torn apart by the end of a printed page.
         sortable: says what it can be sorted by, for the page's own script.
     """
     content = shown(sheet)
     caption = escape(content.caption)
-    classes = f"wide{' short' if short else ''}"
+    classes = f"wide{' short' if len(content.rows) <= _SHORT else ''}"
     lines = [
         f'<div class="{classes}" tabindex="0" role="region" aria-label="{caption}">',
         '<table class="sortable">' if sortable else "<table>",
@@ -62,7 +64,7 @@ def _heading(column: ShownColumn) -> str:
 
 
 def _cell(column: ShownColumn, cell: Cell) -> str:
-    text = escape(cell.text)
+    text = escape(cell.text).replace(", ", ",&nbsp;") if column.numeric else escape(cell.text)
     return f"<td{_side(column)}>{f'<strong>{text}</strong>' if cell.bold else text}</td>"
 
 

@@ -1,7 +1,8 @@
 """Sheets as LaTeX tables, ready to paste: plain tabular with rules, no package needed.
 
-A table is made to fit the width of the text: headings break into lines, the type gets smaller, long
-texts wrap; what is too wide even then goes on in a second part below the first.
+A table is made to fit the width it may have: headings break into lines, the type gets smaller, long
+texts wrap; what is too wide even then goes on in a second part below the first, where the columns
+that tell its rows apart stand again.
 """
 
 from __future__ import annotations
@@ -14,7 +15,8 @@ from procc_annotator.report.sheet.latex_widths import text_width
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.report.sheet.shown import Cell, ShownSheet, shown
 
-ARTICLE_PT = 345.0  # the text of LaTeX's article; a wider table is for a page of two columns
+COLUMN_PT = 229.0  # the narrowest in use: LaTeX's article with two columns
+_WIDEST_COLUMN_PT = 260.0  # a wider table spans both columns, where a page has two
 
 _SPECIAL = {
     "\\": r"\textbackslash{}",
@@ -38,6 +40,7 @@ _SPECIAL = {
 _ARROWS = {"higher": r"($\uparrow$)", "lower": r"($\downarrow$)"}
 _ARROW_PT = 16.2
 _LONGEST_TEXT = 0.3  # of the width, for a column of words in a table that is too wide
+_LONGEST_NAMES = 0.45  # of the width, for all columns that are repeated
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,24 +70,24 @@ def escape_latex(text: str) -> str:
 
 
 def latex_tables(
-    sheets: Iterable[Sheet], remarks: Iterable[str] = (), width_pt: float = ARTICLE_PT
+    sheets: Iterable[Sheet], remarks: Iterable[str] = (), width_pt: float = COLUMN_PT
 ) -> str:
     """Several tables as one file; remarks go into comments at its head."""
     head = ["% " + " ".join(remark.split()) for remark in remarks]
     return "\n".join([*head, *(f"\n{latex_table(sheet, width_pt)}" for sheet in sheets)]) + "\n"
 
 
-def latex_table(sheet: Sheet, width_pt: float = ARTICLE_PT) -> str:
+def latex_table(sheet: Sheet, width_pt: float = COLUMN_PT) -> str:
     """One table; best values are bold, dashes stand for what is undefined.
 
     Args:
-        width_pt: it may have; beyond that of an article's text it spans both columns of a page.
+        width_pt: it may have; beyond that of a column it spans both columns of a page.
     """
     content = shown(sheet)
     every = range(len(content.columns))
     look = next((k for k in _LOOKS if _Setting(content, k, width_pt).fits(every)), _LOOKS[-1])
     setting = _Setting(content, look, width_pt)
-    kind = "table*" if width_pt > ARTICLE_PT else "table"
+    kind = "table*" if width_pt > _WIDEST_COLUMN_PT else "table"
     lines = [rf"\begin{{{kind}}}", r"\centering", *([look.size] if look.size else [])]
     if look.apart_pt != _LOOKS[0].apart_pt:
         lines.append(rf"\setlength{{\tabcolsep}}{{{look.apart_pt / 2:g}pt}}")
@@ -100,7 +103,6 @@ class _Setting:
 
     def __init__(self, content: ShownSheet, look: _Look, width_pt: float) -> None:
         self._content, self._look, self._width_pt = content, look, width_pt
-        self._wraps = _LONGEST_TEXT * width_pt if look.breaks else float("inf")
         self._widths = [self._column_width(at) for at in range(len(content.columns))]
 
     def fits(self, columns: Sequence[int]) -> bool:
@@ -108,21 +110,22 @@ class _Setting:
         return self._width(columns) <= self._width_pt
 
     def parts(self) -> list[list[int]]:
-        """The columns of each part; the first one is repeated, and a group stays together where
-        it can."""
+        """The columns of each part; those that tell the rows apart are repeated, and a group stays
+        together where it can."""
         parts: list[list[int]] = []
-        at = 1
+        at = self._content.naming
+        named = range(at)
         while at < len(self._content.columns):
             end = self._end_of_group(at)
-            if not self.fits([0, *range(at, end)]):
+            if not self.fits([*named, *range(at, end)]):
                 end = at + 1
             together = list(range(at, end))
             if parts and self.fits([*parts[-1], *together]):
                 parts[-1] += together
             else:
-                parts.append([0, *together])
+                parts.append([*named, *together])
             at = end
-        return parts or [[0]]
+        return parts or [[*named]]
 
     def tabular(self, columns: Sequence[int]) -> list[str]:
         """Some of its columns as a tabular."""
@@ -174,8 +177,18 @@ class _Setting:
         arrow = _ARROW_PT * self._look.scale if column.better else 0.0
         heading = self._words_width([column.heading])
         heading = max(heading, arrow) if self._look.breaks else heading + arrow
-        return max([heading, *(min(self._cell_width(row[at]), self._wraps) for row in
-                               self._content.rows)])  # fmt: skip
+        cells = [row[at] for row in self._content.rows]
+        widest = max(map(self._cell_width, cells), default=0.0)
+        if self._look.breaks and not column.numeric:
+            word = self._words_width(re.sub("([/.,;_-])", r"\1 ", cell.text) for cell in cells)
+            widest = min(widest, max(self._wraps(at), word))
+        return max(heading, widest)
+
+    def _wraps(self, at: int) -> float:
+        """How wide a column of words is at most where its words allow it."""
+        naming = self._content.naming
+        share = min(_LONGEST_TEXT, _LONGEST_NAMES / naming) if at < naming else _LONGEST_TEXT
+        return share * self._width_pt
 
     def _cell_width(self, cell: Cell) -> float:
         return self._look.scale * text_width(cell.text, bold=cell.bold)
@@ -220,4 +233,4 @@ class _Setting:
         if self._cell_width(cell) <= self._widths[at] or self._content.columns[at].numeric:
             return text
         text = re.sub(r"(\\_|[/.,;-])(?=\w)", r"\1\\allowbreak{}", text)
-        return rf"\parbox[t]{{{self._widths[at]:.0f}pt}}{{\raggedright {text}\strut}}"
+        return rf"\parbox[t]{{{self._widths[at]:.1f}pt}}{{\raggedright {text}\strut}}"

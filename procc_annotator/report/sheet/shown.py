@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import takewhile
 
 from procc_annotator.report.sheet.figure import Better
 from procc_annotator.report.sheet.sheet import Sheet
@@ -29,13 +30,18 @@ class Cell:
 
 @dataclass(frozen=True)
 class ShownSheet:
-    """Texts of a sheet; columns that are joined share a cell."""
+    """Texts of a sheet; columns that are joined share a cell.
+
+    Attributes:
+        naming: how many of the first columns it takes to tell its rows apart, at least one.
+    """
 
     caption: str
     columns: tuple[ShownColumn, ...]
     rows: tuple[tuple[Cell, ...], ...]
     notes: tuple[str, ...]
     parts: tuple[int, ...]
+    naming: int
 
     @property
     def groups(self) -> tuple[tuple[str, int], ...]:
@@ -60,7 +66,16 @@ def shown(sheet: Sheet) -> ShownSheet:
         if not column.joined
     )  # fmt: skip
     rows = tuple(_cells(sheet, at) for at in range(len(sheet.rows)))
-    return ShownSheet(sheet.caption, columns, rows, sheet.notes, sheet.parts)
+    return ShownSheet(sheet.caption, columns, rows, sheet.notes, sheet.parts, _naming(sheet))
+
+
+def _naming(sheet: Sheet) -> int:
+    """Of the columns before the first figure: as many as make the rows differ, or all of them."""
+    plain = list(takewhile(lambda c: c.figure is None and not c.joined, sheet.columns))
+    for count in range(1, len(plain)):
+        if len({row[:count] for row in sheet.rows}) == len(sheet.rows):
+            return count
+    return max(1, len(plain))
 
 
 def _cells(sheet: Sheet, at: int) -> tuple[Cell, ...]:

@@ -16,6 +16,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import (
     write_annotation,
 )
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
+from procc_annotator.language import word
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp_of
@@ -32,7 +33,7 @@ from procc_annotator.session.dataset.pending_save import (
     write_together,
 )
 
-SAVED_ELSEWHERE = "what was saved elsewhere"  # the step that `refresh` makes
+SAVED_ELSEWHERE = word("what was saved elsewhere")  # the step that `refresh` makes
 
 
 class Workspace:
@@ -320,7 +321,7 @@ class Workspace:
             state.save_error = SaveError(f"not overwritten, it could not be read: {error}")
             raise state.save_error from error
         if found is not None:
-            self._remember(index, found, "overwritten")
+            self._remember(index, found, word("overwritten"))
         state.made_here = False
         written = write_one(self._pending(index, state), over_anything=True)
         if written.error is None:
@@ -435,7 +436,7 @@ class Workspace:
             found = pending.check()
         except SaveError:
             return False  # writing says so
-        return found is not None and self._remember(pending.index, found, "as it was found")
+        return found is not None and self._remember(pending.index, found, word("as it was found"))
 
     def _remember(self, index: int, data: bytes, reason: str) -> bool:
         """Keep a version, unless it is the one that was kept last; from any thread."""
@@ -456,7 +457,7 @@ class Workspace:
             _allowed_folder(path, self.root),
             state.digest,
             annotation,
-            state.history.undo_label or ("taken back" if removes else "saved"),
+            state.history.undo_label or (word("taken back") if removes else word("saved")),
             removes,
             state.attempted,
         )

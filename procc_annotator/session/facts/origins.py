@@ -16,31 +16,38 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.language import word
 
 
 class Status(StrEnum):
     """How far a frame's annotation has come; set by people, never guessed."""
 
-    UNTOUCHED = "untouched"
-    IN_PROGRESS = "in progress"
-    DONE = "done"
-    APPROVED = "approved"
-    REJECTED = "rejected"
+    UNTOUCHED = word("untouched", "a frame")
+    IN_PROGRESS = word("in progress", "a frame")
+    DONE = word("done", "a frame")
+    APPROVED = word("approved", "a frame")
+    REJECTED = word("rejected", "a frame")
 
 
 class OriginKind(StrEnum):
     """How a point came to be where it is."""
 
-    CLICKED = "clicked"
-    SNAPPED = "snapped"
-    REGULARISED = "regularised"
-    COPIED = "copied"
-    MOVED = "moved"
-    SUGGESTED = "accepted suggestion"
-    PROPOSED = "proposed"  # found in the picture without a click; nobody has looked at it yet
-    ACCEPTED = "accepted proposal"  # of a camera found without a click, by a person
-    UNCONFIRMED = "unconfirmed by paint"  # the program looked for paint there and found none
-    FILE = "from the file"  # it was there when the file was read: nothing else is known
+    CLICKED = word("clicked", "points")
+    SNAPPED = word("snapped", "points")
+    REGULARISED = word("regularised", "points")
+    COPIED = word("copied", "points")
+    MOVED = word("moved", "points")
+    SUGGESTED = word("accepted suggestion", "points")
+    PROPOSED = word(
+        "proposed", "points"
+    )  # found in the picture without a click; nobody has looked at it yet
+    ACCEPTED = word("accepted proposal", "points")  # of a camera found without a click, by a person
+    UNCONFIRMED = word(
+        "unconfirmed by paint", "points"
+    )  # the program looked for paint there and found none
+    FILE = word(
+        "from the file", "points"
+    )  # it was there when the file was read: nothing else is known
 
 
 @dataclass(frozen=True, slots=True)

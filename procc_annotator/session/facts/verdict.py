@@ -8,21 +8,23 @@ from enum import StrEnum
 from functools import lru_cache
 from pathlib import Path
 
+from procc_annotator.language import word
+
 
 class Fault(StrEnum):
     """Who is to blame for what a frame's score says of a camera source."""
 
-    CAMERA = "camera"
-    ANNOTATION = "annotation"
-    FINE = "fine"
+    CAMERA = word("camera", "a verdict")
+    ANNOTATION = word("annotation", "a verdict")
+    FINE = word("fine", "a verdict")
 
 
 _BY_NAME = "name"  # no format is called so
 
 FAULT_WORDS: dict[Fault, str] = {
-    Fault.CAMERA: "camera fault",
-    Fault.ANNOTATION: "annotation fault",
-    Fault.FINE: "fine",
+    Fault.CAMERA: word("camera fault", "a verdict"),
+    Fault.ANNOTATION: word("annotation fault", "a verdict"),
+    Fault.FINE: word("fine", "a verdict"),
 }
 
 

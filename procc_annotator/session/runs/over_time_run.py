@@ -37,7 +37,7 @@ from procc_annotator.metric.over_time.steadiness import (
     of_shot,
     steadiness,
 )
-from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.metric.polylines import FloatArray, IntArray
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.runs.execution.executor import Executor
@@ -57,6 +57,7 @@ from procc_annotator.session.runs.set_run import (
 _FARTHEST_OFF_PX = 20.0
 _MOST_PAIRS = 120  # of pictures of a shot whose motion is looked at
 _FEWEST_CARRIED = 6
+_AS_IS = np.zeros(1, dtype=np.intp)  # no shift
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,7 +172,9 @@ class MeasureShots(AnnotationTask):
         # Those known by their projections alone are no outage.
         there = [a if a is not None else _unknown(b) for a, b in zip(cameras, given, strict=True)]
         broken = interruptions(there, shot.numbers, points, size, steady)
-        jac, offset = self._against_clicks(shot, given, errors)
+        # Where the field is somewhere else in every frame, no other frame's camera can be meant.
+        follows = moves_on(steady.step_px, size)
+        jac, offset = self._against_clicks(shot, given, errors, shifts() if follows else _AS_IS)
         moved = self._against_pictures(shot, given, points, errors) if self.pictures else None
         return ShotOverTime(
             shot, size, steady, poses_of(given, size), broken, jac, offset, moved, tuple(errors)
@@ -191,7 +194,11 @@ class MeasureShots(AnnotationTask):
     # --- against annotations ---
 
     def _against_clicks(
-        self, shot: ShotFrames, cameras: Sequence[CameraOrProjections | None], errors: list[str]
+        self,
+        shot: ShotFrames,
+        cameras: Sequence[CameraOrProjections | None],
+        errors: list[str],
+        tried: IntArray,
     ) -> tuple[FloatArray, FrameOffset | None]:
         jac = np.full(len(cameras), np.nan)
         at = {number: place for place, number in enumerate(shot.numbers)}
@@ -201,8 +208,8 @@ class MeasureShots(AnnotationTask):
             if annotation is None or not annotation.annotated:
                 continue
             setup = self.setup.of_frame(name)
-            row = np.full(len(shifts()), np.nan)
-            for column, shift in enumerate(shifts().tolist()):
+            row = np.full(len(tried), np.nan)
+            for column, shift in enumerate(tried.tolist()):
                 there = at.get(shot.numbers[place] + shift)
                 camera = None if there is None else cameras[there]
                 if camera is None:
@@ -212,7 +219,8 @@ class MeasureShots(AnnotationTask):
                 if shift == 0:
                     jac[place] = score(measurement, self.threshold).jac
             rows.append(row)
-        return jac, frame_offset(np.array(rows)) if rows else None
+        told = len(rows) > 0 and len(tried) > 1
+        return jac, frame_offset(np.array(rows)) if told else None
 
     def _annotation(self, name: str, errors: list[str]) -> FrameAnnotation | None:
         file = self.files.get(name)

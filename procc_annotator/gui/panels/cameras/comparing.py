@@ -17,6 +17,7 @@ from procc_annotator.gui.panels.parts import box_of, choice, note_label, show_no
 from procc_annotator.gui.state.disagreement import Compared
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
+from procc_annotator.language import tr
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.spread import Spread
 
@@ -29,10 +30,10 @@ class ComparingSection(QWidget):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
-        self.other = choice("cameras_compared", "Source to compare with")
-        self.other.setToolTip("Held against the active source: comma, split view, disagreement")
+        self.other = choice("cameras_compared", tr("Source to compare with"))
+        self.other.setToolTip(tr("Held against the active source: comma, split view, disagreement"))
         self.other.activated.connect(self._choose)
-        caption = QLabel("Compare with")
+        caption = QLabel(tr("Compare with"))
         caption.setBuddy(self.other)
         row = QHBoxLayout()
         row.addWidget(caption)
@@ -87,18 +88,18 @@ class _Figures(QWidget):
         grid.setVerticalSpacing(1)
         self._values: dict[tuple[str, str], QLabel] = {}
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        for column, title in enumerate(("min", "median", "max"), start=1):
+        for column, title in enumerate((tr("min"), tr("median"), tr("max")), start=1):
             head = QLabel(title)
             head.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             grid.addWidget(head, 0, column, right)
         for row, (unit, tip) in enumerate(
             (
-                ("m", "Between the two points on the ground that a pixel means"),
-                ("px", "From a pixel to where the compared camera shows its ground point"),
+                ("m", tr("Between the two points on the ground that a pixel means")),
+                ("px", tr("From a pixel to where the compared camera shows its ground point")),
             ),
             start=1,
         ):
-            name = QLabel("on the ground, m" if unit == "m" else "in the picture, px")
+            name = QLabel(tr("on the ground, m") if unit == "m" else tr("in the picture, px"))
             name.setToolTip(tip)
             name.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             grid.addWidget(name, row, 0)
@@ -127,8 +128,12 @@ class _Figures(QWidget):
         self._show_spread("px", statistics.pixels, 1)
         covered = found.values.compared_share
         self.within.setText(
-            f"{100 * share:.0f} % within {OFFSIDE_ACCURACY_M:g} m,"
-            f" over {100 * covered:.0f} % of the picture"
+            tr(
+                "{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture",
+                share=100 * share,
+                far=OFFSIDE_ACCURACY_M,
+                covered=100 * covered,
+            )
         )
 
     def _show_spread(self, unit: str, spread: Spread, decimals: int) -> None:

@@ -29,13 +29,14 @@ from procc_annotator.gui.panels.parts import (
 from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.state.document import Document
 from procc_annotator.io.camera_files.registry import format_titles, suffixes_of
+from procc_annotator.language import tr, word
 from procc_annotator.metric.setup import OFF_PLANE, PROTOCOLS
 
 PROTOCOL_TITLES = {
-    "soccernet": "soccernet (official)",
-    "procc": "procc (paper)",
+    "soccernet": word("soccernet (official)"),
+    "procc": word("procc (paper)"),
 }
-OFF_PLANE_TITLES = {"missed": "count as missed", "left_out": "are left out"}
+OFF_PLANE_TITLES = {"missed": word("count as missed"), "left_out": word("are left out")}
 
 _SPELLED = ".homographyMatrix"  # as it is always written; not every file dialog ignores case
 
@@ -64,8 +65,10 @@ class CamerasPanel(QWidget):
 
     def _build(self) -> None:
         self.empty = empty_state(
-            "No cameras loaded.\nLoad a folder of SoccerNet camera files or homographies "
-            "to see them judged against your clicks.",
+            tr(
+                "No cameras loaded.\nLoad a folder of SoccerNet camera files or homographies "
+                "to see them judged against your clicks."
+            ),
             "cameras_empty",
         )
         self.list = SourceList(self._document)
@@ -88,13 +91,13 @@ class CamerasPanel(QWidget):
         around.addWidget(scrolling(content))
 
     def _build_buttons(self) -> QHBoxLayout:
-        self.load_folder = QPushButton("Load folder…")
+        self.load_folder = QPushButton(tr("Load folder…"))
         self.load_folder.setObjectName("cameras_load_folder")
-        self.load_folder.setToolTip("A folder with one camera file a frame")
+        self.load_folder.setToolTip(tr("A folder with one camera file a frame"))
         self.load_folder.clicked.connect(self.choose_folder)
-        self.load_file = QPushButton("Load file…")
+        self.load_file = QPushButton(tr("Load file…"))
         self.load_file.setObjectName("cameras_load_file")
-        self.load_file.setToolTip("A zip archive of cameras, or the camera of one frame")
+        self.load_file.setToolTip(tr("A zip archive of cameras, or the camera of one frame"))
         self.load_file.clicked.connect(self.choose_file)
         buttons = QHBoxLayout()
         for button in (self.load_folder, self.load_file):
@@ -104,42 +107,44 @@ class CamerasPanel(QWidget):
 
     def _build_form(self) -> QFormLayout:
         self.format = choice("cameras_format")
-        self.format.setToolTip("How the files loaded next are read")
+        self.format.setToolTip(tr("How the files loaded next are read"))
         self.protocol = _combo("cameras_protocol", PROTOCOLS, PROTOCOL_TITLES)
         self.protocol.setToolTip(
-            "soccernet: the official evaluation with its quirks\n"
-            "procc: the paper's definition, closed circles and fine curves"
+            tr(
+                "soccernet: the official evaluation with its quirks\n"
+                "procc: the paper's definition, closed circles and fine curves"
+            )
         )
         self.protocol.activated.connect(
             lambda: self._document.set_protocol(self.protocol.currentData())
         )
         self.off_plane = _combo("cameras_off_plane", OFF_PLANE, OFF_PLANE_TITLES)
         self.off_plane.setToolTip(
-            "A homography knows the ground only: how posts and crossbars count for it"
+            tr("A homography knows the ground only: how posts and crossbars count for it")
         )
         self.off_plane.activated.connect(
             lambda: self._document.set_protocol(off_plane=self.off_plane.currentData())
         )
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.addRow("Read as", self.format)
-        form.addRow("Protocol", self.protocol)
-        form.addRow("Off the ground", self.off_plane)
+        form.addRow(tr("Read as"), self.format)
+        form.addRow(tr("Protocol"), self.protocol)
+        form.addRow(tr("Off the ground"), self.off_plane)
         return form
 
     # --- loading -------------------------------------------------------------------------------
 
     def choose_folder(self) -> None:
         """Ask for a folder of cameras and load it."""
-        chosen = QFileDialog.getExistingDirectory(self, "Load a folder of cameras")
+        chosen = QFileDialog.getExistingDirectory(self, tr("Load a folder of cameras"))
         if chosen:
             self.load(Path(chosen))
 
     def choose_file(self) -> None:
         """Ask for an archive or a single camera and load it."""
         endings = " ".join(f"*{suffix}" for suffix in (*sorted(suffixes_of()), _SPELLED, ".zip"))
-        kinds = f"Cameras ({endings});;All files (*)"
-        chosen, _ = QFileDialog.getOpenFileName(self, "Load cameras", "", kinds)
+        kinds = tr("Cameras ({endings});;All files (*)", endings=endings)
+        chosen, _ = QFileDialog.getOpenFileName(self, tr("Load cameras"), "", kinds)
         if chosen:
             self.load(Path(chosen))
 
@@ -152,7 +157,7 @@ class CamerasPanel(QWidget):
         """Those of this program and of plug-ins, which are looked for when they can be chosen."""
         if self.format.count() == 0:
             for name, title in format_titles().items():
-                self.format.addItem(title, name)
+                self.format.addItem(tr(title), name)
 
     # --- showing -------------------------------------------------------------------------------
 
@@ -169,17 +174,19 @@ class CamerasPanel(QWidget):
     def _show_details(self) -> None:
         document = self._document
         notice, error = document.camera_notice, document.camera_error
-        notice = f"This frame: {notice}" if notice else ""
+        notice = tr("This frame: {notice}", notice=notice) if notice else ""
         if document.active_camera is None:
             notice = error = ""
         elif not document.projection_visible:
-            notice, error = "Blind: the projection is hidden until this frame is committed.", ""
+            notice, error = tr("Blind: the projection is hidden until this frame is committed."), ""
         show_note(self.notice, notice)
-        show_note(self.error, f"⚠ This frame's camera cannot be used: {error}" if error else "")
+        if error:
+            error = tr("⚠ This frame's camera cannot be used: {error}", error=error)
+        show_note(self.error, error)
 
 
 def _combo(name: str, values: tuple[str, ...], titles: dict[str, str]) -> QComboBox:
     combo = choice(name)
     for value in values:
-        combo.addItem(titles.get(value, value), value)
+        combo.addItem(tr(titles.get(value, value)), value)
     return combo

@@ -11,20 +11,20 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.cameras.source_row import SourceRow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.hints import counted
 from procc_annotator.io.camera_files.fitted_on import FITTED
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.workspace import Workspace
 
 NO_CAMERA = -1
 _NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
 
-_COMPLETENESS = "Frames of this dataset that have a camera (completeness)"
-_FITTED_TIP = (
+_COMPLETENESS = word("Frames of this dataset that have a camera (completeness)")
+_FITTED_TIP = word(
     "Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the"
     " fit was made from.\nprocc-annotator calibrate fits and scores the whole set"
 )
-_FOLLOWED_TIP = (
+_FOLLOWED_TIP = word(
     "Frames of this dataset that were followed through their shot and have a camera.\n"
     "procc-annotator track follows a whole video and writes its cameras"
 )
@@ -44,9 +44,9 @@ class SourceList(QWidget):
         self.rows: list[SourceRow] = []
         self._counted: WeakKeyDictionary[CameraSource, tuple[_Counted, int]] = WeakKeyDictionary()
         self._group = QButtonGroup(self)
-        self.none = QRadioButton("no camera")
+        self.none = QRadioButton(tr("no camera"))
         self.none.setObjectName("cameras_none")
-        self.none.setToolTip("Judge nothing, draw no camera")
+        self.none.setToolTip(tr("Judge nothing, draw no camera"))
         self.none.clicked.connect(lambda: document.set_active_camera(NO_CAMERA))
         self._group.addButton(self.none, _NO_CAMERA_ID)
         self._layout = QVBoxLayout(self)
@@ -122,39 +122,55 @@ class SourceList(QWidget):
         """Mean JaC of the set, and what it is the mean of."""
         document = self._document
         if document.blind:
-            return "JaC –", "Blind mode hides how the sources do"
+            return "JaC –", tr("Blind mode hides how the sources do")
         mean = source.mean_jac(document.tau)
         if mean is None:
-            return "JaC –", "No frame has both annotated elements and a camera of this source"
-        frames = counted(len(source.audits), "frame")
-        so_far = " so far" if document.set_scores.running else ""
-        tip = f"Mean JaC at {document.tau:.1f} px over {frames}{so_far}"
+            return "JaC –", tr("No frame has both annotated elements and a camera of this source")
+        frames = tr_count(len(source.audits), "{n:,} frame", "{n:,} frames")
+        if document.set_scores.running:
+            frames = tr("{frames} so far", frames=frames)
+        tip = tr("Mean JaC at {tau:.1f} px over {frames}", tau=document.tau, frames=frames)
         if bad := len(source.problems):
-            tip += f"; {counted(bad, 'camera')} cannot be read and take no part"
+            tip = tr_count(
+                bad,
+                "{mean}; {n:,} camera cannot be read and takes no part",
+                "{mean}; {n:,} cameras cannot be read and take no part",
+                mean=tip,
+            )
         return f"JaC {mean:.3f}", f"{tip}\n{document.setup.describe()}"
 
     def _model(self, source: CameraSource) -> str:
         """The camera model: of the set when it has one, else of the frame on screen."""
+        words = self._model_words(source)
+        return f"{words}, {tr(FITTED)}" if words and source.fitted else words
+
+    def _model_words(self, source: CameraSource) -> str:
         models = source.models
         known = self._document.source_frames.of(source)
         camera = known.camera if known is not None else None
-        ground = " (ground)" if camera is not None and projects_only_ground(camera) else ""
-        mark = f", {FITTED}" if source.fitted else ""
         if len(models) == 1:
-            return models[0] + ground + mark
-        if known is None or camera is None:
-            return f"several models{mark}" if models else ""
-        return known.model + ground + (" here, several models" if models else "") + mark
+            words = models[0]
+        elif known is None or camera is None:
+            return tr("several models") if models else ""
+        else:
+            words = known.model
+        if camera is not None and projects_only_ground(camera):
+            words = tr("{model} (ground)", model=words)
+        return tr("{model} here, several models", model=words) if len(models) > 1 else words
 
     def _matched(self, source: CameraSource) -> tuple[str, str]:
         """How many frames have a camera, and which of these cannot be used."""
         workspace, cameras = self._document.workspace, source.camera_set
         if source is self._document.shot_track.source:
-            return f"{counted(len(cameras.frames), 'frame')} followed", _FOLLOWED_TIP
+            count = len(cameras.frames)
+            words = tr_count(count, "{n:,} frame followed", "{n:,} frames followed")
+            return words, tr(_FOLLOWED_TIP)
         if source.files is None:
-            return f"{counted(len(cameras.frames), 'frame')} fitted", _FITTED_TIP
+            count = len(cameras.frames)
+            words = tr_count(count, "{n:,} frame fitted", "{n:,} frames fitted")
+            return words, tr(_FITTED_TIP)
         if workspace is None or not workspace.frames:
-            return counted(len(cameras.frames), "camera"), ""
+            return tr_count(len(cameras.frames), "{n:,} camera", "{n:,} cameras"), ""
         of = workspace, cameras, len(source.problems)
         before, matched = self._counted.get(source, (None, 0))
         if before != of:  # counting a large set takes a while
@@ -163,11 +179,22 @@ class SourceList(QWidget):
         total = len(workspace.frames)
         share = f"{100 * matched / total:.0f} %"
         if not source.problems:
-            return f"{matched} of {total} ({share})", _COMPLETENESS
-        bad, named = len(source.problems), islice(source.problems, _NAMED)
-        names = ", ".join(named) + (f" and {bad - _NAMED:,} more" * (bad > _NAMED))
-        tip = f"{_COMPLETENESS}: {share}\nUnreadable (filter camera:unreadable): {names}"
-        return f"{matched} of {total}, {bad} unreadable", tip
+            words = tr("{n} of {total} ({share})", n=matched, total=total, share=share)
+            return words, tr(_COMPLETENESS)
+        bad, names = len(source.problems), ", ".join(islice(source.problems, _NAMED))
+        if bad > _NAMED:
+            names = tr_count(
+                bad - _NAMED, "{names} and {n:,} more", "{names} and {n:,} more", names=names
+            )
+        unreadable = tr("Unreadable (filter camera:unreadable): {names}", names=names)
+        words = tr_count(
+            bad,
+            "{matched} of {total}, {n} unreadable",
+            "{matched} of {total}, {n} unreadable",
+            matched=matched,
+            total=total,
+        )
+        return words, f"{tr(_COMPLETENESS)}: {share}\n{unreadable}"
 
     def _problem(self, source: CameraSource) -> str:
         """Why a source that is not judged has nothing to show of this frame; the panel's notes say
@@ -179,5 +206,5 @@ class SourceList(QWidget):
         if source.files is None:
             return known.notice if document.projection_visible and not known.camera else ""
         if known.error:
-            return f"cannot be used here: {known.error}"
-        return "no camera for this frame" if known.camera is None else ""
+            return tr("cannot be used here: {error}", error=known.error)
+        return tr("no camera for this frame") if known.camera is None else ""

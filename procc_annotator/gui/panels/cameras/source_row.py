@@ -35,9 +35,17 @@ from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.theme import blend, fixed_width
 from procc_annotator.interact.palette import SOURCE_COLOURS
+from procc_annotator.language import tr, word
 from procc_annotator.session.dataset.tracked_cameras import TRACK_NAME
 
-_COLOUR_NAMES = ("Yellow", "Violet", "Blue", "Mint", "Navy", "Cyan")
+_COLOUR_NAMES = (
+    word("Yellow"),
+    word("Violet"),
+    word("Blue"),
+    word("Mint"),
+    word("Navy"),
+    word("Cyan"),
+)
 _PATCH = 14
 
 
@@ -61,7 +69,7 @@ class SourceRow(QFrame):
         self.radio.installEventFilter(self)
         self.edit = QLineEdit()
         self.edit.setObjectName(f"cameras_name_{index}")
-        self.edit.setAccessibleName("Name of the source")
+        self.edit.setAccessibleName(tr("Name of the source"))
         self.edit.installEventFilter(self)
         self.edit.editingFinished.connect(self._finish_name)
         self.colour = QToolButton(autoRaise=True)
@@ -73,7 +81,7 @@ class SourceRow(QFrame):
             self.colour.setMenu(self._colour_menu())
         self.drawn = QCheckBox()
         self.drawn.setObjectName(f"cameras_drawn_{index}")
-        self.drawn.setToolTip("Draw as a wireframe while another source is judged")
+        self.drawn.setToolTip(tr("Draw as a wireframe while another source is judged"))
         self.drawn.clicked.connect(self.shown)
         self.jac = _detail(f"cameras_jac_{index}")
         self.jac.setFont(fixed_width(self.font()))
@@ -114,16 +122,19 @@ class SourceRow(QFrame):
     def show_source(self, source: CameraSource) -> None:
         """Name, colour and whether it is drawn."""
         self.radio.set_full_text(source.name)
-        rename = "" if self._fixed else "\nDouble-click or F2 gives it another name"
-        self.radio.setToolTip(f"Judge against {source.name}\n{source.camera_set.origin}{rename}")
-        self.remove.setAccessibleName(f"Remove {source.name}")
+        lines = [tr("Judge against {name}", name=source.name), source.camera_set.origin]
+        if not self._fixed:
+            lines.append(tr("Double-click or F2 gives it another name"))
+        self.radio.setToolTip("\n".join(lines))
+        self.remove.setAccessibleName(tr("Remove {name}", name=source.name))
         self.drawn.setChecked(source.visible)
-        self.drawn.setAccessibleName(f"Draw {source.name}")
+        self.drawn.setAccessibleName(tr("Draw {name}", name=source.name))
         if source.colour != self._colour:
             self._colour = source.colour
             self.colour.setIcon(colour_icon(source.colour, self.devicePixelRatioF()))
-            self.colour.setToolTip(f"Colour of {source.name}")
-            self.colour.setAccessibleName(f"Colour of {source.name}")
+            words = tr("Colour of {name}", name=source.name)
+            self.colour.setToolTip(words)
+            self.colour.setAccessibleName(words)
 
     def show_state(
         self, *, active: bool, jac: str, jac_tip: str, model: str, matched: str, matched_tip: str,
@@ -203,16 +214,16 @@ class SourceRow(QFrame):
     def _colour_menu(self) -> QMenu:
         menu = QMenu(self)
         for name, colour in zip(_COLOUR_NAMES, SOURCE_COLOURS, strict=True):
-            action = QAction(colour_icon(colour, self.devicePixelRatioF()), name, menu)
+            action = QAction(colour_icon(colour, self.devicePixelRatioF()), tr(name), menu)
             action.triggered.connect(lambda _=False, chosen=colour: self.recoloured.emit(chosen))
             menu.addAction(action)
-        other = QAction("Other…", menu)
+        other = QAction(tr("Other…"), menu)
         other.triggered.connect(self._ask_colour)
         menu.addAction(other)
         return menu
 
     def _ask_colour(self) -> None:
-        chosen = QColorDialog.getColor(QColor(self._colour), self, "Colour of the source")
+        chosen = QColorDialog.getColor(QColor(self._colour), self, tr("Colour of the source"))
         if chosen.isValid():
             self.recoloured.emit(chosen.name())
 
@@ -293,7 +304,7 @@ def _detail(name: str) -> QLabel:
 
 def _what_remove_does(source: CameraSource) -> str:
     if source.files is not None:
-        return "Remove from the list; the files stay"
+        return tr("Remove from the list; the files stay")
     if source.name == TRACK_NAME:
-        return "Forget what was followed (T follows the shot again)"
-    return "Switch the live fit off (Ctrl+T switches it on again)"
+        return tr("Forget what was followed (T follows the shot again)")
+    return tr("Switch the live fit off (Ctrl+T switches it on again)")

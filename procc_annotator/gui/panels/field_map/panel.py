@@ -15,7 +15,6 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPalette,
     QPen,
-    QTransform,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
@@ -23,8 +22,14 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.element_keys import key_text
+from procc_annotator.gui.panels.field_map.ground import (
+    paint_ground,
+    paint_metres,
+    part_to_show,
+)
 from procc_annotator.gui.panels.field_map.placement import MapView, Placement, nearest
 from procc_annotator.gui.panels.field_map.shape import FieldShape
+from procc_annotator.gui.panels.field_map.signs import paint_badge, paint_spot
 from procc_annotator.gui.panels.findings.signs import findings_by_element, reasons_of
 from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import (
@@ -32,20 +37,18 @@ from procc_annotator.gui.panels.states import (
     ElementState,
     class_title,
     element_states,
-    paint_symbol,
-    state_colour,
     state_pen,
 )
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
-from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.theme import blend, muted
+from procc_annotator.gui.theme import muted
 from procc_annotator.interact import palette as tones
+from procc_annotator.language import tr
 from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _PICK_POINTS = 9.0
 _MARGIN = 10.0
-_SPOT = 2.2  # radius of a single place
+_FAINT = 0.25  # opacity of what is out of sight
 _RING = 9.0  # radius, around what to annotate next
 _WIDTHS = {
     ElementState.UNTOUCHED: 1.0,
@@ -65,19 +68,14 @@ _WAYS = {
 }
 
 
-def ground_colour(palette: QPalette) -> QColor:
-    """The field's surface, on either theme."""
-    return blend(palette.color(QPalette.ColorRole.Base), QColor("#3f9b4f"), 0.14)
-
-
 class FieldMapPanel(QWidget):
     """Displays the document's field, annotation, score, selection and hover; clicks select."""
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("field_map_panel")
-        self.setAccessibleName("Field map")
-        self.setAccessibleDescription("The arrows choose elements")
+        self.setAccessibleName(tr("Field map"))
+        self.setAccessibleDescription(tr("The arrows choose elements"))
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -102,6 +100,7 @@ class FieldMapPanel(QWidget):
             lambda s: (s.selection, s.hovered_class, s.projection_visible),
             document.disagreement.changed,
             document.uncertainty.changed,
+            document.map_sight.changed,
         )
         document.store.watch(lambda s: s.field, self._take_field)
         document.field_choice.preparing.append(FieldShape.of)
@@ -119,7 +118,7 @@ class FieldMapPanel(QWidget):
         return self._shape.pick(x, y, _PICK_POINTS / placed.scale)
 
     def to_widget(self, x: float, y: float) -> QPointF:
-        """The position in the widget of metres on the ground."""
+        """The position in the widget of metres of the map."""
         return self._placement().to_widget(x, y)
 
     def position_of(self, class_name: str) -> QPointF | None:
@@ -199,14 +198,17 @@ class FieldMapPanel(QWidget):
         return super().event(event)
 
     def _tip(self, name: str) -> str:
-        title = class_title(self._document.field, name)
-        keys = key_text(self._document.field, name, self._document.state.keymap)
-        shortcut = f"  ({keys})" if keys else ""
         state = self._states.get(name, ElementState.UNTOUCHED)
         best = _words(self._next) if self._next and name == self._next.name else ""
         reasons = reasons_of(self._findings.get(name, ()))
-        lines = (f"{title}{shortcut}", EXPLANATIONS[state], best, reasons)
+        lines = (self._heading(name), tr(EXPLANATIONS[state]), best, reasons)
         return "\n".join(filter(None, lines))
+
+    def _heading(self, name: str) -> str:
+        """What a class is called, and its key."""
+        title = class_title(self._document.field, name)
+        keys = key_text(self._document.field, name, self._document.state.keymap)
+        return f"{title}  ({keys})" if keys else title
 
     # --- what next -----------------------------------------------------------------------------
 
@@ -248,10 +250,12 @@ class FieldMapPanel(QWidget):
 
     def _placement(self) -> Placement:
         """Where the field is in the widget; worked out again only when that changes."""
-        room, view = self._room(), self._view
-        key = self._shape, room.getRect(), view.zoom, view.shift.toTuple()
+        room, view, sight = self._room(), self._view, self._document.map_sight
+        needed = {*self._states, self._document.selected_class}
+        part = part_to_show(self._shape, sight, needed, room)
+        key = self._shape, room.getRect(), view.zoom, view.shift.toTuple(), sight.turns, part
         if self._drawn is None or self._drawn[0] != key:
-            self._drawn = key, Placement.of(self._shape, room, view.zoom, view.shift)
+            self._drawn = key, Placement.of(self._shape, room, view, sight.turns, part)
         return self._drawn[1]
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -260,10 +264,12 @@ class FieldMapPanel(QWidget):
             painter.fillRect(self.rect(), self.palette().color(QPalette.ColorRole.Base))
             painter.setClipRect(self._room().adjusted(-_MARGIN, -_MARGIN, _MARGIN, _MARGIN - 2))
             placed = self._placement()
-            self._paint_ground(painter, placed)
+            paint_ground(painter, placed, self._document.map_sight.shown, self.palette())
             self._paint_metres(painter, placed)
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
+                painter.setOpacity(_FAINT if self._out_of_sight(self._shape.names[index]) else 1.0)
                 self._paint_element(painter, placed, index)
+            painter.setOpacity(1.0)
             self._paint_findings(painter)
             self._paint_next(painter)
             painter.setClipping(False)
@@ -278,20 +284,21 @@ class FieldMapPanel(QWidget):
             name in self._states,
         )
 
-    def _paint_ground(self, painter: QPainter, placed: Placement) -> None:
-        painter.fillRect(placed.ground.adjusted(-4, -4, 4, 4), ground_colour(self.palette()))
-
     def _paint_metres(self, painter: QPainter, placed: Placement) -> None:
-        """Bands of the map in metres that is shown, as far as the field reaches."""
+        """Bands of the map in metres that is shown."""
         found = self._document.uncertainty.value or self._document.disagreement.value
-        if found is None:
-            return
-        scale, origin = placed.scale, placed.origin
-        painter.save()
-        painter.setClipRect(placed.ground, Qt.ClipOperation.IntersectClip)
-        to_widget = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
-        paint_shapes(painter, found.field, to_widget, unit=0.75)
-        painter.restore()
+        if found is not None:
+            paint_metres(painter, placed, found.field)
+
+    def _out_of_sight(self, name: str) -> bool:
+        """Whether an element is faint: the camera does not see it, and nobody asks for it."""
+        document = self._document
+        if (sight := document.map_sight.shown) is None or name in sight.names:
+            return False
+        return self._states.get(name) is None and name not in (
+            document.selected_class,
+            document.hovered_class,
+        )
 
     def _paint_element(self, painter: QPainter, placed: Placement, index: int) -> None:
         name = self._shape.names[index]
@@ -299,7 +306,10 @@ class FieldMapPanel(QWidget):
         hovered = name == self._document.hovered_class
         polygon = placed.polygons[index]
         if polygon.count() == 1:
-            self._paint_spot(painter, polygon.at(0), name, state)
+            chosen = name == self._document.selected_class
+            paint_spot(
+                painter, polygon.at(0), state, self.palette(), chosen=chosen, hovered=hovered
+            )
             return
         width = _WIDTHS[state] + (1.0 if hovered else 0.0)
         if name == self._document.selected_class:
@@ -313,42 +323,7 @@ class FieldMapPanel(QWidget):
         painter.setPen(state_pen(state, self.palette(), width))
         painter.drawPolyline(polygon)
         if state in (ElementState.TOO_FAR, ElementState.PASSES):
-            self._paint_badge(painter, placed.anchors[index], state)
-
-    def _paint_spot(self, painter: QPainter, at: QPointF, name: str, state: ElementState) -> None:
-        """A single place: a dot until there is something to say of it, then the state's sign."""
-        base = self.palette().color(QPalette.ColorRole.Base)
-        chosen, hovered = (
-            name == self._document.selected_class,
-            name == self._document.hovered_class,
-        )
-        painter.setPen(Qt.PenStyle.NoPen)
-        if chosen:
-            for colour, radius in ((tones.RIM, _SPOT + 5), (tones.HALO, _SPOT + 4)):
-                painter.setBrush(QColor(colour))
-                painter.drawEllipse(at, radius, radius)
-        elif hovered:
-            painter.setBrush(muted(self.palette(), 0.75))
-            painter.drawEllipse(at, _SPOT + 4, _SPOT + 4)
-        if state is ElementState.UNTOUCHED:
-            painter.setBrush(state_colour(state, self.palette()))
-            painter.drawEllipse(at, _SPOT, _SPOT)
-            return
-        painter.setBrush(base)
-        painter.drawEllipse(at, _SPOT + 3, _SPOT + 3)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        side = 2 * _SPOT + 7
-        box = QRectF(at.x() - side / 2, at.y() - side / 2, side, side)
-        paint_symbol(painter, box, state, state_colour(state, self.palette()))
-
-    def _paint_badge(self, painter: QPainter, centre: QPointF, state: ElementState) -> None:
-        """Both solid lines bear their sign as well: tick or cross."""
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(self.palette().color(QPalette.ColorRole.Base))
-        painter.drawEllipse(centre, 5, 5)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        box = QRectF(centre.x() - 5.5, centre.y() - 5.5, 11, 11)
-        paint_symbol(painter, box, state, state_colour(state, self.palette()))
+            paint_badge(painter, placed.anchors[index], state, self.palette())
 
     def _paint_findings(self, painter: QPainter) -> None:
         """Beside the sign of the verdict, on elements with a finding."""
@@ -371,16 +346,20 @@ class FieldMapPanel(QWidget):
         """The name under the cursor, or of the chosen element, or what a click does; above it what
         to annotate next."""
         if self._next is not None:
-            title = class_title(self._document.field, self._next.name)
-            change = f"{self._next.sd_before_px:.1f} → {self._next.sd_after_px:.1f} px"
+            following = tr(
+                "Next: {title}, {before:.1f} → {after:.1f} px",
+                title=class_title(self._document.field, self._next.name),
+                before=self._next.sd_before_px,
+                after=self._next.sd_after_px,
+            )
             painter.setPen(self.palette().color(QPalette.ColorRole.Text))
-            self._paint_line(painter, f"Next: {title}, {change}", 1)
+            self._paint_line(painter, following, 1)
         name = self._document.hovered_class or self._document.selected_class
         if name is None:
-            text = "Click an element to choose its class"
+            text = tr("Click an element to choose its class")
             painter.setPen(muted(self.palette()))
         else:
-            text = self._tip(name).split("\n")[0]
+            text = self._heading(name)
             painter.setPen(self.palette().color(QPalette.ColorRole.Text))
         self._paint_line(painter, text, 0)
 
@@ -394,9 +373,11 @@ class FieldMapPanel(QWidget):
 
 
 def _words(suggestion: Suggestion) -> str:
-    return (
-        f"Annotating it next tells most: the projection is then known to"
-        f" {suggestion.sd_after_px:.1f} px instead of {suggestion.sd_before_px:.1f} px"
+    return tr(
+        "Annotating it next tells most: the projection is then known to {after:.1f} px instead of"
+        " {before:.1f} px",
+        after=suggestion.sd_after_px,
+        before=suggestion.sd_before_px,
     )
 
 

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QPolygonF
+from PySide6.QtGui import QPolygonF, QTransform
 
 from procc_annotator.gui.panels.field_map.shape import FieldShape, FloatArray
+from procc_annotator.gui.panels.field_map.unfolding import Bounds
 
 _LARGEST = 40.0
 _STEP = 1.0015  # an eighth of a degree of the wheel
@@ -23,58 +24,82 @@ class Placement:
 
     Attributes:
         scale: points of the widget per metre of the map.
-        origin: the field's centre in the widget.
+        transform: from metres of the map to the widget.
         polygons: the line of each element.
         anchors: where each element bears its sign: no other line crosses there.
         ground: the field without what stands upright.
     """
 
     scale: float
-    origin: QPointF
+    transform: QTransform
     polygons: tuple[QPolygonF, ...]
     anchors: tuple[QPointF, ...]
     ground: QRectF
 
     @classmethod
     def of(
-        cls, shape: FieldShape, room: QRectF, zoom: float = 1.0, shift: QPointF | None = None
+        cls,
+        shape: FieldShape,
+        room: QRectF,
+        view: MapView,
+        turns: int = 0,
+        part: Bounds | None = None,
     ) -> Placement:
         """Lay a field into a part of a widget.
 
         Args:
             shape: the field.
             room: the part, which it fits into at zoom 1.
-            zoom: so many times as large.
-            shift: moved by this, widget points.
+            view: so many times as large, and moved by hand.
+            turns: so many quarter turns clockwise.
+            part: the part of the map to lay into the room, metres of the map; None: all of it.
         """
-        left, top, right, bottom = shape.bounds
-        width, height = max(1.0, room.width()), max(1.0, room.height())
-        scale = zoom * min(width / (right - left), height / (bottom - top))
-        centre = QPointF((left + right) / 2, (top + bottom) / 2)
-        origin = room.topLeft() + QPointF(width, height) / 2 - centre * scale
-        origin += shift if shift is not None else QPointF()
+        part = part or shape.bounds
+        scale = view.zoom * scale_to_fit(part, room, turns)
+        middle = _turned(part, turns).center() * scale
+        origin = room.topLeft() + QPointF(*_size(room)) / 2 - middle + view.shift
+        moved = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
+        transform = QTransform().rotate(90.0 * turns) * moved
+        matrix = np.array([[transform.m11(), transform.m12()], [transform.m21(), transform.m22()]])
 
         def place(line: FloatArray) -> list[QPointF]:
-            at = line * scale + (origin.x(), origin.y())
+            at = line @ matrix + (origin.x(), origin.y())
             return [QPointF(x, y) for x, y in at.tolist()]
 
         corners = place(np.reshape(shape.ground, (2, 2)))
         return cls(
             scale,
-            origin,
+            transform,
             tuple(QPolygonF(place(line)) for line in shape.lines),
             tuple(place(shape.anchors)),
-            QRectF(*corners),
+            QRectF(*corners).normalized(),
         )
 
     def to_widget(self, x: float, y: float) -> QPointF:
         """The position in the widget of metres on the map."""
-        return self.origin + QPointF(x, y) * self.scale
+        return self.transform.map(QPointF(x, y))
 
     def to_field(self, position: QPointF) -> tuple[float, float]:
         """Metres on the map at a position of the widget."""
-        at = (position - self.origin) / self.scale
+        back, _ = self.transform.inverted()
+        at = back.map(position)
         return at.x(), at.y()
+
+
+def scale_to_fit(part: Bounds, room: QRectF, turns: int) -> float:
+    """Points of the widget per metre, so that a part of the map fits into a room."""
+    extent, (width, height) = _turned(part, turns), _size(room)
+    return min(width / extent.width(), height / extent.height())
+
+
+def _turned(part: Bounds, turns: int) -> QRectF:
+    left, top, right, bottom = part
+    turned = QTransform().rotate(90.0 * turns)
+    return turned.mapRect(QRectF(left, top, right - left, bottom - top))
+
+
+def _size(room: QRectF) -> tuple[float, float]:
+    return max(1.0, room.width()), max(1.0, room.height())
 
 
 class MapView:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
-from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, QTextBoundaryFinder, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -29,7 +29,7 @@ from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 
 _FRAME, _SET = range(2)
 _MOST_REMEDIES = 4
@@ -82,7 +82,7 @@ class FindingsPanel(QWidget):
         self.model.setParent(self)
         self.list = FindingsList()
         self.list.setObjectName("findings_list")
-        self.list.setAccessibleName("Findings")
+        self.list.setAccessibleName(tr("Findings"))
         self.list.setModel(self.model)
         self.list.selectionModel().currentChanged.connect(self._choose)
         self.list.clicked.connect(self._go)
@@ -102,8 +102,8 @@ class FindingsPanel(QWidget):
     def _make_head(self) -> QHBoxLayout:
         self.scope = QComboBox()
         self.scope.setObjectName("findings_scope")
-        self.scope.setAccessibleName("Which findings are listed")
-        self.scope.addItems(["This frame", "Whole set"])
+        self.scope.setAccessibleName(tr("Which findings are listed"))
+        self.scope.addItems([tr("This frame"), tr("Whole set")])
         self.scope.currentIndexChanged.connect(lambda _: self._refresh())
         self.severity_buttons: dict[Severity, QToolButton] = {}
         head = QHBoxLayout()
@@ -123,20 +123,20 @@ class FindingsPanel(QWidget):
         return head
 
     def _make_foot(self) -> QHBoxLayout:
-        self.check_button = QPushButton("Check the whole set")
+        self.check_button = QPushButton(tr("Check the whole set"))
         self.check_button.setObjectName("findings_check")
-        self.check_button.setToolTip("Look for wrong labels in every annotated frame")
+        self.check_button.setToolTip(tr("Look for wrong labels in every annotated frame"))
         self.check_button.clicked.connect(self.checkWanted)
         self.progress = QProgressBar()
         self.progress.setObjectName("findings_progress")
-        self.progress.setAccessibleName("Frames checked")
+        self.progress.setAccessibleName(tr("Frames checked"))
         self.progress.setFormat("%v / %m")
-        self.stop_button = QPushButton("Stop")
+        self.stop_button = QPushButton(tr("Stop"))
         self.stop_button.setObjectName("findings_stop")
         self.stop_button.clicked.connect(self.stopWanted)
-        self.export_button = QPushButton("Export…")
+        self.export_button = QPushButton(tr("Export…"))
         self.export_button.setObjectName("findings_export")
-        self.export_button.setToolTip("Write the findings of all checked frames as CSV")
+        self.export_button.setToolTip(tr("Write the findings of all checked frames as CSV"))
         self.export_button.clicked.connect(self.exportWanted)
         foot = QHBoxLayout()
         foot.setSpacing(4)
@@ -161,15 +161,18 @@ class FindingsPanel(QWidget):
         for severity, button in self.severity_buttons.items():
             button.setText(_short(counts[severity]))
             button.setChecked(severity in check.severities)
-            word = str(severity)
-            button.setToolTip(f"{counted(counts[severity], word)}; click to list them or not")
-            button.setAccessibleName(counted(counts[severity], word))
+            many = _counted(severity, counts[severity])
+            button.setToolTip(tr("{findings}; click to list them or not", findings=many))
+            button.setAccessibleName(many)
         entries = [(n, f) for n, f in every if f.finding.severity in check.severities]
         words = set_words(self._document) if whole_set else frame_words(self._document)
         hidden = len(every) - len(entries)
         if hidden and not entries:
-            more = counted(hidden, "more is", "more are")
-            words = f"{more} not listed: switch the signs above on."
+            words = tr_count(
+                hidden,
+                "{n:,} more is not listed: switch the signs above on.",
+                "{n:,} more are not listed: switch the signs above on.",
+            )
         self._show_entries(entries, whole_set)
         self.empty.setText(words)
         self._stack.setCurrentWidget(self.list if entries else self.empty)
@@ -196,7 +199,13 @@ class FindingsPanel(QWidget):
         notes = [words] if words else []
         ignored = 0 if whole_set else self._check.ignored_here()
         if ignored:
-            notes.append(f'{ignored:,} ignored here. <a href="restore">Show again</a>')
+            notes.append(
+                tr_count(
+                    ignored,
+                    '{n:,} ignored here. <a href="restore">Show again</a>',
+                    '{n:,} ignored here. <a href="restore">Show again</a>',
+                )
+            )
         show_note(self.note, "<br>".join(notes).replace("\n", " "))
 
     def _show_remedies(self) -> None:
@@ -206,7 +215,8 @@ class FindingsPanel(QWidget):
         wanted: list[tuple[str, str, Callable[[], None]]] = []
         if found is not None and listed:
             for at, remedy in enumerate(found.finding.remedies[:_MOST_REMEDIES]):
-                text = remedy.text[:1].upper() + remedy.text[1:]
+                said = tr(remedy.text)
+                text = said[:1].upper() + said[1:]
 
                 def do(found: object = found, remedy: object = remedy) -> None:
                     self.remedyWanted.emit(found, remedy)
@@ -214,8 +224,10 @@ class FindingsPanel(QWidget):
                 wanted.append((f"{text} (F12)" if at == 0 else text, "", do))
             frame = self._document.frame
             name = frame.name if frame is not None else ""
-            tip = "Do not show it again until the points of its elements change"
-            wanted.append(("Ignore this finding", tip, lambda: self.ignoreWanted.emit(name, found)))
+            tip = tr("Do not show it again until the points of its elements change")
+            wanted.append(
+                (tr("Ignore this finding"), tip, lambda: self.ignoreWanted.emit(name, found))
+            )
         while len(self.remedy_buttons) < len(wanted):
             button = WrappingButton()
             button.setObjectName(f"findings_remedy_{len(self.remedy_buttons)}")
@@ -271,8 +283,27 @@ class FindingsPanel(QWidget):
         return False
 
 
+def _counted(severity: Severity, count: int) -> str:
+    match severity:
+        case Severity.ERROR:
+            return tr_count(count, "{n:,} error", "{n:,} errors")
+        case Severity.WARNING:
+            return tr_count(count, "{n:,} warning", "{n:,} warnings")
+        case Severity.HINT:
+            return tr_count(count, "{n:,} hint", "{n:,} hints")
+
+
 def _short(count: int) -> str:
     return str(count) if count < 1000 else f"{count // 1000}k"
+
+
+def _pieces(text: str) -> Iterator[str]:
+    """A text in parts between which a line may end; not every language has spaces there."""
+    finder = QTextBoundaryFinder(QTextBoundaryFinder.BoundaryType.Line, text)
+    start = 0
+    while (end := finder.toNextBoundary()) >= 0:
+        yield text[start:end]
+        start = end
 
 
 class WrappingButton(QPushButton):
@@ -305,12 +336,12 @@ class WrappingButton(QPushButton):
     def _wrap(self) -> None:
         metrics, room = self.fontMetrics(), max(60, self.width() - 16)
         lines: list[str] = []
-        for word in self._whole.split():
-            longer = f"{lines[-1]} {word}" if lines else word
-            if lines and metrics.horizontalAdvance(longer) <= room:
+        for piece in _pieces(self._whole):
+            longer = f"{lines[-1]}{piece}" if lines else piece
+            if lines and metrics.horizontalAdvance(longer.rstrip()) <= room:
                 lines[-1] = longer
             else:
-                lines.append(word)
-        text = "\n".join(lines)
+                lines.append(piece)
+        text = "\n".join(map(str.rstrip, lines))
         if text != self.text():
             self.setText(text)

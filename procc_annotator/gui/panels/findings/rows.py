@@ -28,11 +28,16 @@ from procc_annotator.gui.panels.rows import Index, list_rows
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import blend
+from procc_annotator.language import tr, word
 from procc_annotator.session.facts.frame_check import FoundInFrame
 
 Entry = tuple[str, FoundInFrame]  # a frame's name and what was found in it
 
-WORDS = {Severity.ERROR: "Error", Severity.WARNING: "Warning", Severity.HINT: "Hint"}
+WORDS = {
+    Severity.ERROR: word("Error"),
+    Severity.WARNING: word("Warning"),
+    Severity.HINT: word("Hint"),
+}
 
 _SIGN = 15
 _PAD = 5
@@ -87,9 +92,9 @@ class FindingsModel(QAbstractListModel):
         """The frame (empty in a list of one frame), word and elements, reason."""
         frame, found = self.entries[row]
         finding, title = found.finding, self._document.field.title_of
-        elements = " · ".join(dict.fromkeys(title(name) for name in finding.elements))
-        head = f"{WORDS[finding.severity]}: {elements}"
-        return frame if self.with_frames else "", head, finding.reason
+        elements = " · ".join(dict.fromkeys(tr(title(name)) for name in finding.elements))
+        head = f"{tr(WORDS[finding.severity])}: {elements}"
+        return frame if self.with_frames else "", head, tr(finding.reason)
 
 
 class FindingDelegate(QStyledItemDelegate):

@@ -11,6 +11,7 @@ from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.findings.rows import WORDS
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
+from procc_annotator.language import tr
 from procc_annotator.session.facts.frame_check import FoundInFrame
 
 
@@ -28,7 +29,7 @@ def findings_by_element(document: Document) -> dict[str, tuple[FoundInFrame, ...
 
 def reasons_of(found: Iterable[FoundInFrame]) -> str:
     """What is wrong, a line each."""
-    return "\n".join(f"{WORDS[f.finding.severity]}: {f.finding.reason}" for f in found)
+    return "\n".join(f"{tr(WORDS[f.finding.severity])}: {tr(f.finding.reason)}" for f in found)
 
 
 class FindingSigns:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 
 
 def frame_words(document: Document) -> str:
@@ -13,33 +13,41 @@ def frame_words(document: Document) -> str:
     """
     check, frame = document.label_check, document.frame
     if frame is None:
-        return "No frames.\nOpen a folder of pictures to check their labels."
+        return tr("No frames.\nOpen a folder of pictures to check their labels.")
     if not document.annotation.annotated:
-        return "Nothing is annotated in this frame."
+        return tr("Nothing is annotated in this frame.")
     checked = check.checked
     if checked is None:
-        return "" if check.shown else "Checking this frame…"
+        return "" if check.shown else tr("Checking this frame…")
     found = bool(check.shown)
     limit = _limit(document, checked.failure)
     if limit:
-        nothing = "" if found else "Nothing found by the rules that need no camera.\n"
-        return f"{nothing}{limit}"
+        nothing = tr("Nothing found by the rules that need no camera.")
+        return limit if found else f"{nothing}\n{limit}"
     ignored = check.ignored_here()
     if found:
         return ""
     if ignored:
-        return f"Nothing found but {counted(ignored, 'ignored finding')}."
-    return "Nothing found in this frame."
+        return tr_count(
+            ignored,
+            "Nothing found but {n:,} ignored finding.",
+            "Nothing found but {n:,} ignored findings.",
+        )
+    return tr("Nothing found in this frame.")
 
 
 def _limit(document: Document, failure: str) -> str:
     if not document.projection_visible:
-        return "Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter)."
+        return tr(
+            "Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter)."
+        )
     checked = document.label_check.checked
     if checked is not None and not checked.fitted:
-        return "The live fit is off: only the rules that need no camera are looked at."
+        return tr("The live fit is off: only the rules that need no camera are looked at.")
     if failure:
-        return f"No camera fits yet ({failure}): only the rules that need none are looked at."
+        return tr(
+            "No camera fits yet ({why}): only the rules that need none are looked at.", why=failure
+        )
     return ""
 
 
@@ -50,21 +58,32 @@ def set_words(document: Document) -> str:
     """
     check, workspace = document.label_check, document.workspace
     if workspace is None or not workspace.frames:
-        return "No frames.\nOpen a folder of pictures to check their labels."
+        return tr("No frames.\nOpen a folder of pictures to check their labels.")
     if check.running:
-        return "" if check.in_set() else "Checking the set…"
+        return "" if check.in_set() else tr("Checking the set…")
     problems = ""
     if document.blind:
-        problems = "Blind: only committed frames are checked with a camera."
+        problems = tr("Blind: only committed frames are checked with a camera.")
     if check.problems:
         count = len(check.problems)
         name, why = next(iter(check.problems.items()))
-        said = f"{counted(count, 'frame')} cannot be checked, such as {name}: {why}"
+        said = tr_count(
+            count,
+            "{n:,} frame cannot be checked, such as {name}: {why}",
+            "{n:,} frames cannot be checked, such as {name}: {why}",
+            name=name,
+            why=why,
+        )
         problems = "\n".join(filter(None, (problems, said)))
     if not check.set_checked:
-        known = counted(check.known_frames, "frame")
-        return f"The set is not checked yet; {known} looked at so far."
+        return tr_count(
+            check.known_frames,
+            "The set is not checked yet; {n:,} frame looked at so far.",
+            "The set is not checked yet; {n:,} frames looked at so far.",
+        )
     if check.in_set():
         return problems
-    nothing = f"Nothing found in {counted(check.known_frames, 'frame')}."
+    nothing = tr_count(
+        check.known_frames, "Nothing found in {n:,} frame.", "Nothing found in {n:,} frames."
+    )
     return "\n".join(filter(None, (nothing, problems)))

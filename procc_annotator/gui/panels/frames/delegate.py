@@ -12,7 +12,7 @@ from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.theme import alarm_colours, blend
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 from procc_annotator.session.facts.origins import Status
 from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault
 
@@ -111,9 +111,9 @@ def _paint_words(
     elide = Qt.TextElideMode.ElideMiddle
     align = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
     painter.drawText(upper, align, metrics.elidedText(info.name, elide, upper.width()))
-    marker = "⚠ unreadable" if info.unreadable else "● not saved" if info.dirty else ""
+    marker = tr("⚠ unreadable") if info.unreadable else tr("● not saved") if info.dirty else ""
     if info.camera_problem and not marker:
-        marker = "⚠ camera"
+        marker = tr("⚠ camera")
     if marker:
         width = min(metrics.horizontalAdvance(marker) + 8, lower.width())
         chip = QRectF(lower.left(), lower.top() + 1, width, lower.height() - 2)
@@ -144,9 +144,9 @@ def _paint_words(
 def _paint_verdict(painter: QPainter, box: QRect, fault: Fault, text: QColor) -> int:
     """The verdict in a frame of its own; returns the room it takes."""
     metrics = painter.fontMetrics()
-    words = FAULT_WORDS[fault]
+    words = tr(FAULT_WORDS[fault], "a verdict")
     if metrics.horizontalAdvance(words) + 10 > box.width():
-        words = str(fault)
+        words = tr(fault.value, "a verdict")
     width = min(metrics.horizontalAdvance(words) + 10, box.width())
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(text)
@@ -159,14 +159,16 @@ def _paint_verdict(painter: QPainter, box: QRect, fault: Fault, text: QColor) ->
 
 def row_words(info: RowInfo, short: bool) -> list[str]:
     """Status, number of elements and open comments: in full, then in less and less room."""
-    status = info.status.value if info.status is not Status.UNTOUCHED and not short else ""
+    said = info.status is not Status.UNTOUCHED and not short
+    status = tr(info.status.value, "a frame") if said else ""
     count = _count_words(info.count or 0, short or bool(status) or info.comments > 0)
     if not info.comments:
         whole = " · ".join(filter(None, (status, count)))
         return [whole, status or count, str(info.count or 0)]
+    comments = tr_count(info.comments, "{n} open", "{n} open")
     return [
-        " · ".join(filter(None, (status, count, f"{info.comments} open"))),
-        " · ".join(filter(None, (status, f"{info.comments} open"))),
+        " · ".join(filter(None, (status, count, comments))),
+        " · ".join(filter(None, (status, comments))),
         " ".join(filter(None, (status, f"✎{info.comments}"))),
     ]
 
@@ -175,5 +177,5 @@ def _count_words(count: int, short: bool) -> str:
     if short:
         return str(count)
     if not count:
-        return "not annotated"
-    return counted(count, "element")
+        return tr("not annotated", "a frame")
+    return tr_count(count, "{n:,} element", "{n:,} elements")

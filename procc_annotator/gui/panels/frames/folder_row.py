@@ -6,7 +6,7 @@ from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen
 
 from procc_annotator.gui.panels.frames.model import FolderInfo
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 
 _STEP, _MOST = 10, 3  # px a folder; deeper ones are not moved farther in
 _SIGN = 14
@@ -46,10 +46,14 @@ def paint_folder(
 
 def folder_words(info: FolderInfo) -> list[str]:
     """Its figures: in full, then in less and less room."""
-    frames = counted(info.frames, "frame")
+    frames = tr_count(info.frames, "{n:,} frame", "{n:,} frames")
     if info.shown != info.frames:
-        frames = f"{info.shown:,} of {frames}"
-    done = "all done" if info.done == info.frames else f"{info.done:,} done" if info.done else ""
+        frames = tr("{shown:,} of {frames}", shown=info.shown, frames=frames)
+    done = ""
+    if info.done == info.frames:
+        done = tr("all done")
+    elif info.done:
+        done = tr_count(info.done, "{n:,} done", "{n:,} done")
     short = f"{info.done}/{info.frames}" if done else f"{info.frames}"
     return [" · ".join(filter(None, (frames, done))), frames, short]
 

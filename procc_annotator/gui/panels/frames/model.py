@@ -24,7 +24,7 @@ from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 from procc_annotator.session.dataset.frame_folders import Folder, folders_of, rows_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import Status
@@ -242,18 +242,19 @@ class FramesModel(QAbstractListModel):
             count = self._counts.get(self._rows[index.row()])
             problems = (count if isinstance(count, str) else "", self._camera_problem(frame.name))
             found = self._document.label_check.of(frame.name)
-            errors = (f.finding.reason for f in found if f.finding.severity is Severity.ERROR)
+            errors = (tr(f.finding.reason) for f in found if f.finding.severity is Severity.ERROR)
             return "\n".join(filter(None, (str(frame.image_path), *problems, *errors)))
         return frame.name
 
     def _folder_words(self, folder: Folder, role: int) -> str:
         if role == Qt.ItemDataRole.DisplayRole:
             return folder.path
-        words = [folder.path, counted(folder.past - folder.first, "frame")]
-        words.append(f"{self.figures.done(folder)} done")
+        count, done = folder.past - folder.first, self.figures.done(folder)
+        words = [folder.path, tr_count(count, "{n:,} frame", "{n:,} frames")]
+        words.append(tr_count(done, "{n:,} done", "{n:,} done"))
         if (jac := self.figures.jac(folder)) is not None:
-            words.append(f"mean JaC {jac:.3f}")
-        words.append("folded" if self.is_folded(folder) else "unfolded")
+            words.append(tr("mean JaC {jac:.3f}", jac=jac))
+        words.append(tr("folded") if self.is_folded(folder) else tr("unfolded"))
         return ", ".join(words)
 
     # --- details -------------------------------------------------------------------------------
@@ -278,7 +279,7 @@ class FramesModel(QAbstractListModel):
             self._without_thumbnail[frame.image_path] = index
         unreadable = count if isinstance(count, str) else ""
         if not unreadable and thumbnail is not None and thumbnail.isNull():
-            unreadable = "the picture cannot be read"
+            unreadable = tr("the picture cannot be read")
         return RowInfo(
             frame.name.rpartition("/")[2] if self.folders else frame.name,
             thumbnail,

@@ -45,18 +45,18 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.judge import SecondOpinion
 from procc_annotator.gui.state.live_fit import MODELS
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.session.clicks.insight import Insight
 
 MODEL_WORDS = {
-    "auto": "chosen automatically",
-    "H": "H: homography of the ground",
-    "P": "P: pinhole",
-    "R": "R: pinhole, lens distortion",
-    "R+": "R+: R, aspect ratio, principal point",
-    "R2": "R2: R+, second radial coefficient",
-    "F": "F: fisheye",
+    "auto": word("chosen automatically"),
+    "H": word("H: homography of the ground"),
+    "P": word("P: pinhole"),
+    "R": word("R: pinhole, lens distortion"),
+    "R+": word("R+: R, aspect ratio, principal point"),
+    "R2": word("R2: R+, second radial coefficient"),
+    "F": word("F: fisheye"),
 }
 _GREY_AFTER_MS = 100  # most fits are there by then
 
@@ -94,11 +94,13 @@ class FitPanel(QWidget):
         inner.setSpacing(6)
         inner.addLayout(self._build_headline())
         self.counted = note_label("fit_counted")
-        self.counted.setToolTip("Elements in sight that are not annotated count against the JaC")
+        self.counted.setToolTip(
+            tr("Elements in sight that are not annotated count against the JaC")
+        )
         inner.addWidget(self.counted)
         self.chosen = note_label("fit_chosen")
         self.weak = note_label("fit_weak")
-        self.weak.setToolTip(f"Hardly determined: {LIMITS}")
+        self.weak.setToolTip(tr("Hardly determined: {limits}", limits=LIMITS))
         self.terms = note_label("fit_terms")
         inner.addWidget(self.weak)
         inner.addWidget(self.chosen)
@@ -109,7 +111,7 @@ class FitPanel(QWidget):
         self._pages.addWidget(self.empty)
         self._shown_page = scrolling(self.content)
         self._pages.addWidget(self._shown_page)
-        self._buttons = QHBoxLayout()
+        self._buttons = QVBoxLayout()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.setSpacing(6)
@@ -120,14 +122,14 @@ class FitPanel(QWidget):
     def _build_choice(self) -> QHBoxLayout:
         self.model = choice("fit_model")
         self.model.setToolTip(
-            "What is fitted. Automatically: the simplest model that the clicks support"
+            tr("What is fitted. Automatically: the simplest model that the clicks support")
         )
         for model in MODELS:
-            self.model.addItem(MODEL_WORDS[model], model)
+            self.model.addItem(tr(MODEL_WORDS[model]), model)
         self.model.activated.connect(
             lambda: self._document.live_fit.set_model(self.model.currentData())
         )
-        caption = QLabel("Model")
+        caption = QLabel(tr("Model"))
         caption.setBuddy(self.model)
         row = QHBoxLayout()
         row.addWidget(caption)
@@ -144,9 +146,9 @@ class FitPanel(QWidget):
         self.mean = QLabel()
         self.mean.setObjectName("fit_mean")
         self.mean.setFont(font)
-        self.mean.setToolTip("Mean distance of the points that had a say, px of the picture")
+        self.mean.setToolTip(tr("Mean distance of the points that had a say, px of the picture"))
         headline = QHBoxLayout()
-        for value, caption in ((self.jac, self.at_tau), (self.mean, QLabel("mean residual"))):
+        for value, caption in ((self.jac, self.at_tau), (self.mean, QLabel(tr("mean residual")))):
             column = QVBoxLayout()
             column.setSpacing(0)
             column.addWidget(value)
@@ -156,8 +158,10 @@ class FitPanel(QWidget):
 
     def _build_table(self) -> QTableView:
         self.rows = FitTableModel()
-        self.table = ElementTable("fit_table", self.rows, {MEAN: "Mean  ", LARGEST: "Largest  "})
-        self.table.setAccessibleName("Residuals by element")
+        self.table = ElementTable(
+            "fit_table", self.rows, {MEAN: f"{tr('Mean')}  ", LARGEST: f"{tr('Largest')}  "}
+        )
+        self.table.setAccessibleName(tr("Residuals by element"))
         self.table.chosen.connect(self._fly)
         return self.table
 
@@ -176,7 +180,7 @@ class FitPanel(QWidget):
                 grid.addWidget(label, row, column, right if column else Qt.AlignmentFlag.AlignLeft)
             labels[0].setForegroundRole(QPalette.ColorRole.PlaceholderText)
             labels[2].setObjectName(f"fit_sd_{row}")
-            labels[2].setToolTip("Standard deviation, as the fit estimates it")
+            labels[2].setToolTip(tr("Standard deviation, as the fit estimates it"))
             self.pose.append(labels)
         grid.setColumnStretch(0, 1)
         return self.figures
@@ -184,13 +188,13 @@ class FitPanel(QWidget):
     def add_actions(self, live: QAction, save: QAction) -> None:
         """Offer switching on and off and saving as a box and a button."""
         self.on = box_of(live, "fit_on")
-        self.save = QPushButton("Save as the frame's camera")
+        self.save = QPushButton(tr("Save as the frame's camera"))
         self.save.setObjectName("fit_save")
         self.save.setToolTip(save.toolTip())
         self.save.clicked.connect(save.trigger)
         self.save.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._buttons.addWidget(self.on)
-        self._buttons.addWidget(self.save, 1)
+        self._buttons.addWidget(self.save)
 
     # --- showing -------------------------------------------------------------------------------
 
@@ -221,38 +225,47 @@ class FitPanel(QWidget):
         if self._document.live_fit.insight is None:
             self.content.setEnabled(False)
             self.save.setEnabled(False)
-            show_note(self.chosen, "Fitting the clicks…")
+            show_note(self.chosen, tr("Fitting the clicks…"))
 
     def _why_empty(self, insight: Insight | None) -> str:
         document, live = self._document, self._document.live_fit
         if document.frame is None:
-            return "Open a folder of pictures to see the camera its clicks give."
+            return tr("Open a folder of pictures to see the camera its clicks give.")
         if barred := document.blind_lock.no_fit:
-            return f"{barred}."
+            return tr("{text}.", text=barred)
         if not live.wanted:
-            return "The live fit is off (Ctrl+T)."
+            return tr("The live fit is off (Ctrl+T).")
         if not live.allowed:
-            return "Hidden: blind mode shows the fit once this frame is committed."
+            return tr("Hidden: blind mode shows the fit once this frame is committed.")
         if insight is not None:
-            return f"No camera yet: {insight.fit.failure}."
-        return "Fitting the clicks…" if live.working else "No fit."
+            return tr("No camera yet: {why}.", why=insight.fit.failure)
+        return tr("Fitting the clicks…") if live.working else tr("No fit.")
 
     def _show_fit(self, insight: Insight) -> None:
         document, fit = self._document, insight.fit
         known = document.source_frames.of(document.fit_source.source)
         _, score = self._opinion.of(known, insight.annotation, document.judge)
         self.jac.setText("–" if score is None else f"{score.jac:.3f}")
-        self.at_tau.setText(f"JaC at {document.tau:.1f} px")
+        self.at_tau.setText(tr("JaC at {tau:.1f} px", tau=document.tau))
         show_note(self.counted, "" if score is None else _counted_words(score))
         self.mean.setText("–" if fit.mean_px is None else f"{fit.mean_px:.2f} px")
         left_open = hardly_determined(fit)
-        show_note(self.weak, f"<b>Hardly determined</b>: {left_open}" if left_open else "")
+        weak = tr("<b>Hardly determined</b>: {what}", what=left_open) if left_open else ""
+        show_note(self.weak, weak)
         show_note(self.chosen, _chosen_words(fit))
         camera = known.camera if known is not None else None
         ground_only = camera is not None and projects_only_ground(camera)
         terms = document.setup.describe(ground_only=ground_only)
         width, height = fit.size
-        show_note(self.terms, f"JaC: {terms}; residuals: px of the picture, {width}x{height}")
+        show_note(
+            self.terms,
+            tr(
+                "JaC: {terms}; residuals: px of the picture, {width}x{height}",
+                terms=terms,
+                width=width,
+                height=height,
+            ),
+        )
         self.rows.replace(fit_rows(fit, insight.annotation, document.frame_field))
         self.table.show_chosen(document.selected_class)
         figures = pose_figures(fit)
@@ -281,8 +294,10 @@ class FitPanel(QWidget):
 
 def _chosen_words(fit: FitResult) -> str:
     """Which model it is, and why if it was chosen."""
-    words = MODEL_WORDS.get(fit.model, fit.model)
-    return words if fit.chosen_because is None else f"{words}. Chosen: {fit.chosen_because}"
+    words = tr(MODEL_WORDS.get(fit.model, fit.model))
+    if fit.chosen_because is None:
+        return words
+    return tr("{model}. Chosen: {why}", model=words, why=fit.chosen_because)
 
 
 def _counted_words(score: FrameScore) -> str:
@@ -290,5 +305,18 @@ def _counted_words(score: FrameScore) -> str:
     every = Counter(ElementState(element.status) for element in score.elements)
     waiting = every.pop(ElementState.NOT_ANNOTATED, 0)
     passing, annotated = every[ElementState.PASSES], every.total()
-    words = f"{passing} of {counted(annotated, 'annotated element')} within {score.threshold:g} px"
-    return f"{words}; {waiting} in sight not annotated yet" if waiting else words
+    words = tr_count(
+        annotated,
+        "{passing} of {n:,} annotated element within {px:g} px",
+        "{passing} of {n:,} annotated elements within {px:g} px",
+        passing=passing,
+        px=score.threshold,
+    )
+    if not waiting:
+        return words
+    return tr_count(
+        waiting,
+        "{counted}; {n} in sight not annotated yet",
+        "{counted}; {n} in sight not annotated yet",
+        counted=words,
+    )

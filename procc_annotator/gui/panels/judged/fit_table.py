@@ -13,13 +13,14 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.result import ElementResidual, FitResult, PosedCamera
 from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, Index
 from procc_annotator.gui.panels.states import class_title
+from procc_annotator.language import tr, word
 
 ELEMENT, MEAN, LARGEST = range(3)
-_HEADERS = ("Element", "Mean", "Largest")
+_HEADERS = (word("Element"), word("Mean"), word("Largest"))
 _HEADER_TIPS = (
-    "Worst first; a click shows the worst point",
-    "Mean distance of its points to the fitted element, px of the picture",
-    "Largest distance of its points to the fitted element, px of the picture",
+    word("Worst first; a click shows the worst point"),
+    word("Mean distance of its points to the fitted element, px of the picture"),
+    word("Largest distance of its points to the fitted element, px of the picture"),
 )
 
 
@@ -41,7 +42,7 @@ class FitRow(NamedTuple):
     @property
     def words(self) -> str:
         """The title; what was left out says so."""
-        return f"✕ left out: {self.title}" if self.left_out else self.title
+        return tr("✕ left out: {title}", title=self.title) if self.left_out else self.title
 
 
 def fit_rows(fit: FitResult, annotation: FrameAnnotation, field: Field) -> list[FitRow]:
@@ -86,8 +87,15 @@ class FitTableModel(ElementRowsModel[FitRow]):
             font.setItalic(True)
             return font
         if role == Qt.ItemDataRole.ToolTipRole:
-            remark = "\nTaken for a mistake: it had no say in the fit" if row.left_out else ""
-            return f"{row.title}: mean {row.mean} px, largest {row.largest} px{remark}"
+            words = tr(
+                "{title}: mean {mean} px, largest {largest} px",
+                title=row.title,
+                mean=row.mean,
+                largest=row.largest,
+            )
+            if row.left_out:
+                words += "\n" + tr("Taken for a mistake: it had no say in the fit")
+            return words
         return None
 
 
@@ -98,9 +106,9 @@ def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
     if not isinstance(camera, PosedCamera) or sd is None:
         return []
     angles = (
-        ("Pan", camera.pan_rad, sd.pan_rad),
-        ("Tilt", camera.tilt_rad, sd.tilt_rad),
-        ("Roll", camera.roll_rad, sd.roll_rad),
+        (tr("Pan"), camera.pan_rad, sd.pan_rad),
+        (tr("Tilt"), camera.tilt_rad, sd.tilt_rad),
+        (tr("Roll"), camera.roll_rad, sd.roll_rad),
     )
     focal = camera.focal_px[0]
     share = 100 * sd.focal_px / focal
@@ -108,8 +116,8 @@ def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
     along, across, height = sd.position_m
     return [
         *((name, f"{math.degrees(v):.2f}°", f"± {math.degrees(s):.2f}°") for name, v, s in angles),
-        ("Focal length", f"{focal:.0f} px", f"± {sd.focal_px:.0f} px ({share:.1f} %)"),
-        ("Along (x)", f"{x:z.1f} m", f"± {along:.1f} m"),
-        ("Across (y)", f"{y:z.1f} m", f"± {across:.1f} m"),
-        ("Height (−z)", f"{-z:z.1f} m", f"± {height:.1f} m"),
+        (tr("Focal length"), f"{focal:.0f} px", f"± {sd.focal_px:.0f} px ({share:.1f} %)"),
+        (tr("Along (x)"), f"{x:z.1f} m", f"± {along:.1f} m"),
+        (tr("Across (y)"), f"{y:z.1f} m", f"± {across:.1f} m"),
+        (tr("Height (−z)"), f"{-z:z.1f} m", f"± {height:.1f} m"),
     ]

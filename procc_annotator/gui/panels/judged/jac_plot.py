@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from procc_annotator.gui.panels.states import ElementState, state_colour
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.gui.theme import follow_theme, muted
+from procc_annotator.language import tr
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import jac_curve
 
@@ -33,7 +34,7 @@ class JacPlot(QWidget):
         item.setMenuEnabled(False)
         item.hideButtons()
         item.setMouseEnabled(x=False, y=False)
-        item.setLabel("bottom", "tau (px)")
+        item.setLabel("bottom", tr("tau (px)"))
         item.setLabel("left", "JaC")
         item.setXRange(0, MAX_TAU, padding=0.01)
         item.setYRange(0, 1, padding=0.04)

@@ -11,9 +11,10 @@ from PySide6.QtGui import QIcon
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTable, Index
-from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
+from procc_annotator.gui.panels.states import EXPLANATIONS, ElementState, class_title, words_for
 from procc_annotator.gui.panels.titles import TitleDelegate
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
+from procc_annotator.language import tr, word
 from procc_annotator.metric.explain import (
     ScoreExplanation,
     explain_score,
@@ -24,23 +25,14 @@ from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 
 ELEMENT, STATUS, POINT, WORST, PASSES = range(5)
-_HEADERS = ("Element", "Status", "Point", "Worst", "Passes at")
+_HEADERS = (word("Element"), word("Status"), word("Point"), word("Worst"), word("Passes at"))
 _HEADER_TIPS = (
-    "Click a row to see the point that decides",
-    "How the element counts at tau",
-    "The point that decides, counted from 1",
-    "Largest distance of its points to the projection, px",
-    "The smallest tau of the slider at which it passes, px",
+    word("Click a row to see the point that decides"),
+    word("How the element counts at tau"),
+    word("The point that decides, counted from 1"),
+    word("Largest distance of its points to the projection, px"),
+    word("The smallest tau of the slider at which it passes, px"),
 )
-
-
-# What the columns have room for.
-_SAMPLES = {
-    STATUS: "not annotated ",
-    POINT: "Point  ",
-    WORST: "88.88 ",
-    PASSES: "Passes at  ",
-}
 
 
 class ScoreRow(NamedTuple):
@@ -106,23 +98,36 @@ class ScoreTableModel(ElementRowsModel[ScoreRow]):
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         row, column = self.rows[index.row()], index.column()
         if role == Qt.ItemDataRole.DisplayRole:
-            return (row.title, WORDS[row.state], row.point, row.worst, row.passes)[column]
+            return (row.title, words_for(row.state), row.point, row.worst, row.passes)[column]
         if role == Qt.ItemDataRole.DecorationRole and column == ELEMENT:
             return self._icon(row.state)
         if role == Qt.ItemDataRole.TextAlignmentRole and column >= POINT:
             return RIGHT
         if role == Qt.ItemDataRole.ToolTipRole:
-            turned = f"\nCounts as {row.counted_as}" if row.counted_as != row.class_name else ""
-            return f"{row.title}\n{row.why}\n{EXPLANATIONS[row.state]}{turned}"
+            lines = [row.title, row.why, tr(EXPLANATIONS[row.state])]
+            if row.counted_as != row.class_name:
+                lines.append(tr("Counts as {class_name}", class_name=row.counted_as))
+            return "\n".join(lines)
         if role == Qt.ItemDataRole.AccessibleDescriptionRole:
             return row.why
         return None
 
 
+def _samples() -> dict[int, str]:
+    """What the columns have room for."""
+    states = max(map(words_for, ElementState), key=len)
+    return {
+        STATUS: f"{states} ",
+        POINT: f"{tr('Point')}  ",
+        WORST: max("88.88 ", f"{tr('Worst')} ", key=len),
+        PASSES: f"{tr('Passes at')}  ",
+    }
+
+
 def score_table(model: ScoreTableModel) -> ElementTable:
     """The view of the rows; what is left out of a title is its middle."""
-    table = ElementTable("scores_table", model, _SAMPLES)
-    table.setAccessibleName("Scores by element")
+    table = ElementTable("scores_table", model, _samples())
+    table.setAccessibleName(tr("Scores by element"))
     table.setItemDelegateForColumn(ELEMENT, TitleDelegate(table))
     table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
     table.setMouseTracking(True)

@@ -38,20 +38,23 @@ from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import ElementState, symbol_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
+from procc_annotator.language import tr, word
 from procc_annotator.metric.explain import ScoreExplanation
 from procc_annotator.metric.score import FrameScore
 
 _VERY_NARROW = 300
 _LINES = 3  # of an explanation that are always kept free
-_CHOOSE = "Choose an element to read why it counts as it does."
-_OWN_FIT = "the camera is the fit to these same clicks: this JaC is no score of a method"
-_MIRRORED = "Mirrored labels count here: the field turned by 180° fits at least as well."
+_CHOOSE = word("Choose an element to read why it counts as it does.")
+_OWN_FIT = word("the camera is the fit to these same clicks: this JaC is no score of a method")
+_MIRRORED = word("Mirrored labels count here: the field turned by 180° fits at least as well.")
+_NOISE = word("human noise {median:.2f} px, 95 % within {p95:.2f} px")
+_NOISE_ABOVE_TAU = word("human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau")
 _FIGURES = (
-    ("precision", "Precision", "TP / (TP + FP)"),
-    ("recall", "Recall", "TP / (TP + FN)"),
-    ("mean_error", "Mean error", "Mean reprojection error of all points, px"),
-    ("median_error", "Median", "Median reprojection error, px"),
-    ("max_error", "Max", "Largest reprojection error, px"),
+    ("precision", word("Precision"), "TP / (TP + FP)"),
+    ("recall", word("Recall"), "TP / (TP + FN)"),
+    ("mean_error", word("Mean error"), word("Mean reprojection error of all points, px")),
+    ("median_error", word("Median"), word("Median reprojection error, px")),
+    ("max_error", word("Max"), word("Largest reprojection error, px")),
 )
 
 
@@ -109,9 +112,9 @@ class ScoresPanel(QWidget):
         counts.setHorizontalSpacing(14)
         counts.setVerticalSpacing(0)
         tips = {
-            "tp": ("TP", "Elements whose points all are closer than tau"),
-            "fp": ("FP", "Elements too far, or projected and not annotated"),
-            "fn": ("FN", "Annotated elements that the camera does not project"),
+            "tp": ("TP", tr("Elements whose points all are closer than tau")),
+            "fp": ("FP", tr("Elements too far, or projected and not annotated")),
+            "fn": ("FN", tr("Annotated elements that the camera does not project")),
         }
         for column, (key, (title, tip)) in enumerate(tips.items()):
             self._counts[key] = _figure(f"scores_{key}", tip)
@@ -134,9 +137,10 @@ class ScoresPanel(QWidget):
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(1)
         for i, (key, title, tip) in enumerate(_FIGURES):
+            tip = tr(tip)
             row, column = (0, i) if i < 2 else (1, i - 2)
             value = self._figures[key] = _figure(f"scores_{key}", tip)
-            caption = _caption(title, tip)
+            caption = _caption(tr(title), tip)
             grid.addWidget(caption, 2 * row, column)
             grid.addWidget(value, 2 * row + 1, column)
         for column in range(3):
@@ -154,9 +158,9 @@ class ScoresPanel(QWidget):
         QVBoxLayout(self._plot_page).setContentsMargins(0, 0, 0, 0)
         self.tabs = QTabWidget(documentMode=True)
         self.tabs.setObjectName("scores_tabs")
-        self.tabs.setAccessibleName("Scores and their plot")
-        self.tabs.addTab(self._build_explained(), "Elements")
-        self.tabs.addTab(self._plot_page, "JaC over tau")
+        self.tabs.setAccessibleName(tr("Scores and their plot"))
+        self.tabs.addTab(self._build_explained(), tr("Elements"))
+        self.tabs.addTab(self._plot_page, tr("JaC over tau"))
         self.tabs.currentChanged.connect(lambda: self._refresher.request())
         return self.tabs
 
@@ -169,10 +173,10 @@ class ScoresPanel(QWidget):
         self.why.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.why.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
         self.why.setMinimumHeight(_LINES * self.fontMetrics().lineSpacing())
-        copy = self.table.addAction("Copy this explanation", self._copy_one)
+        copy = self.table.addAction(tr("Copy this explanation"), self._copy_one)
         copy.setShortcut(QKeySequence.StandardKey.Copy)
         copy.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-        self.table.addAction("Copy all explanations", self._copy_all)
+        self.table.addAction(tr("Copy all explanations"), self._copy_all)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         page = QWidget()
         layout = QVBoxLayout(page)
@@ -211,23 +215,25 @@ class ScoresPanel(QWidget):
     def _why_empty(self) -> str:
         document = self._document
         if document.frame is None:
-            return "Open a folder of pictures to see scores."
+            return tr("Open a folder of pictures to see scores.")
         if document.active_camera is None:
-            return "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
+            return tr(
+                "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
+            )
         if not document.projection_visible:
-            return "Hidden: blind mode shows the score once this frame is committed."
+            return tr("Hidden: blind mode shows the score once this frame is committed.")
         if document.score is not None:
-            return f"JaC –: {document.why_not_judged}."
+            return tr("JaC –: {why}.", why=document.why_not_judged)
         if document.camera_error:
-            return f"This frame's camera cannot be used:\n{document.camera_error}"
+            return tr("This frame's camera cannot be used:\n{error}", error=document.camera_error)
         if document.active_camera is document.fit_source.cameras:
             why = document.active_camera.why_none(document.frame.name)
-            return f"No fit to judge: {why}."
-        return f"{document.active_camera.name} has no camera for this frame."
+            return tr("No fit to judge: {why}.", why=why)
+        return tr("{name} has no camera for this frame.", name=document.active_camera.name)
 
     def _show_figures(self, score: FrameScore) -> None:
         self.jac.setText(f"{score.jac:.3f}")
-        self.at_tau.setText(f"JaC at {score.threshold:.1f} px")
+        self.at_tau.setText(tr("JaC at {tau:.1f} px", tau=score.threshold))
         for key, label in self._counts.items():
             label.setText(str(getattr(score, key)))
         for key, label in self._figures.items():
@@ -238,16 +244,15 @@ class ScoresPanel(QWidget):
         ground_only = camera is not None and projects_only_ground(camera)
         terms = [self._document.judge.frame_setup.describe(ground_only=ground_only)]
         if self._document.active_source is self._document.fit_source.source:
-            terms.append(_OWN_FIT)
+            terms.append(tr(_OWN_FIT))
         if (floor := self._document.noise_floor) is not None:
-            terms.append(
-                f"human noise {floor[0]:.2f} px, 95 % within {floor[1]:.2f} px"
-                + (" – more than tau" if floor[1] > self._document.tau else "")
-            )
+            above = floor[1] > self._document.tau
+            words = _NOISE_ABOVE_TAU if above else _NOISE
+            terms.append(tr(words, median=floor[0], p95=floor[1]))
         if (points := self._points_by_origin()) is not None:
             terms.append(points)
         show_note(self.terms, "\n".join(terms))
-        show_note(self.mirrored, f"⇄ {_MIRRORED}" if score.mirrored else "")
+        show_note(self.mirrored, f"⇄ {tr(_MIRRORED)}" if score.mirrored else "")
 
     def _points_by_origin(self) -> str | None:
         """How many points of each origin the score rests on."""
@@ -257,7 +262,8 @@ class ScoresPanel(QWidget):
         counts = document.review.origin_counts(frame.name, document.shown_annotation)
         if not counts:
             return None
-        return "points: " + ", ".join(f"{n} {kind.value}" for kind, n in counts.items())
+        kinds = ", ".join(f"{n} {tr(kind.value, 'points')}" for kind, n in counts.items())
+        return tr("points: {kinds}", kinds=kinds)
 
     def _show_plot(self) -> None:
         measurement = self._document.measurement
@@ -275,7 +281,7 @@ class ScoresPanel(QWidget):
 
     def _show_selection(self) -> None:
         row = self.table.show_chosen(self._document.selected_class)
-        why = self.model.rows[row].why if row >= 0 else _CHOOSE
+        why = self.model.rows[row].why if row >= 0 else tr(_CHOOSE)
         if self.why.text() != why:
             self.why.setText(why)
 

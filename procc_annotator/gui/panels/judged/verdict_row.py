@@ -7,13 +7,18 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVB
 
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.document import Document
+from procc_annotator.language import tr, word
 from procc_annotator.session.facts.verdict import Fault
 
-_WORDS = {Fault.CAMERA: "Camera", Fault.ANNOTATION: "Annotation", Fault.FINE: "Fine"}
+_WORDS = {
+    Fault.CAMERA: word("Camera", "a verdict"),
+    Fault.ANNOTATION: word("Annotation", "a verdict"),
+    Fault.FINE: word("Fine", "a verdict"),
+}
 _TIPS = {
-    Fault.CAMERA: "The active camera is wrong in this frame",
-    Fault.ANNOTATION: "The clicks are wrong in this frame",
-    Fault.FINE: "Camera and clicks are right in this frame",
+    Fault.CAMERA: word("The active camera is wrong in this frame"),
+    Fault.ANNOTATION: word("The clicks are wrong in this frame"),
+    Fault.FINE: word("Camera and clicks are right in this frame"),
 }
 _KEYS = {Fault.CAMERA: "F7", Fault.ANNOTATION: "F8", Fault.FINE: "F9"}
 
@@ -28,16 +33,23 @@ class VerdictRow(QWidget):
         row = QHBoxLayout()
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(3)
-        caption = QLabel("Fault")
-        caption.setToolTip("Whose fault the score of this frame is; kept with the dataset")
+        caption = QLabel(tr("Fault"))
+        caption.setToolTip(tr("Whose fault the score of this frame is; kept with the dataset"))
         row.addWidget(caption)
         for fault in Fault:
             button = QToolButton()
             button.setCheckable(True)
             button.setObjectName(f"scores_verdict_{fault}")
-            button.setText(_WORDS[fault])
-            button.setAccessibleName(f"Verdict: {_WORDS[fault]}")
-            button.setToolTip(f"{_TIPS[fault]}; once more takes it back ({_KEYS[fault]})")
+            words = tr(_WORDS[fault], "a verdict")
+            button.setText(words)
+            button.setAccessibleName(tr("Verdict: {verdict}", verdict=words))
+            button.setToolTip(
+                tr(
+                    "{verdict}; once more takes it back ({key})",
+                    verdict=tr(_TIPS[fault]),
+                    key=_KEYS[fault],
+                )
+            )
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self.buttons[fault] = button

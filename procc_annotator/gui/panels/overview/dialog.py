@@ -29,23 +29,29 @@ from procc_annotator.gui.panels.overview.tables import (
 )
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.report.overview import ClassFigures, SetOverview, StatusFigures
 
-_STATUS_HEADERS = ("Status", "Frames", "Share", "Median time", "Total time")
-_STATUS_TIPS = (
-    "Where the frame is in its life",
-    "How many frames have this status",
-    "Of all frames",
-    "Of the frames that somebody worked on",
-    "Of all frames with this status",
+_STATUS_HEADERS = (
+    word("Status"),
+    word("Frames"),
+    word("Share"),
+    word("Median time"),
+    word("Total time"),
 )
-_CLASS_HEADERS = ("Class", "Frames", "Share", "Points")
+_STATUS_TIPS = (
+    word("Where the frame is in its life"),
+    word("How many frames have this status"),
+    word("Of all frames"),
+    word("Of the frames that somebody worked on"),
+    word("Of all frames with this status"),
+)
+_CLASS_HEADERS = (word("Class"), word("Frames"), word("Share"), word("Points"))
 _CLASS_TIPS = (
-    "An element of the field, or another class that occurs",
-    "How many frames it is annotated in",
-    "Of all frames",
-    "Its points in all frames",
+    word("An element of the field, or another class that occurs"),
+    word("How many frames it is annotated in"),
+    word("Of all frames"),
+    word("Its points in all frames"),
 )
 _BAR = 2
 
@@ -53,12 +59,12 @@ _BAR = 2
 class _Figure(QWidget):
     """A number in large print, and below it what it is."""
 
-    def __init__(self, name: str, caption: str) -> None:
+    def __init__(self, name: str) -> None:
         super().__init__()
         self.value = QLabel(DASH)
         self.value.setObjectName(f"overview_{name}")
         self.value.setFont(fixed_width(self.value.font(), 1.5))
-        self.caption = QLabel(caption)
+        self.caption = QLabel()
         self.caption.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -80,14 +86,14 @@ class OverviewWindow(QDialog):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("overviewWindow")
-        self.setWindowTitle("Overview of the set")
+        self.setWindowTitle(tr("Overview of the set"))
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint)
         self._overview: SetOverview | None = None
         self._plots: OverviewPlots | None = None
         self.pages = QStackedWidget()
         self.pages.addWidget(
             empty_state(
-                "Nothing to sum up: no frames are open.\nOpen a folder of pictures first.",
+                tr("Nothing to sum up: no frames are open.\nOpen a folder of pictures first."),
                 "overview_empty",
             )
         )
@@ -95,9 +101,9 @@ class OverviewWindow(QDialog):
         self.pages.addWidget(self._page)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
-        self.export_button = QPushButton("Export CSV…")
+        self.export_button = QPushButton(tr("Export CSV…"))
         self.export_button.setObjectName("overview_export")
-        self.export_button.setToolTip("Write one row a frame to a table for a spreadsheet")
+        self.export_button.setToolTip(tr("Write one row a frame to a table for a spreadsheet"))
         self.export_button.setEnabled(False)
         self.export_button.setAutoDefault(False)
         self.export_button.clicked.connect(self.exportRequested)
@@ -132,15 +138,8 @@ class OverviewWindow(QDialog):
 
     def _make_page(self) -> QWidget:
         self._figures = {
-            name: _Figure(name, caption)
-            for name, caption in (
-                ("frames", "frames"),
-                ("progress", "done or approved"),
-                ("time", "in all"),
-                ("median_time", "a frame (median)"),
-                ("jac", "median JaC"),
-                ("comments", "open comments"),
-            )
+            name: _Figure(name)
+            for name in ("frames", "progress", "time", "median_time", "jac", "comments")
         }
         headline = QHBoxLayout()
         for figure in self._figures.values():
@@ -150,13 +149,13 @@ class OverviewWindow(QDialog):
         self._progress = QProgressBar()
         self._progress.setObjectName("overview_progress_bar")
         self._progress.setRange(0, 1000)
-        self._progress.setAccessibleName("Share of frames that are done or approved")
+        self._progress.setAccessibleName(tr("Share of frames that are done or approved"))
         self._progress.setTextVisible(False)
         self._progress.setFixedHeight(8)
         self._statuses = FiguresModel(_STATUS_HEADERS, _STATUS_TIPS, _BAR)
         self._classes = FiguresModel(_CLASS_HEADERS, _CLASS_TIPS, _BAR)
-        statuses = figures_view(self._statuses, "overview_statuses", "Frames by status")
-        classes = figures_view(self._classes, "overview_classes", "Frames and points by class")
+        statuses = figures_view(self._statuses, "overview_statuses", tr("Frames by status"))
+        classes = figures_view(self._classes, "overview_classes", tr("Frames and points by class"))
         rows = statuses.verticalHeader().defaultSectionSize() * 5
         statuses.setFixedHeight(rows + statuses.horizontalHeader().sizeHint().height() + 4)
         self._views = (statuses, classes)
@@ -188,28 +187,31 @@ class OverviewWindow(QDialog):
 
     def _show_headline(self, overview: SetOverview) -> None:
         figures = self._figures
-        origins = ", ".join(f"{origin} {points:,}" for origin, points in overview.origins)
+        origins = ", ".join(f"{tr(kind, 'points')} {points:,}" for kind, points in overview.origins)
+        points = tr_count(overview.points, "{n:,} point", "{n:,} points")
         figures["frames"].show_figure(
             f"{overview.frames:,}",
-            f"frame{'s' if overview.frames != 1 else ''}, {counted(overview.points, 'point')}",
-            f"Points by origin: {origins}" if origins else "",
+            tr_count(overview.frames, "frame, {points}", "frames, {points}", points=points),
+            tr("Points by origin: {origins}", origins=origins) if origins else "",
         )
-        figures["progress"].show_figure(whole_percent(overview.progress), "done or approved")
+        figures["progress"].show_figure(whole_percent(overview.progress), tr("done or approved"))
         self._progress.setValue(int(1000 * (overview.progress or 0.0)))
         times = overview.times
         figures["time"].show_figure(
             duration(times.total if times.frames else None),
-            f"on {counted(times.frames, 'frame')}" if times.frames else "no time taken yet",
+            tr_count(times.frames, "on {n:,} frame", "on {n:,} frames")
+            if times.frames
+            else tr("no time taken yet"),
         )
-        figures["median_time"].show_figure(duration(times.median), "a frame (median)")
+        figures["median_time"].show_figure(duration(times.median), tr("a frame (median)"))
         jac = overview.median_jac
         figures["jac"].show_figure(
-            DASH if jac is None else f"{jac:.3f}", f"median JaC of {overview.scored:,}"
+            DASH if jac is None else f"{jac:.3f}", tr("median JaC of {n:,}", n=overview.scored)
         )
         figures["comments"].show_figure(
             f"{overview.open_comments:,}",
-            f"of {counted(overview.comments, 'comment')} open",
-            f"In {counted(overview.frames_with_open_comments, 'frame')}",
+            tr_count(overview.comments, "of {n:,} comment open", "of {n:,} comments open"),
+            tr_count(overview.frames_with_open_comments, "In {n:,} frame", "In {n:,} frames"),
         )
 
 
@@ -217,7 +219,7 @@ def _status_line(figures: StatusFigures) -> FigureRow:
     times = figures.times
     return FigureRow(
         (
-            figures.status,
+            tr(figures.status, "a frame"),
             f"{figures.frames:,}",
             whole_percent(figures.share),
             duration(times.median),
@@ -229,5 +231,5 @@ def _status_line(figures: StatusFigures) -> FigureRow:
 
 def _class_line(figures: ClassFigures, frames: int) -> FigureRow:
     share = figures.frames / frames if frames else 0.0
-    texts = (figures.title, f"{figures.frames:,}", whole_percent(share), f"{figures.points:,}")
+    texts = (tr(figures.title), f"{figures.frames:,}", whole_percent(share), f"{figures.points:,}")
     return FigureRow(texts, share, figures.name.strip() if figures.title != figures.name else "")

@@ -10,9 +10,15 @@ from PySide6.QtWidgets import QLabel, QStackedWidget, QVBoxLayout, QWidget
 
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.theme import follow_theme, muted
+from procc_annotator.language import tr, word
 from procc_annotator.report.overview import SetOverview, TimeHistogram
 
 _UNITS = ((3600, "hours"), (60, "minutes"), (1, "seconds"))
+_CAPTIONS = {
+    "hours": word("Time per frame in hours"),
+    "minutes": word("Time per frame in minutes"),
+    "seconds": word("Time per frame in seconds"),
+}
 _ROUND_TIMES = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 18000, 36000)
 _MOST_TIMES = 7
 _AXIS = 10  # logical px that the left axis takes besides its figures
@@ -132,12 +138,12 @@ class OverviewPlots(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.statuses = _Bars("Frames by status", "overview_status_plot", "No frames")
-        self.elements = _Bars("Elements per frame", "overview_elements_plot", "No frames")
+        self.statuses = _Bars(tr("Frames by status"), "overview_status_plot", tr("No frames"))
+        self.elements = _Bars(tr("Elements per frame"), "overview_elements_plot", tr("No frames"))
         self.times = _Bars(
-            "Time per frame",
+            tr("Time per frame"),
             "overview_times_plot",
-            "No time yet: it is taken while somebody works on a frame",
+            tr("No time yet: it is taken while somebody works on a frame"),
         )
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 0, 0, 0)
@@ -148,16 +154,18 @@ class OverviewPlots(QWidget):
     def show_overview(self, overview: SetOverview) -> None:
         """Draw the figures of a set."""
         names: Ticks = [
-            (float(i), s.status.replace(" ", "\n")) for i, s in enumerate(overview.statuses)
+            (float(i), tr(s.status, "a frame").replace(" ", "\n"))
+            for i, s in enumerate(overview.statuses)
         ]
         self.statuses.show_bars([s.frames for s in overview.statuses], names, start=0, width=0.7)
         counts = overview.elements_per_frame
         self.elements.show_bars(counts, count_ticks(len(counts) - 1, 16), start=0, width=0.85)
         histogram = overview.time_histogram
         ticks, unit = time_ticks(histogram)
-        caption = f"Time per frame in {unit}" if histogram.counts else "Time per frame"
-        last = "; last bar: longer" if histogram.open_ended else ""
-        self.times.caption.setText(caption + last)
+        caption = tr(_CAPTIONS[unit]) if histogram.counts else tr("Time per frame")
+        if histogram.open_ended:
+            caption = tr("{caption}; last bar: longer", caption=caption)
+        self.times.caption.setText(caption)
         self.times.show_bars(histogram.counts, ticks, start=0.5, width=0.94)
         plots = (self.statuses, self.elements, self.times)
         width = max(plot.figures_width() for plot in plots)

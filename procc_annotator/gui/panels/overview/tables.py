@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.rows import RIGHT, Index, RowsModel, list_rows
 from procc_annotator.gui.theme import blend, fixed_width, muted
+from procc_annotator.language import tr
 
 DASH = "–"
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -34,14 +35,14 @@ def duration(seconds: float | None) -> str:
     if seconds is None:
         return DASH
     if seconds < 9.95:
-        return f"{seconds:.1f} s"
+        return tr("{seconds:.1f} s", seconds=seconds)
     whole = round(seconds)
     if whole < 60:
-        return f"{whole} s"
+        return tr("{seconds} s", seconds=whole)
     if whole < 3600:
-        return f"{whole // 60} min {whole % 60:02d} s"
+        return tr("{minutes} min {seconds:02d} s", minutes=whole // 60, seconds=whole % 60)
     minutes = round(seconds / 60)
-    return f"{minutes // 60:,} h {minutes % 60:02d} min"
+    return tr("{hours:,} h {minutes:02d} min", hours=minutes // 60, minutes=minutes % 60)
 
 
 def whole_percent(share: float | None) -> str:

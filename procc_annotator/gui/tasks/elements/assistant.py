@@ -14,7 +14,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.image.paint import snap_all
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import kept, tr, tr_count, word
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.facts.origins import OriginKind, PointKey
@@ -27,11 +27,34 @@ from procc_annotator.session.strokes.copying import (
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.regularise import Regularised, regularise
 
-_NOTHING_REGULARISED = "nothing changed: regular already, or no painted line was found there"
+_NOTHING_REGULARISED = word("nothing changed: regular already, or no painted line was found there")
 
 
-def _unconfirmed(count: int) -> str:
-    return f"; {counted(count, 'point')} unconfirmed by paint" if count else ""
+# What is worked out -> what is said once a hand took it back, and once the frame was left.
+_REGULARISING, _COPYING = "regularising", "copying"
+_TAKEN_BACK = {
+    _REGULARISING: word("taken back: nothing is regularised"),
+    _COPYING: word("taken back: nothing is copied"),
+}
+_LEFT = {
+    _REGULARISING: word("the frame was left: nothing was regularised"),
+    _COPYING: word("the frame was left: nothing was copied"),
+}
+_ALONG_TRACK = word("copied {what} from {frame}, along the track; Shift+V confirms all")
+_MOVED = word("copied {what} from {frame}, moved with the camera; Shift+V confirms all")
+_AS_THEY_WERE = word(
+    "copied {what} from {frame}, as they were: no motion found; Shift+V confirms all"
+)
+
+
+def _with_unconfirmed(said: str, count: int) -> str:
+    """What came of it, and how many points show no paint."""
+    if not count:
+        return said
+    unconfirmed = tr_count(
+        count, "{n} point unconfirmed by paint", "{n} points unconfirmed by paint"
+    )
+    return f"{said}; {unconfirmed}"
 
 
 @dataclass(frozen=True)
@@ -48,7 +71,7 @@ class Assistant(QObject):
         super().__init__(parent)
         self._document = document
         self._work = Latest(self, lambda text: document.say(text, "warning"), urgent=True)
-        self._doing = ""  # what is worked out, as it is said where nothing came of it
+        self._doing = _REGULARISING  # what is worked out
         document.frameChanged.connect(self._leave)
 
     @property
@@ -68,7 +91,7 @@ class Assistant(QObject):
             if polyline is not None and polyline.points:
                 self._regularise((polyline,))
                 return
-        document.say("choose an annotated element first")
+        document.say(tr("choose an annotated element first"))
 
     def regularise_named(self, name: str) -> None:
         """Resample the element of a class along its painted line."""
@@ -89,11 +112,13 @@ class Assistant(QObject):
         given = [p for p in polylines if field.element(p.class_name) is not None]
         polylines = tuple(p for p in given if p.class_name in smooth)
         if given and not polylines:
-            title = field.title_of(given[0].class_name)
-            document.say(f"{title} has corners or is one place: it stays as it is")
+            title = tr(field.title_of(given[0].class_name))
+            document.say(
+                tr("{element} has corners or is one place: it stays as it is", element=title)
+            )
             return
         if not polylines:
-            document.say("no element of the field is annotated here")
+            document.say(tr("no element of the field is annotated here"))
         if not polylines or picture is None or size is None or not document.begin_edit():
             return
         curved = {e.name for e in field.elements if e.is_curved}
@@ -113,7 +138,7 @@ class Assistant(QObject):
             pairs = ((p, regular(p)) for p in polylines if not control.cancelled)
             return _Outcome(tuple(pairs))
 
-        self._doing = "regularised"
+        self._doing = _REGULARISING
         self._work.start(work, self._apply_regularised)
 
     def _apply_regularised(self, outcome: _Outcome) -> None:
@@ -135,19 +160,26 @@ class Assistant(QObject):
                 done.append(after.polyline)
         if not done:
             document.note_unseen(frozenset(unseen))
-            document.say(_NOTHING_REGULARISED + _unconfirmed(len(unseen)))
+            document.say(_with_unconfirmed(tr(_NOTHING_REGULARISED), len(unseen)))
             return
-        what = (
-            document.field.title_of(done[0].class_name)
-            if len(done) == 1
-            else counted(len(done), "element")
-        )
+
+        def what() -> str:
+            if len(done) == 1:
+                return tr(document.field.title_of(done[0].class_name))
+            return tr_count(len(done), "{n} element", "{n} elements")
+
+        label = kept(lambda: tr("regularise {what}", what=what()))
         if document.commit_edit(
-            f"regularise {what}", annotation, OriginKind.REGULARISED, unseen=frozenset(unseen)
+            label, annotation, OriginKind.REGULARISED, unseen=frozenset(unseen)
         ):
             points = sum(len(p.points) for p in done)
-            said = f"regularised {what}: {counted(points, 'point')}"
-            document.say(said + _unconfirmed(len(unseen)))
+            said = tr_count(
+                points,
+                "regularised {what}: {n} point",
+                "regularised {what}: {n} points",
+                what=what(),
+            )
+            document.say(_with_unconfirmed(said, len(unseen)))
 
     # --- copying --------------------------------------------------------------------------
 
@@ -160,7 +192,7 @@ class Assistant(QObject):
         source = annotated_before(workspace, document.frame_index) if workspace else None
         picture, size = document.picture, document.picture_size
         if source is None:
-            document.say("no frame before this one is annotated")
+            document.say(tr("no frame before this one is annotated"))
             return
         if picture is None or size is None or not document.begin_edit():
             return
@@ -168,15 +200,15 @@ class Assistant(QObject):
         known = set(document.annotation.annotated)
         polylines = tuple(p for p in annotation.polylines if p.points and p.class_name not in known)
         if not polylines:
-            document.say(f"{frame.name} has no element that is missing here")
+            document.say(tr("{frame} has no element that is missing here", frame=frame.name))
             return
-        self._doing = "copied"
+        self._doing = _COPYING
         fit = document.shot_track.fit_here if document.proposals.allowed else None
         if fit is not None:
             here, field = document.annotation, document.field
             self._work.start(
                 lambda _: copy_along_track(polylines, here, picture, field, fit),
-                partial(self._apply_copied, frame.name, how="along the track"),
+                partial(self._apply_copied, frame.name, along_track=True),
             )
             return
         self._copy_moved(frame, polylines, picture, size[0])
@@ -197,26 +229,22 @@ class Assistant(QObject):
         spots = frozenset(e.name for e in elements if e.is_spot)
         self._work.start(work, partial(self._apply_copied, frame.name))
 
-    def _apply_copied(self, source: str, outcome: Copied, how: str = "") -> None:
+    def _apply_copied(self, source: str, outcome: Copied, *, along_track: bool = False) -> None:
         document = self._document
         if not document.begin_edit():
             return
         proposed = edits.propose(document.annotation, outcome.polylines)
-        if document.commit_edit(
-            f"copy from {source}", proposed, OriginKind.COPIED, unseen=outcome.unseen
-        ):
-            moved = "moved with the camera" if outcome.moved else "as they were: no motion found"
-            how = how or moved
+        label = kept(lambda: tr("copy from {frame}", frame=source))
+        if document.commit_edit(label, proposed, OriginKind.COPIED, unseen=outcome.unseen):
             if (
                 outcome.polylines
                 and document.annotation.get_unconfirmed(document.selected_class or "") is None
             ):
                 document.select_class(outcome.polylines[0].class_name)  # Enter confirms it
-            what = counted(len(outcome.polylines), "element")
-            document.say(
-                f"copied {what} from {source}, {how}; Shift+V confirms all"
-                + _unconfirmed(len(outcome.unseen)),
-            )
+            what = tr_count(len(outcome.polylines), "{n} element", "{n} elements")
+            how = _ALONG_TRACK if along_track else _MOVED if outcome.moved else _AS_THEY_WERE
+            said = tr(how, what=what, frame=source)
+            document.say(_with_unconfirmed(said, len(outcome.unseen)))
 
     # --- second thoughts ------------------------------------------------------------------
 
@@ -224,9 +252,9 @@ class Assistant(QObject):
         """Take Escape or Undo while something is worked out: it is what they take back."""
         if name not in ("Escape", "Undo") or not self._work.cancel():
             return False
-        self._document.say(f"taken back: nothing is {self._doing}")
+        self._document.say(tr(_TAKEN_BACK[self._doing]))
         return True
 
     def _leave(self) -> None:
         if self._work.cancel():
-            self._document.say(f"the frame was left: nothing was {self._doing}")
+            self._document.say(tr(_LEFT[self._doing]))

@@ -7,8 +7,9 @@ from collections.abc import Callable
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.hints import counted
 from procc_annotator.interact.next_element import next_element
+from procc_annotator.interact.step_names import confirming
+from procc_annotator.language import kept, tr, tr_count, word
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.gaps import close_gaps
@@ -33,12 +34,12 @@ class ElementEdits:
         if self._document.annotation.get(new) is not None:
             self._swap(old, new)
             return
-        label = f"{self._title(old)} becomes {self._title(new)}"
+        label = self._step(word("{element} becomes {other}"), element=old, other=new)
         if self._edit((old, new), label, lambda seen: edits.change_class(seen, old, new)):
             self._document.select_class(new)
 
     def _swap(self, old: str, other: str) -> None:
-        label = f"swap {self._title(old)} and {self._title(other)}"
+        label = self._step(word("swap {element} and {other}"), element=old, other=other)
         if self._edit((old, other), label, lambda seen: edits.swap_classes(seen, old, other)):
             self._document.select_class(other)
 
@@ -56,21 +57,30 @@ class ElementEdits:
         document = self._document
         polyline = self._touched(old).get(old)
         if not partners or polyline is None:
-            document.say(f"{self._title(old)} is its own symmetric element")
+            document.say(tr("{element} is its own symmetric element", element=self._title(old)))
             return
         new = next((name for name in partners if document.annotation.get(name) is None), None)
         if new is None:
-            titles = ", ".join(map(self._title, partners))
-            are = "is" if len(partners) == 1 else "are"
-            document.say(f"{titles} {are} annotated already")
+            document.say(
+                tr_count(
+                    len(partners),
+                    "{elements} is annotated already",
+                    "{elements} are annotated already",
+                    elements=", ".join(map(self._title, partners)),
+                )
+            )
             return
         copy = edits.change_class(FrameAnnotation((polyline,)), old, new).polylines
-        label = f"duplicate {self._title(old)} as {self._title(new)}"
+        label = self._step(word("duplicate {element} as {other}"), element=old, other=new)
         if self._edit((old, new), label, lambda seen: edits.propose(seen, copy)):
             document.set_mode("edit")
             document.select_class(new)
             document.say(
-                f"{self._title(new)} lies where {self._title(old)} is: drag it to its place"
+                tr(
+                    "{element} lies where {other} is: drag it to its place",
+                    element=self._title(new),
+                    other=self._title(old),
+                )
             )
 
     # --- the element's points -------------------------------------------------------------
@@ -78,14 +88,14 @@ class ElementEdits:
     def reverse(self) -> None:
         """Turn the order of the selected element's points round."""
         if (name := self._selected()) is not None:
-            label = f"reverse {self._title(name)}"
+            label = self._step(word("reverse {element}"), element=name)
             self._edit((name,), label, lambda seen: edits.reverse(seen, name))
 
     def split(self, rest: str) -> None:
         """Cut the selected element at its chosen point; the rest becomes another class."""
         point = self._document.selected_point
         if point is None:
-            self._document.say("choose the point to split at first (edit mode)")
+            self._document.say(tr("choose the point to split at first (edit mode)"))
             return
         name, index = point
 
@@ -94,17 +104,17 @@ class ElementEdits:
                 return edits.split(seen, name, index, rest)
             except (IndexError, ValueError):
                 raise UsageError(
-                    "an element is split at a point between its ends, into a class that is free"
+                    tr("an element is split at a point between its ends, into a class that is free")
                 ) from None
 
-        self._edit((name, rest), f"split {self._title(name)}", split)
+        self._edit((name, rest), self._step(word("split {element}"), element=name), split)
 
     def merge_into(self, target: str) -> None:
         """Join the selected element's points to another element's."""
         source = self._selected()
         if source is None:
             return
-        label = f"merge {self._title(source)} into {self._title(target)}"
+        label = self._step(word("merge {element} into {other}"), element=source, other=target)
         if self._edit((source, target), label, lambda seen: edits.merge(seen, source, target)):
             self._document.select_class(target)
 
@@ -124,10 +134,10 @@ class ElementEdits:
                     if closed != polyline:
                         changed = changed.with_polyline(closed)
             if changed == annotation:
-                raise UsageError("no end is that near to a corner or the picture's edge")
+                raise UsageError(tr("no end is that near to a corner or the picture's edge"))
             return changed
 
-        document.edit("close gaps", close, OriginKind.MOVED)
+        document.edit(kept(lambda: tr("close gaps")), close, OriginKind.MOVED)
 
     # --- unconfirmed elements -------------------------------------------------------------
 
@@ -137,21 +147,22 @@ class ElementEdits:
         document.aboutToLeave.emit()
         name = document.selected_class
         if name is not None and document.annotation.get_unconfirmed(name) is not None:
-            label = f"confirm {self._title(name)}"
+            label = confirming(document.field.title_of(name))
             document.edit(label, lambda seen: edits.confirm(seen, name), OriginKind.COPIED)
 
     def confirm_all(self) -> None:
         """Make all unconfirmed elements annotated ones; the next one is chosen, as after each that
         is finished: a click must not go on with one that was chosen because it waited."""
         if waiting := self._unconfirmed():
-            document, what = self._document, counted(waiting, "element")
+            document = self._document
             name = document.selected_class or ""
             waited = document.annotation.get_unconfirmed(name) is not None
-            if not document.edit(f"confirm {what}", edits.confirm_all, OriginKind.COPIED):
+            label = kept(lambda: tr_count(waiting, "confirm {n} element", "confirm {n} elements"))
+            if not document.edit(label, edits.confirm_all, OriginKind.COPIED):
                 return
             if waited and document.mode == "draw":
                 document.select_class(self._following(name))
-            document.say(f"confirmed {what}")
+            document.say(tr_count(waiting, "confirmed {n} element", "confirmed {n} elements"))
 
     def _following(self, name: str) -> str | None:
         document = self._document
@@ -164,16 +175,26 @@ class ElementEdits:
     def drop_unconfirmed(self) -> None:
         """Throw all unconfirmed elements away."""
         if waiting := self._unconfirmed():
-            what = counted(waiting, "unconfirmed element")
-            if self._document.edit(f"drop {what}", edits.drop_unconfirmed):
-                self._document.say(f"dropped {what}")
+            label = kept(
+                lambda: tr_count(
+                    waiting, "drop {n} unconfirmed element", "drop {n} unconfirmed elements"
+                )
+            )
+            if self._document.edit(label, edits.drop_unconfirmed):
+                self._document.say(
+                    tr_count(
+                        waiting,
+                        "dropped {n} unconfirmed element",
+                        "dropped {n} unconfirmed elements",
+                    )
+                )
 
     def _unconfirmed(self) -> int:
         """How many elements are unconfirmed; says so where none is."""
         self._document.aboutToLeave.emit()
         waiting = len(self._document.annotation.unconfirmed)
         if not waiting:
-            self._document.say("nothing is unconfirmed on this frame")
+            self._document.say(tr("nothing is unconfirmed on this frame"))
         return waiting
 
     # --- inside ---------------------------------------------------------------------------
@@ -184,7 +205,7 @@ class ElementEdits:
         name = self._document.selected_class
         polyline = self._touched(name).get(name) if name is not None else None
         if polyline is None or not polyline.points:
-            self._document.say("choose an annotated element first")
+            self._document.say(tr("choose an annotated element first"))
             return None
         return name
 
@@ -193,7 +214,15 @@ class ElementEdits:
         return edits.confirm(self._document.annotation, class_name)
 
     def _title(self, class_name: str) -> str:
-        return self._document.field.title_of(class_name)
+        return tr(self._document.field.title_of(class_name))
+
+    def _step(self, words: str, **elements: str) -> str:
+        """The name of a step of undo: what ``word`` marked, with elements by their classes."""
+
+        def say() -> str:
+            return tr(words, **{place: self._title(name) for place, name in elements.items()})
+
+        return kept(say)
 
     def _edit(
         self,
@@ -209,7 +238,10 @@ class ElementEdits:
             touched = edits.confirm(annotation, names[0])
             for name, polyline in zip(names, seen, strict=True):
                 if touched.get(name) != polyline:
-                    raise UsageError(f"{self._title(name)} was changed elsewhere: look at it again")
+                    title = self._title(name)
+                    raise UsageError(
+                        tr("{element} was changed elsewhere: look at it again", element=title)
+                    )
             try:
                 return change(touched)
             except ValueError as error:

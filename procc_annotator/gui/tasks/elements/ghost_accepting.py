@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
@@ -13,7 +14,7 @@ from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import Level
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import kept, tr, tr_count
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.ghost_points import (
@@ -58,7 +59,7 @@ class GhostAccepting(QObject):
         self._settings = settings
         self._job: Job | None = None
         self._asked: _Accepting | None = None  # what the job is for
-        self._where = ""  # said of what is done on leaving the frame
+        self._where = ""  # the frame that is being left
         document.ghosts.changed.connect(self._look)
         document.aboutToLeave.connect(self.finish)
 
@@ -76,20 +77,21 @@ class GhostAccepting(QObject):
         """Make a ghost an element if the insight is still the one it was found for."""
         title = self._title(found.name)
         if outdated := self.why_outdated(made_for):
-            self._say(f"{title} is not accepted: {outdated}")
+            self._say(tr("{element} is not accepted: {why}", element=title, why=outdated))
             return False
         if not found.points:
             self._say(
-                f"{title}: no painted line is found along it; click it by hand, or say that it is"
-                " not visible here (.)"
+                tr(
+                    "{element}: no painted line is found along it; click it by hand, or say that"
+                    " it is not visible here (.)",
+                    element=title,
+                )
             )
             return False
         annotation = accept(made_for.annotation, (found,))
-        if not self._commit(made_for, annotation, title):
+        if not self._commit(made_for, annotation, lambda: self._title(found.name)):
             return False
-        points = counted(len(found.points), "point")
-        seen = f"line seen along {found.support:.0%}"
-        self._say(f"accepted {title}{self._where}: {points}, {seen}{self._unsure((found,))}")
+        self._say_with_unsure(self._accepted_words(title, found), (found,))
         self.accepted.emit((found.name,))
         return True
 
@@ -101,11 +103,12 @@ class GhostAccepting(QObject):
         self.finish()
         made_for, found = ghosts.insight, ghosts.found(ghost.name)
         if made_for is None or ghost not in ghosts.known:
-            self._say("the camera is being fitted: accept its ghosts in a moment")
+            self._say(tr("the camera is being fitted: accept its ghosts in a moment"))
         elif found is not None:
             self.accept_one(made_for, found)
         elif self._find((ghost,), everything=False):
-            self._say(f"{self._title(ghost.name)} is accepted once its points are found")
+            title = self._title(ghost.name)
+            self._say(tr("{element} is accepted once its points are found", element=title))
 
     def accept_all(self) -> None:
         """Make all ghosts elements whose lines are seen well enough."""
@@ -117,8 +120,11 @@ class GhostAccepting(QObject):
         document.aboutToLeave.emit()
         if document.annotation is not before:
             # The ghosts of the better camera are looked at before they are accepted.
-            what = "the ghost is accepted" if one_more else "what was being drawn is finished"
-            self._say(f"{what}: accept the ghosts of the new fit")
+            self._say(
+                tr("the ghost is accepted: accept the ghosts of the new fit")
+                if one_more
+                else tr("what was being drawn is finished: accept the ghosts of the new fit")
+            )
             return
         self._find(document.ghosts.known, everything=True)
 
@@ -127,25 +133,67 @@ class GhostAccepting(QObject):
         done = accept_all(made_for.annotation, found, least)
         good, left = done.accepted, done.left
         why = ", ".join(f"{self._title(f.name)} {f.support:.0%}" for f in left)
-        too_little = f"less than {least:.0%} of the line is seen: {why}"
         if not good:
-            self._say(f"no ghost was accepted, {too_little}; Tab goes through them")
+            self._say(
+                tr(
+                    "no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts};"
+                    " Tab goes through them",
+                    least=least,
+                    ghosts=why,
+                )
+            )
             return
-        what = self._title(good[0].name) if len(good) == 1 else counted(len(good), "ghost")
+
+        def what() -> str:
+            if len(good) == 1:
+                return self._title(good[0].name)
+            return tr_count(len(good), "{n} ghost", "{n} ghosts")
+
         if self._commit(made_for, done.annotation, what):
-            share = f"{len(good)} of {len(found)} ghosts" if left else what
-            why = f"; left, {too_little}" if left else ""
-            self._say(f"accepted {share}{self._where}{self._unsure(good)}{why}")
+            share = what()
+            if left:
+                share = tr("{n} of {total} ghosts", n=len(good), total=len(found))
+            too_little = tr(
+                "left, less than {least:.0%} of the line is seen: {ghosts}", least=least, ghosts=why
+            )
+            self._say_with_unsure(self._accepted_words(share), good, too_little if left else "")
             self.accepted.emit(tuple(f.name for f in good))
+
+    def _accepted_words(self, what: str, found: GhostPoints | None = None) -> str:
+        """What was accepted and, while the frame is left, where; of one ghost how its line is."""
+        if found is None:
+            if self._where:
+                return tr("accepted {what} on {frame}", what=what, frame=self._where)
+            return tr("accepted {what}", what=what)
+        points = tr_count(len(found.points), "{n} point", "{n} points")
+        return tr(
+            "{accepted}: {points}, line seen along {share:.0%}",
+            accepted=self._accepted_words(what),
+            points=points,
+            share=found.support,
+        )
+
+    def _say_with_unsure(self, said: str, found: AllPoints, more: str = "") -> None:
+        """Say it with the ends that the picture does not show."""
+        self._say("; ".join(filter(None, (said, self._unsure(found), more))))
 
     def _unsure(self, found: AllPoints) -> str:
         """What is said of ends that the picture does not show."""
         ends = sum(f.unsure_ends for f in found)
         if not ends:
             return ""
-        of = ", ".join(self._title(f.name) for f in found if f.unsure_ends)
-        where = f" of {of}" if len(found) > 1 else ""
-        return f"; {counted(ends, 'end')}{where} cannot be seen: the points stop before"
+        if len(found) == 1:
+            return tr_count(
+                ends,
+                "{n} end cannot be seen: the points stop before",
+                "{n} ends cannot be seen: the points stop before",
+            )
+        return tr_count(
+            ends,
+            "{n} end of {elements} cannot be seen: the points stop before",
+            "{n} ends of {elements} cannot be seen: the points stop before",
+            elements=", ".join(self._title(f.name) for f in found if f.unsure_ends),
+        )
 
     def why_outdated(self, made_for: Insight) -> str:
         """Why an insight is not the one on screen any more; empty while it is."""
@@ -153,15 +201,18 @@ class GhostAccepting(QObject):
         if document.ghosts.insight is made_for:
             return ""
         if document.annotation is not made_for.annotation:
-            return "the frame was edited meanwhile"
-        return "the camera is another one meanwhile"
+            return tr("the frame was edited meanwhile")
+        return tr("the camera is another one meanwhile")
 
-    def _commit(self, made_for: Insight, annotation: FrameAnnotation, what: str) -> bool:
+    def _commit(
+        self, made_for: Insight, annotation: FrameAnnotation, what: Callable[[], str]
+    ) -> bool:
         document = self._document
         if not document.begin_edit() or document.annotation is not made_for.annotation:
             return False  # somebody else has the frame, or had it meanwhile: that is said
         kind = OriginKind.SUGGESTED if made_for.from_clicks else OriginKind.ACCEPTED
-        return document.commit_edit(f"accept {what}", annotation, kind)
+        label = kept(lambda: tr("accept {what}", what=what()))
+        return document.commit_edit(label, annotation, kind)
 
     # --- looking for points ---------------------------------------------------------------
 
@@ -178,7 +229,7 @@ class GhostAccepting(QObject):
             return False  # somebody else has the frame, or nobody can edit it: that is said
         picture, size, frame = document.picture, document.picture_size, document.frame
         if picture is None or size is None or frame is None:
-            self._say("no ghost was accepted: there is no picture to look for their lines in")
+            self._say(tr("no ghost was accepted: there is no picture to look for their lines in"))
             return False
         known = {ghost.name: document.ghosts.found(ghost.name) for ghost in ghosts}
 
@@ -212,9 +263,10 @@ class GhostAccepting(QObject):
         job, asked = self._job, self._asked
         if job is None or asked is None:
             return
-        self._where = f" on {asked.frame}"
+        self._where = asked.frame
         if not job.finish(_MOST_WAIT_S):
-            self.drop(f"looking for the line on {asked.frame} took too long", "warning")
+            why = tr("looking for the line on {frame} took too long", frame=asked.frame)
+            self.drop(why, "warning")
         self._where = ""
 
     def drop(self, why: str = "", level: Level = "info") -> None:
@@ -224,8 +276,13 @@ class GhostAccepting(QObject):
             return
         job.cancel()
         self._end()
-        what = "no ghost was" if asked.all else f"{self._title(asked.ghosts[0].name)} is not"
-        self._document.say(f"{what} accepted{f': {why}' if why else ''}", level)
+        if asked.all:
+            none = tr("no ghost was accepted: {why}", why=why) if why else ""
+            self._document.say(none or tr("no ghost was accepted"), level)
+            return
+        title = self._title(asked.ghosts[0].name)
+        one = tr("{element} is not accepted: {why}", element=title, why=why) if why else ""
+        self._document.say(one or tr("{element} is not accepted", element=title), level)
 
     def _look(self) -> None:
         """What is looked for may belong to clicks, a field or a model that are not there now."""
@@ -242,8 +299,10 @@ class GhostAccepting(QObject):
         """Ask for the share of a line that must be seen."""
         share, given = QInputDialog.getInt(
             self._window,
-            "Accept all ghosts",
-            "How much of a ghost's line must be seen for it to be accepted with all others (%):",
+            tr("Accept all ghosts"),
+            tr(
+                "How much of a ghost's line must be seen for it to be accepted with all others (%):"
+            ),
             round(100 * self.least_support),
             0,
             100,
@@ -255,7 +314,7 @@ class GhostAccepting(QObject):
     # --- inside ---------------------------------------------------------------------------
 
     def _title(self, name: str) -> str:
-        return self._document.field.title_of(name)
+        return tr(self._document.field.title_of(name))
 
     def _say(self, text: str) -> None:
         self._document.say(text)

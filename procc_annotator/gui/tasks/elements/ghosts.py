@@ -13,12 +13,12 @@ from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements.ghost_accepting import GhostAccepting
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.hints import counted
 from procc_annotator.interact.overlay_ghosts import extent, nearest_ghost
 from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.dataset.frames import Frame
 
-_CHOOSE_FIRST = "go to a ghost (Tab) or choose an element first"
+_CHOOSE_FIRST = word("go to a ghost (Tab) or choose an element first")
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class GhostTasks(QObject):
         self._choosing = False
         canvas.editor.changed.connect(self._leave_for_drawing)
         self._ghosts.changed.connect(self._follow)
-        self._ghosts.ended.connect(lambda: self._say("that was the last ghost"))
+        self._ghosts.ended.connect(lambda: self._say(tr("that was the last ghost")))
         self.accepting.accepted.connect(self._go_on)
         document.selectionChanged.connect(self._follow_selection)
         document.frameChanged.connect(self._forget)
@@ -57,7 +57,7 @@ class GhostTasks(QObject):
     def go(self, step: int) -> None:
         """Go to the next ghost (1) or the one before (-1) and have it fill the view."""
         if self._canvas.editor.drawing:
-            self._say("finish what is being drawn first (Enter), or cancel it (Esc)")
+            self._say(tr("finish what is being drawn first (Enter), or cancel it (Esc)"))
             return
         self.accepting.finish()
         if why_none := self._why_none():
@@ -65,10 +65,7 @@ class GhostTasks(QObject):
             return
         was_walking = self._ghosts.walking
         if self._ghosts.step(step) is None and was_walking:
-            where, left = "last" if step > 0 else "first", len(self._ghosts.known)
-            self._say(
-                f"that was the {where} ghost; {counted(left, 'ghost')} left, Tab begins again"
-            )
+            self._say(_passed_end(len(self._ghosts.known), last=step > 0))
 
     def to_panels(self) -> None:
         """Tab stays with the ghosts: take the keyboard from the picture to what comes after it."""
@@ -78,43 +75,48 @@ class GhostTasks(QObject):
         """Why there is no ghost to go to or to accept; empty if there is one."""
         foresight, insight = self._document.foresight, self._ghosts.insight
         if self._document.frame is None:
-            return "open a folder of pictures first"
+            return tr("open a folder of pictures first")
         if off := self._why_off():
             return off
         if insight is None:
-            coming = "the camera is being fitted: ghosts come in a moment"
-            return coming if foresight.working else "no ghosts: no camera could be fitted"
+            coming = tr("the camera is being fitted: ghosts come in a moment")
+            return coming if foresight.working else tr("no ghosts: no camera could be fitted")
         if insight.fit.camera is None and self._document.proposals.working:
-            return "no ghosts: the camera is looked for in the picture"
+            return tr("no ghosts: the camera is looked for in the picture")
         if insight.fit.camera is None and not self._document.annotation.annotated:
             return self._why_not_found()
         if insight.fit.camera is None:
-            return f"no ghosts: {insight.fit.failure or 'no camera fits yet'}"
+            why = insight.fit.failure or tr("no camera fits yet")
+            return tr("no ghosts: {why}", why=why)
         if not self._ghosts.known:
-            return "no ghosts: what else is in sight is annotated, or not known well enough"
+            return tr("no ghosts: what else is in sight is annotated, or not known well enough")
         return ""
 
     def _why_not_found(self) -> str:
         """Nothing is annotated, and no camera was found without that."""
         document = self._document
         if document.proposals.here is None:
-            return "no ghosts: annotate three or four elements, a camera follows from them"
-        follow = ", or follow the shot (T)" if document.sequence.value is not None else ""
-        return f"no camera was found in this picture: draw three or four elements{follow}"
+            return tr("no ghosts: annotate three or four elements, a camera follows from them")
+        if document.sequence.value is None:
+            return tr("no camera was found in this picture: draw three or four elements")
+        return tr(
+            "no camera was found in this picture: draw three or four elements, or follow the shot"
+            " (T)"
+        )
 
     def _why_off(self) -> str:
         """Why no ghosts are shown, whatever the clicks say; empty if they are."""
         live_fit = self._document.live_fit
         if barred := self._document.blind_lock.no_fit:
-            return f"no ghosts: {barred}"
+            return tr("no ghosts: {why}", why=barred)
         if not live_fit.allowed:
-            return "no ghosts in blind mode, until the frame is committed (Ctrl+Enter)"
+            return tr("no ghosts in blind mode, until the frame is committed (Ctrl+Enter)")
         if not self._document.foresight.wanted:
-            return "no ghosts: the live fit is off (Ctrl+T)"
+            return tr("no ghosts: the live fit is off (Ctrl+T)")
         if not self._ghosts.wanted:
-            return "no ghosts: they are switched off (Element > Ghosts > Show ghosts)"
+            return tr("no ghosts: they are switched off (Element > Ghosts > Show ghosts)")
         if self._canvas.overlays_hidden:
-            return "overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)"
+            return tr("overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)")
         return ""
 
     def at_cursor(self) -> str | None:
@@ -196,7 +198,7 @@ class GhostTasks(QObject):
         if not self._canvas.editor.drawing:
             return
         if self._document.selected_class in self.accepting.waiting:
-            self.accepting.drop("it is being drawn by hand")
+            self.accepting.drop(tr("it is being drawn by hand"))
         if self._ghosts.walking:
             self._leave_here()
 
@@ -222,7 +224,7 @@ class GhostTasks(QObject):
         for ghosts."""
         document, ghosts = self._document, self._ghosts
         if name in ("Escape", "Undo") and self.accepting.busy:
-            self.accepting.drop("taken back" if name == "Undo" else "")
+            self.accepting.drop(tr("taken back") if name == "Undo" else "")
             return True
         if name == "Escape" and ghosts.walking:
             ghosts.leave()
@@ -249,7 +251,7 @@ class GhostTasks(QObject):
         if why_none := self._why_none():
             self._say(why_none)
         elif current is None:
-            self._say("go to a ghost first (Tab)")
+            self._say(tr("go to a ghost first (Tab)"))
         else:
             self.accepting.find_and_accept(current)
 
@@ -273,7 +275,7 @@ class GhostTasks(QObject):
         name = current.name if current is not None else document.selected_class
         if document.frame is None or name is None:
             off = self._why_off()
-            self._say(f"{off}; choose an element first" if off else _CHOOSE_FIRST)
+            self._say(tr("{off}; choose an element first", off=off) if off else tr(_CHOOSE_FIRST))
             return
         hidden = name in document.review.not_visible(document.frame.name)
         self.set_not_visible(name, not hidden)
@@ -284,13 +286,13 @@ class GhostTasks(QObject):
         if document.frame is None or not document.begin_edit():
             return  # somebody else has the frame, or nobody can edit it: that is said
         if hidden and name in document.annotation.annotated:  # maybe only since just now
-            self._say(f"{title} is annotated here: delete it first (Ctrl+Delete)")
+            self._say(tr("{title} is annotated here: delete it first (Ctrl+Delete)", title=title))
             return
         document.review.set_not_visible(document.frame.name, name, hidden)
         self._say(
-            f"{title} is not visible here; Ctrl+. takes it back"
+            tr("{title} is not visible here; Ctrl+. takes it back", title=title)
             if hidden
-            else f"{title} may be visible here again"
+            else tr("{title} may be visible here again", title=title)
         )
 
     def take_back_not_visible(self) -> None:
@@ -299,7 +301,7 @@ class GhostTasks(QObject):
         if said:
             self.set_not_visible(said[-1], False)
         else:
-            self._say("no element of this frame was said to be not visible")
+            self._say(tr("no element of this frame was said to be not visible"))
 
     def not_visible(self) -> tuple[str, ...]:
         """The elements said to be not visible in this frame, the latest last."""
@@ -312,7 +314,22 @@ class GhostTasks(QObject):
     # --- inside ---------------------------------------------------------------------------
 
     def _title(self, name: str) -> str:
-        return self._document.field.title_of(name)
+        return tr(self._document.field.title_of(name))
 
     def _say(self, text: str) -> None:
         self._document.say(text)
+
+
+def _passed_end(left: int, *, last: bool) -> str:
+    """What is said at the end of a walk, forward or back."""
+    if last:
+        return tr_count(
+            left,
+            "that was the last ghost; {n} ghost left, Tab begins again",
+            "that was the last ghost; {n} ghosts left, Tab begins again",
+        )
+    return tr_count(
+        left,
+        "that was the first ghost; {n} ghost left, Tab begins again",
+        "that was the first ghost; {n} ghosts left, Tab begins again",
+    )

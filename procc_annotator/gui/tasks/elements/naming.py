@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
-from PySide6.QtCore import QObject, QPoint, QTimer
+from PySide6.QtCore import QObject, QPoint, Qt, QTimer
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QMenu
 
 from procc_annotator.annotation import points_px
@@ -18,6 +19,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
 from procc_annotator.interact.naming import likeliest
 from procc_annotator.interact.next_element import next_element
+from procc_annotator.language import tr
 from procc_annotator.session.strokes.copying import annotated_before
 
 _BESIDE = QPoint(18, 12)  # of the pen, so that its next move chooses nothing
@@ -61,18 +63,19 @@ class Naming(QObject):
         document = self._document
         if document.selected_class != class_name or document.annotation.get(class_name) is None:
             return  # the frame was left, or the line taken back
-        menu = self.menu = QMenu("Name of the line", self._canvas)
+        menu = self.menu = QMenu(tr("Name of the line"), self._canvas)
         menu.setObjectName("namingMenu")
-        menu.setAccessibleName("What is this line?")
+        menu.setAccessibleName(tr("What is this line?"))
         field = document.field
         for number, name in enumerate(likely, start=1):
-            title = field.title_of(name).replace("&", "&&")
+            title = tr(field.title_of(name)).replace("&", "&&")
             action = menu.addAction(class_swatch(field, name), f"&{number}  {title}")
             action.setData(name)
             action.setIconVisibleInMenu(True)
             action.triggered.connect(partial(self._name, class_name, name))
         menu.addSeparator()
-        menu.addAction("Leave it unnamed\tEsc")
+        escape = QKeySequence(Qt.Key.Key_Escape).toString(QKeySequence.SequenceFormat.NativeText)
+        menu.addAction(f"{tr('Leave it unnamed')}\t{escape}")
         menu.setActiveAction(menu.actions()[0])
         menu.aboutToHide.connect(menu.deleteLater)
         at = self._canvas.to_view(*drawn[-1]).toPoint() + _BESIDE

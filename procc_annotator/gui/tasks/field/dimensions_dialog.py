@@ -27,27 +27,29 @@ from procc_annotator.field.painted_middle import can_be_at_middle
 from procc_annotator.fit.together.stadium import DEFAULT_NAMES
 from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.panels.parts import note_label, show_note
-from procc_annotator.words import count_of
+from procc_annotator.language import tr, tr_count, word
 
 _WIDTH = 440
-_OWN = (
+_OWN = word(
     "Scores then differ from those of the nominal field ({nominal}), as official evaluations take"
     " it; they name the dimensions they were computed with."
 )
-_STADIUMS = (
+_STADIUMS = word(
     "Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is"
     " for all others, and for what stadiums leave open."
 )
-_AT_MIDDLE = (
+_AT_MIDDLE = word(
     "Scores then differ from those of official evaluations, which take lines where the rules"
     " measure them; they say so."
 )
-_LINES = ((MEASURED, "where the rules measure"), (MIDDLE, "the middle of the paint"))
-_LINES_TIP = (
+_LINES = ((MEASURED, word("where the rules measure")), (MIDDLE, word("the middle of the paint")))
+_LINES_TIP = word(
     "Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the"
     " paint's width away: choose it where that matters, as in halls and near the camera."
 )
-_FIXED_SIDES = "Only length and width are found from frames, and the rules fix those of this field"
+_FIXED_SIDES = word(
+    "Only length and width are found from frames, and the rules fix those of this field"
+)
 _FINEST = 4  # decimals of a metre
 
 
@@ -61,8 +63,7 @@ class FieldDimensionsDialog(QDialog):
     def __init__(self, parent: QWidget, field: Field) -> None:
         super().__init__(parent)
         self.setObjectName("fieldDimensionsDialog")
-        self.setWindowTitle(f"Field dimensions: {field.title}")
-        self.setMinimumWidth(_WIDTH)
+        self.setWindowTitle(tr("Field dimensions: {field}", field=tr(field.title)))
         self._field = field
         self._dimensions = [d for d in field.dimensions if d.is_open]
         self.boxes: dict[str, RangeBox] = {}
@@ -86,6 +87,7 @@ class FieldDimensionsDialog(QDialog):
         layout.addStretch(1)
         layout.addWidget(self._buttons())
         self._tell_official()
+        self.setMinimumWidth(max(_WIDTH, self.minimumSizeHint().width()))
 
     def _form(self) -> QFormLayout:
         """A row a dimension, with what the rules say of it, and where the clicks lie."""
@@ -101,31 +103,31 @@ class FieldDimensionsDialog(QDialog):
             self._tell_rule(dimension)
             row.addWidget(rule)
             row.addStretch(1)
-            form.addRow(f"{dimension.title}:", row)
+            form.addRow(f"{tr(dimension.title)}:", row)
         widest = max((box.sizeHint().width() for box in self.boxes.values()), default=0)
         for box in self.boxes.values():  # what the rules say of each stands in a column
             box.setMinimumWidth(widest)
         self.lines_box = QComboBox()
         self.lines_box.setObjectName("dimensions_lines")
-        self.lines_box.setToolTip(_LINES_TIP)
+        self.lines_box.setToolTip(tr(_LINES_TIP))
         for lines, words in _LINES:
-            self.lines_box.addItem(words, lines)
+            self.lines_box.addItem(tr(words), lines)
         self.lines_box.setCurrentIndex(self.lines_box.findData(self._field.lines))
         self.lines_box.currentIndexChanged.connect(self._changed)
         if can_be_at_middle(self._field):
-            form.addRow("Clicks lie on:", self.lines_box)
+            form.addRow(tr("Clicks lie on:"), self.lines_box)
         else:
             self.lines_box.setParent(self)
             self.lines_box.hide()
         return form
 
     def _make_estimate(self) -> None:
-        self.estimate_button = QPushButton("Estimate from this set")
+        self.estimate_button = QPushButton(tr("Estimate from this set"))
         self.estimate_button.setAutoDefault(False)
         self.estimate_button.clicked.connect(self._estimate)
         if not any(d.name in DEFAULT_NAMES for d in self._dimensions):
             self.estimate_button.setEnabled(False)
-            self.estimate_button.setToolTip(_FIXED_SIDES)
+            self.estimate_button.setToolTip(tr(_FIXED_SIDES))
         self.bar = QProgressBar()
         self.bar.setTextVisible(False)
         self.bar.hide()
@@ -161,7 +163,7 @@ class FieldDimensionsDialog(QDialog):
     def set_running(self, running: bool) -> None:
         """While the set is looked at the button stops that."""
         self._running = running
-        self.estimate_button.setText("Stop" if running else "Estimate from this set")
+        self.estimate_button.setText(tr("Stop") if running else tr("Estimate from this set"))
         self.bar.setVisible(running)
         self.bar.setRange(0, 0)
 
@@ -177,11 +179,15 @@ class FieldDimensionsDialog(QDialog):
 
     def _buttons(self) -> QDialogButtonBox:
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        keep = buttons.addButton("Keep for this dataset", QDialogButtonBox.ButtonRole.AcceptRole)
+        keep = buttons.addButton(
+            tr("Keep for this dataset"), QDialogButtonBox.ButtonRole.AcceptRole
+        )
         buttons.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
         keep.setDefault(True)  # or Enter would cancel
-        self.nominal_button = buttons.addButton("Nominal", QDialogButtonBox.ButtonRole.ResetRole)
-        self.nominal_button.setToolTip("The field as official evaluations take it")
+        self.nominal_button = buttons.addButton(
+            tr("Nominal"), QDialogButtonBox.ButtonRole.ResetRole
+        )
+        self.nominal_button.setToolTip(tr("The field as official evaluations take it"))
         self.nominal_button.setAutoDefault(False)
         self.nominal_button.clicked.connect(self._set_nominal)
         buttons.accepted.connect(self.accept)
@@ -205,13 +211,27 @@ class FieldDimensionsDialog(QDialog):
 
     def _tell_rule(self, dimension: Dimension, _text: str = "") -> None:
         d, label = dimension, self.rules[dimension.name]
-        label.setText(f"nominal {d.nominal:g} m, the rules allow {d.minimum:g} to {d.maximum:g} m")
+        label.setText(
+            tr(
+                "nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m",
+                nominal=d.nominal,
+                minimum=d.minimum,
+                maximum=d.maximum,
+            )
+        )
         label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         self._refused.discard(d.name)
 
     def _tell_refused(self, dimension: Dimension, number: float) -> None:
         d, label = dimension, self.rules[dimension.name]
-        label.setText(f"<b>not {number:g} m: the rules allow {d.minimum:g} to {d.maximum:g} m</b>")
+        label.setText(
+            tr(
+                "<b>not {number:g} m: the rules allow {minimum:g} to {maximum:g} m</b>",
+                number=number,
+                minimum=d.minimum,
+                maximum=d.maximum,
+            )
+        )
         label.setForegroundRole(QPalette.ColorRole.WindowText)
         self._refused.add(d.name)
 
@@ -228,18 +248,24 @@ class FieldDimensionsDialog(QDialog):
 
     def _tell_official(self) -> None:
         own = any(self.values[d.name] != d.nominal for d in self._dimensions)
-        nominal = ", ".join(f"{d.title.lower()} {d.nominal:g} m" for d in self._dimensions)
-        notes = [_OWN.format(nominal=nominal)] if own else []
+        nominal = ", ".join(f"{_within(d)} {d.nominal:g} m" for d in self._dimensions)
+        notes = [tr(_OWN, nominal=nominal)] if own else []
         if self.lines == MIDDLE:
-            notes.append(_AT_MIDDLE)
+            notes.append(tr(_AT_MIDDLE))
         if (stadiums := self._field.stadiums) is not None:
-            frames = count_of(len(stadiums.frames), "frame")
-            known = count_of(len(stadiums.dimensions), "stadium")
-            notes.append(_STADIUMS.format(frames=frames, stadiums=known))
+            frames = tr_count(len(stadiums.frames), "{n} frame", "{n} frames")
+            known = tr_count(len(stadiums.dimensions), "{n} stadium", "{n} stadiums")
+            notes.append(tr(_STADIUMS, frames=frames, stadiums=known))
         show_note(self.note, "\n".join(notes))
 
     def _estimate(self) -> None:
         (self.stopWanted if self._running else self.estimateWanted).emit()
+
+
+def _within(dimension: Dimension) -> str:
+    """Its title within a sentence; only English is known to write it small there."""
+    title = tr(dimension.title)
+    return title.lower() if title == dimension.title else title
 
 
 def _box(dimension: Dimension) -> RangeBox:
@@ -250,7 +276,7 @@ def _box(dimension: Dimension) -> RangeBox:
     box.setRange(dimension.minimum, dimension.maximum)
     box.setSuffix(" m")
     box.setValue(dimension.value)
-    box.setAccessibleName(dimension.title)
+    box.setAccessibleName(tr(dimension.title))
     return box
 
 

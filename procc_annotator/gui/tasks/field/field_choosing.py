@@ -13,6 +13,7 @@ from procc_annotator.field.load import field_titles, is_shipped
 from procc_annotator.gui.messages import Bar, as_sentence
 from procc_annotator.gui.settings import FIELD_FOLDER, OWN_FIELDS, Settings
 from procc_annotator.gui.state.document import Document
+from procc_annotator.language import tr
 
 
 class FieldBar(Bar):
@@ -28,10 +29,10 @@ class FieldBar(Bar):
         self.close_button = QToolButton()
         self.close_button.setText("✕")
         self.close_button.setAutoRaise(True)
-        self.close_button.setToolTip("Keep the field, and say nothing more of these classes")
+        self.close_button.setToolTip(tr("Keep the field, and say nothing more of these classes"))
         self.close_button.clicked.connect(self.left)
         self.no_button = QPushButton()
-        self.no_button.setToolTip("The dataset remembers it, and is not asked about again")
+        self.no_button.setToolTip(tr("The dataset remembers it, and is not asked about again"))
         self.no_button.clicked.connect(self.left)
         self.row.addWidget(self.switch_button)
         self.row.addWidget(self.no_button)
@@ -40,18 +41,22 @@ class FieldBar(Bar):
     def ask(self, text: str, field: str, shown: str, keys: str = "") -> None:
         """Ask whether the dataset shows a field, and not the one that is shown."""
         self.tell(text, field, keys)
-        self.switch_button.setText(f"Yes, {field}" + (f" ({keys})" if keys else ""))
-        self.no_button.setText(f"No, {shown}")
+        self.switch_button.setText(_with_keys(tr("Yes, {field}", field=field), keys))
+        self.no_button.setText(tr("No, {field}", field=shown))
         self.no_button.show()
 
     def tell(self, text: str, better: str = "", keys: str = "", *, closable: bool = False) -> None:
         """Show what is wrong, and the field that fits where there is one; nothing without text."""
         self.label.setText(as_sentence(text))
-        self.switch_button.setText(f"Switch to {better}" + (f" ({keys})" if keys else ""))
+        self.switch_button.setText(_with_keys(tr("Switch to {field}", field=better), keys))
         self.switch_button.setVisible(bool(better))
         self.no_button.hide()
         self.close_button.setVisible(closable)
         self.setVisible(bool(text))
+
+
+def _with_keys(text: str, keys: str) -> str:
+    return f"{text} ({keys})" if keys else text
 
 
 class FieldChoosing(QObject):
@@ -82,7 +87,7 @@ class FieldChoosing(QObject):
         self._menu = menu
         self._switch_keys = switch.shortcut().toString()
         for name, title in field_titles().items():
-            menu.insertAction(before, self._action(title, name))
+            menu.insertAction(before, self._action(tr(title), name))
         self._last = menu.insertSeparator(before)
         menu.aboutToShow.connect(self.refresh_menu)
 
@@ -112,9 +117,9 @@ class FieldChoosing(QObject):
         """Ask for a description of the user's own."""
         chosen, _ = QFileDialog.getOpenFileName(
             self._parent,
-            "The field of this dataset",
+            tr("The field of this dataset"),
             self._settings.get(FIELD_FOLDER),
-            "Descriptions of fields (*.toml)",
+            tr("Descriptions of fields (*.toml)"),
         )
         if chosen:
             self._settings.set(FIELD_FOLDER, str(Path(chosen).parent))
@@ -148,18 +153,26 @@ class FieldChoosing(QObject):
         choice = self._choice
         if choice.problem:
             self._bar.tell(
-                f"{choice.problem}; the field stays as it was: {self._document.field.title}"
+                tr(
+                    "{problem}; the field stays as it was: {field}",
+                    problem=choice.problem,
+                    field=tr(self._document.field.title),
+                )
             )
             return
         if (asked := choice.question) is not None:
-            said = f"Is this {asked.title}? The classes annotated here are those of {asked.title}"
-            self._bar.ask(said, asked.title, self._document.field.title, self._switch_keys)
+            title = tr(asked.title)
+            said = tr(
+                "Is this {field}? The classes annotated here are those of {field}", field=title
+            )
+            self._bar.ask(said, title, tr(self._document.field.title), self._switch_keys)
             return
         mismatch = choice.mismatch
         if mismatch is None:
             self._bar.tell("")
             return
-        better, text = mismatch.better.title if mismatch.better else "", mismatch.words()
+        better, text = tr(mismatch.better.title) if mismatch.better else "", mismatch.words()
         if better and (own := choice.decided_by_file) is not None:
-            better, text = "", f"{text}, but {own.name} in the dataset's folder decides"
+            better = ""
+            text = tr("{why}, but {file} in the dataset's folder decides", why=text, file=own.name)
         self._bar.tell(text, better, self._switch_keys, closable=True)

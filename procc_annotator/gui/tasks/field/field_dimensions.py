@@ -19,7 +19,7 @@ from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.tasks.field.dimensions_dialog import FieldDimensionsDialog
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 from procc_annotator.session.runs.dimension_estimate import Estimate, estimate_dimensions
 
 _SETTLED_MS = 150  # after a change of a number, so that a held arrow does not score the set anew
@@ -46,8 +46,8 @@ class FieldDimensionsTask(DialogTask):
             return
         is_open = any(d.is_open for d in document.field.dimensions)
         if not is_open and not can_be_at_middle(document.field):
-            title = document.field.title
-            document.say(f"the rules fix every dimension of the field {title}")
+            title = tr(document.field.title)
+            document.say(tr("the rules fix every dimension of the field {field}", field=title))
             return
         if self.dialog is not None:
             self.dialog.raise_()
@@ -77,7 +77,9 @@ class FieldDimensionsTask(DialogTask):
             if revealed is None or frame.name in revealed
         }
         if not read:
-            dialog.tell("Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).")
+            dialog.tell(
+                tr("Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).")
+            )
             return
         hidden = len(workspace.frames) - len(read)
         field, size = document.field, document.picture_size or document.setup.size
@@ -141,14 +143,19 @@ def _in_words(estimate: Estimate, hidden: int) -> str:
     stadium = estimate.stadium
     lines = [_line(d) for d in stadium.dimensions]
     lines.append(
-        f"From the cameras of {counted(stadium.frames, 'frame')}; ± is one standard deviation."
+        tr_count(
+            stadium.frames,
+            "From the cameras of {n} frame; ± is one standard deviation.",
+            "From the cameras of {n} frames; ± is one standard deviation.",
+        )
     )
     if stadium.doubt:
         lines.append(f"{stadium.doubt[:1].upper()}{stadium.doubt[1:]}")
     if hidden:
-        lines.append(f"Blind: frames that are not committed took no part ({hidden}).")
+        lines.append(tr("Blind: frames that are not committed took no part ({n}).", n=hidden))
     if estimate.unreadable:
-        lines.append(f"Frames that cannot be read took no part: {len(estimate.unreadable)}.")
+        count = len(estimate.unreadable)
+        lines.append(tr("Frames that cannot be read took no part: {n}.", n=count))
     return "\n".join(lines)
 
 
@@ -156,7 +163,13 @@ def _line(found: FittedDimension) -> str:
     d = found.dimension
     remark = f"{found.remark[:1].upper()}{found.remark[1:]}"
     if not found.is_determined:
-        return f"{remark}; it stays as it was."
-    told = counted(found.frames, "frame")
-    line = f"{d.title}: {d.value:.2f} ± {found.sd_m:.2f} m, told by {told}."
+        return tr("{remark}; it stays as it was.", remark=remark)
+    line = tr_count(
+        found.frames,
+        "{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame.",
+        "{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.",
+        dimension=tr(d.title),
+        value=d.value,
+        sd=found.sd_m,
+    )
     return f"{line} {remark}" if remark else line

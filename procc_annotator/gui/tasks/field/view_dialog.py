@@ -25,20 +25,20 @@ from procc_annotator.gui.messages import as_sentence
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.panels.rows import Index, RowsModel, list_rows
 from procc_annotator.gui.theme import muted
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
 from procc_annotator.session.landmarks.view_groups import ViewGroups
 from procc_annotator.session.landmarks.view_names import NamedViews
 
 _SIZE = (560, 520)
-_ASKED = (
+_ASKED = word(
     "Frames of one instant from different cameras are one group. Their names tell which, by a"
     " pattern: <b>{instant}</b> stands for when a frame was taken, <b>{view}</b> for the camera,"
     " all else for itself. A regular expression with <b>(?P&lt;instant&gt;…)</b> and"
     " <b>(?P&lt;view&gt;…)</b> does it, too."
 )
-_NONE_FITS = "No pattern was found that fits these names: write one."
-_HEADERS = ("Instant", "View", "Frame")
+_NONE_FITS = word("No pattern was found that fits these names: write one.")
+_HEADERS = (word("Instant"), word("View"), word("Frame"))
 _ALONE = "—"
 
 _Row = tuple[str, str, str]
@@ -78,23 +78,46 @@ class Preview:
 def _counts(named: NamedViews) -> str:
     sizes = [len(frames) for frames in named.groups.groups.values()]
     together = [size for size in sizes if size > 1]
-    words = [
-        f"{counted(sum(together), 'frame')} in {counted(len(together), 'group')}"
-        + (f" of {min(together)} to {max(together)}" if len(set(together)) > 1 else "")
-    ]
+    words = [_together(together)]
     if single := len(sizes) - len(together):
-        words.append(f"{counted(single, 'instant')} with one frame only")
+        words.append(
+            tr_count(
+                single, "{n:,} instant with one frame only", "{n:,} instants with one frame only"
+            )
+        )
     if named.alone:
-        fits = "does" if len(named.alone) == 1 else "do"
-        words.append(f"{counted(len(named.alone), 'name')} {fits} not fit (last in the table)")
+        words.append(
+            tr_count(
+                len(named.alone),
+                "{n:,} name does not fit (last in the table)",
+                "{n:,} names do not fit (last in the table)",
+            )
+        )
     return f"{'; '.join(words)}."
+
+
+def _together(sizes: list[int]) -> str:
+    """How many frames are in groups, and of how many the groups are."""
+    frames = tr_count(sum(sizes), "{n:,} frame", "{n:,} frames")
+    if len(set(sizes)) < 2:
+        return tr_count(
+            len(sizes), "{frames} in {n:,} group", "{frames} in {n:,} groups", frames=frames
+        )
+    return tr_count(
+        len(sizes),
+        "{frames} in {n:,} group of {least} to {most}",
+        "{frames} in {n:,} groups of {least} to {most}",
+        frames=frames,
+        least=min(sizes),
+        most=max(sizes),
+    )
 
 
 class _FramesModel(RowsModel[_Row]):
     """Frames with what the pattern makes of their names; those it does not fit are last."""
 
     def __init__(self) -> None:
-        super().__init__(_HEADERS)
+        super().__init__([tr(header) for header in _HEADERS])
         self._fitting = 0
 
     def show_preview(self, preview: Preview) -> None:
@@ -109,7 +132,7 @@ class _FramesModel(RowsModel[_Row]):
         if role == Qt.ItemDataRole.ForegroundRole and not fits:
             return muted(QApplication.palette())
         if role == Qt.ItemDataRole.ToolTipRole and not fits:
-            return "This name does not fit the pattern: the frame stands alone"
+            return tr("This name does not fit the pattern: the frame stands alone")
         return None
 
 
@@ -125,12 +148,12 @@ class ViewDialog(QDialog):
         """
         super().__init__(parent)
         self.setObjectName("viewDialog")
-        self.setWindowTitle("Group views")
+        self.setWindowTitle(tr("Group views"))
         self.preview: Preview | None = None
-        asked = QLabel(_ASKED, wordWrap=True)
+        asked = QLabel(tr(_ASKED), wordWrap=True)
         self.pattern = QLineEdit(placeholderText="{instant}_{view}")
         self.pattern.setObjectName("viewPattern")
-        self.pattern.setAccessibleName("Pattern of the frames' names")
+        self.pattern.setAccessibleName(tr("Pattern of the frames' names"))
         self.pattern.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.pattern.textChanged.connect(self._change)
         self.counts = QLabel(wordWrap=True)
@@ -143,8 +166,8 @@ class ViewDialog(QDialog):
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         close = self.buttons.button(QDialogButtonBox.StandardButton.Close)
         close.setAutoDefault(False)
-        self.write = QPushButton(f"Write {VIEWS_FILE}")
-        self.write.setToolTip("Keep these groups in the dataset's folder")
+        self.write = QPushButton(tr("Write {file}", file=VIEWS_FILE))
+        self.write.setToolTip(tr("Keep these groups in the dataset's folder"))
         self.write.setEnabled(False)
         self.buttons.addButton(self.write, QDialogButtonBox.ButtonRole.ActionRole)
         self.write.setDefault(True)
@@ -162,7 +185,7 @@ class ViewDialog(QDialog):
             return
         self.pattern.setText(pattern)
         if not pattern:
-            self.tell(_NONE_FITS)
+            self.tell(tr(_NONE_FITS))
 
     def show_preview(self, preview: Preview) -> None:
         """Show what the pattern makes of the names; it may be written if nothing is wrong."""
@@ -189,7 +212,7 @@ class ViewDialog(QDialog):
 def _table(model: QAbstractTableModel) -> QTableView:
     table = QTableView()
     table.setObjectName("viewTable")
-    table.setAccessibleName("Groups of frames")
+    table.setAccessibleName(tr("Groups of frames"))
     table.setModel(model)
     list_rows(table)
     table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)

@@ -12,7 +12,7 @@ from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.tasks.field.view_dialog import Preview, ViewDialog
 from procc_annotator.gui.worker import Latest
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
 from procc_annotator.session.landmarks.view_groups import ViewGroups, replace_views
 from procc_annotator.session.landmarks.view_names import (
@@ -22,7 +22,7 @@ from procc_annotator.session.landmarks.view_names import (
 )
 
 _SETTLED_MS = 120  # after a key, so that a word is not looked up letter by letter
-_LOST = "What it says now is lost, with everything else that is written in it."
+_LOST = word("What it says now is lost, with everything else that is written in it.")
 
 
 class ViewGrouping(DialogTask):
@@ -66,7 +66,9 @@ class ViewGrouping(DialogTask):
 
     def _what_is_there(self) -> str:
         groups = self._document.landmarks.groups
-        return f"{VIEWS_FILE} is there already: {_sizes(groups)}." if groups.frames else ""
+        if not groups.frames:
+            return ""
+        return tr("{file} is there already: {sizes}.", file=VIEWS_FILE, sizes=_sizes(groups))
 
     def _suggest(self, found: tuple[str, Preview]) -> None:
         if self.dialog is None or self.dialog.pattern.text():
@@ -100,7 +102,7 @@ class ViewGrouping(DialogTask):
                 self._tell_written(groups)
             elif self.dialog is not dialog:
                 return  # it was closed, and nobody can be asked
-            elif ask_to_replace(dialog, VIEWS_FILE, _LOST):
+            elif ask_to_replace(dialog, VIEWS_FILE, tr(_LOST)):
                 self._write(groups, there)
             else:
                 dialog.set_running(False)
@@ -112,7 +114,8 @@ class ViewGrouping(DialogTask):
     def _tell_written(self, groups: ViewGroups) -> None:
         document = self._document
         document.landmarks.read_again()
-        document.say(f"{VIEWS_FILE} groups {_sizes(groups)} from now on")
+        said = tr("{file} groups {sizes} from now on", file=VIEWS_FILE, sizes=_sizes(groups))
+        document.say(said)
         self._leave()
 
     def _leave(self) -> None:
@@ -122,7 +125,10 @@ class ViewGrouping(DialogTask):
 
 def _sizes(groups: ViewGroups) -> str:
     instants = {of.instant for of in groups.frames.values()}
-    return f"{counted(len(groups.frames), 'frame')} of {counted(len(instants), 'instant')}"
+    frames = tr_count(len(groups.frames), "{n:,} frame", "{n:,} frames")
+    return tr_count(
+        len(instants), "{frames} of {n:,} instant", "{frames} of {n:,} instants", frames=frames
+    )
 
 
 def _preview(names: tuple[str, ...], pattern: str) -> Preview:
@@ -137,4 +143,5 @@ def _preview(names: tuple[str, ...], pattern: str) -> Preview:
 def _nothing(names: tuple[str, ...]) -> Preview:
     """Of no pattern: the names, which whoever writes one wants to see."""
     rows = Preview.of(NamedViews(ViewGroups(), names)).rows
-    return Preview(ViewGroups(), rows, counts=f"{counted(len(names), 'frame')}, none grouped.")
+    counts = tr_count(len(names), "{n:,} frame, none grouped.", "{n:,} frames, none grouped.")
+    return Preview(ViewGroups(), rows, counts=counts)

@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.io.annotation_files.annotation_formats import FORMATS, AnnotationFormat
+from procc_annotator.language import tr
 
 _WIDTH = 560
 _WIDEST_LINE = 200.0
@@ -46,7 +47,7 @@ class _ExchangeDialog(QDialog):
         self.bar = QProgressBar()
         self.bar.hide()
         self.report = QPlainTextEdit(readOnly=True)
-        self.report.setAccessibleName("What came of it")
+        self.report.setAccessibleName(tr("What came of it"))
         self.report.hide()
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.start_button = QPushButton(verb)
@@ -72,7 +73,7 @@ class _ExchangeDialog(QDialog):
                 if widget is not None:
                     widget.setEnabled(not running)
         self.start_button.setEnabled(not running)
-        self.close_button.setText("Cancel" if running else "Close")
+        self.close_button.setText(tr("Cancel") if running else tr("Close"))
         self.bar.setVisible(running)
         self.bar.setRange(0, 0)
 
@@ -113,33 +114,36 @@ class ImportDialog(_ExchangeDialog):
     """Which annotations, and what becomes of those that are there."""
 
     def __init__(self, parent: QWidget, folder: str) -> None:
-        super().__init__(parent, "Import annotations", "Import")
+        super().__init__(parent, tr("Import annotations"), tr("Import"))
         self.setObjectName("importDialog")
         self._folder = folder
-        self.path = QLineEdit(placeholderText="A folder, a zip archive, or one file")
-        self.path.setAccessibleName("Annotations to import")
+        self.path = QLineEdit(placeholderText=tr("A folder, a zip archive, or one file"))
+        self.path.setAccessibleName(tr("Annotations to import"))
         self.path.textChanged.connect(lambda text: self.start_button.setEnabled(bool(text.strip())))
         self.start_button.setEnabled(False)
         self.formats = QComboBox()
-        self.formats.addItem("Look into the files", "auto")
+        self.formats.addItem(tr("Look into the files"), "auto")
         for known in FORMATS:
             if known.read is not None:
                 self.formats.addItem(known.title, known.name)
-        self.only_empty = QRadioButton("Only frames where nothing is annotated yet")
+        self.only_empty = QRadioButton(tr("Only frames where nothing is annotated yet"))
         self.only_empty.setChecked(True)
-        self.replace = QRadioButton("Replace what is annotated in the others, too")
+        self.replace = QRadioButton(tr("Replace what is annotated in the others, too"))
         self.replace.setToolTip(
-            "What was there stays among the earlier versions of its frame, and undo brings it back"
+            tr(
+                "What was there stays among the earlier versions of its frame, and undo brings it"
+                " back"
+            )
         )
         choice = QWidget()
         lines = QVBoxLayout(choice)
         lines.setContentsMargins(0, 0, 0, 0)
         lines.addWidget(self.only_empty)
         lines.addWidget(self.replace)
-        self.form.addRow("Annotations", self._path_row())
-        self.form.addRow("Format", self.formats)
-        self.form.addRow("Import into", choice)
-        note = QLabel("Frames are matched by the name of their picture.")
+        self.form.addRow(tr("Annotations"), self._path_row())
+        self.form.addRow(tr("Format"), self.formats)
+        self.form.addRow(tr("Import into"), choice)
+        note = QLabel(tr("Frames are matched by the name of their picture."))
         self.form.addRow("", note)
 
     def _path_row(self) -> QWidget:
@@ -147,7 +151,10 @@ class ImportDialog(_ExchangeDialog):
         layout = QHBoxLayout(row)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.path, 1)
-        for text, choose in (("File…", self._choose_file), ("Folder…", self._choose_folder)):
+        for text, choose in (
+            (tr("File…"), self._choose_file),
+            (tr("Folder…"), self._choose_folder),
+        ):
             button = QPushButton(text)
             button.setAutoDefault(False)
             button.clicked.connect(choose)
@@ -156,12 +163,15 @@ class ImportDialog(_ExchangeDialog):
 
     def _choose_file(self) -> None:
         chosen, _ = QFileDialog.getOpenFileName(
-            self, "Annotations", self._folder, "Annotations (*.json *.xml *.zip);;All files (*)"
+            self,
+            tr("Annotations"),
+            self._folder,
+            tr("Annotations (*.json *.xml *.zip);;All files (*)"),
         )
         self.path.setText(chosen or self.path.text())
 
     def _choose_folder(self) -> None:
-        chosen = QFileDialog.getExistingDirectory(self, "Annotations", self._folder)
+        chosen = QFileDialog.getExistingDirectory(self, tr("Annotations"), self._folder)
         self.path.setText(chosen or self.path.text())
 
 
@@ -169,7 +179,7 @@ class ExportDialog(_ExchangeDialog):
     """Which format, and what of it is lost there."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent, "Export as", "Export…")
+        super().__init__(parent, tr("Export as"), tr("Export…"))
         self.setObjectName("exportDialog")
         self.formats = QComboBox()
         for known in FORMATS:
@@ -181,14 +191,14 @@ class ExportDialog(_ExchangeDialog):
         self.line_width.setDecimals(1)
         self.line_width.setValue(4)
         self.line_width.setSuffix(" px")
-        self.as_zip = QCheckBox("One zip archive instead of a folder")
-        self.overwrite = QCheckBox("Replace files that are there")
-        self.keep_optional = QCheckBox("Keep elements that SoccerNet has no class for")
-        self.form.addRow("Format", self.formats)
+        self.as_zip = QCheckBox(tr("One zip archive instead of a folder"))
+        self.overwrite = QCheckBox(tr("Replace files that are there"))
+        self.keep_optional = QCheckBox(tr("Keep elements that SoccerNet has no class for"))
+        self.form.addRow(tr("Format"), self.formats)
         self.form.addRow("", self.holds)
-        self.form.addRow("Width of the lines", self.line_width)
+        self.form.addRow(tr("Width of the lines"), self.line_width)
         self.form.addRow("", self.as_zip)
-        self.pictures = QCheckBox("Copy the pictures as well")
+        self.pictures = QCheckBox(tr("Copy the pictures as well"))
         self.form.addRow("", self.pictures)
         self.form.addRow("", self.overwrite)
         self.form.addRow("", self.keep_optional)
@@ -205,19 +215,21 @@ class ExportDialog(_ExchangeDialog):
         if self.as_zip.isChecked():
             chosen, _ = QFileDialog.getSaveFileName(
                 self,
-                "Export as",
+                tr("Export as"),
                 str(folder / f"{self.format.name}.zip"),
-                "Zip archive (*.zip)",
+                tr("Zip archive (*.zip)"),
                 options=QFileDialog.Option.DontConfirmOverwrite,
             )
             path = Path(chosen)
             return (path if path.suffix else path.with_suffix(".zip")) if chosen else None
-        chosen = QFileDialog.getExistingDirectory(self, "Export to a folder", str(folder))
+        chosen = QFileDialog.getExistingDirectory(self, tr("Export to a folder"), str(folder))
         return Path(chosen) if chosen else None
 
     def _show_format(self) -> None:
         chosen = self.format
-        self.holds.setText(f"Keeps {chosen.holds}.\nLoses {chosen.loses}.")
+        self.holds.setText(
+            tr("Keeps {holds}.\nLoses {loses}.", holds=chosen.holds, loses=chosen.loses)
+        )
         self.form.setRowVisible(self.line_width, chosen.name == "masks")
         self.form.setRowVisible(self.keep_optional, chosen.classes != "any")
         self.form.setRowVisible(self.pictures, chosen.pictures is not None)

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.gui.writing import ask_where, opened_frame
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
 from procc_annotator.report.provenance import export_provenance
 from procc_annotator.session.dataset.annotated_frames import DatasetFrames
@@ -33,14 +33,14 @@ class Exporter:
 
     def ask_annotations(self) -> None:
         """Ask for a zip archive (or a folder's name) and write SoccerNet JSON there."""
-        self._ask("annotations.zip", "Zip archive (*.zip);;Folder (*)", self.write_annotations)
+        self._ask("annotations.zip", tr("Zip archive (*.zip);;Folder (*)"), self.write_annotations)
 
     def ask_scores(self) -> None:
         """Ask for a file and write the JaC of every frame there."""
         if why := self._why_none_scored():
             self._document.say(why, "warning")
             return
-        self._ask("jac.csv", "Table (*.csv);;JSON (*.json)", self.write_scores)
+        self._ask("jac.csv", tr("Table (*.csv);;JSON (*.json)"), self.write_scores)
 
     def ask_provenance(self) -> None:
         """Ask for a file and write how every point came to be."""
@@ -56,12 +56,15 @@ class Exporter:
         def work(workspace: Workspace, progress: Callable[[int, int], None]) -> Exported:
             return export_provenance(workspace, database, path, progress)
 
-        self._run(work)
+        self._run(work, "export_provenance")
 
     def write_annotations(self, path: Path) -> None:
         """Write SoccerNet JSON of all annotated frames to a folder or zip archive."""
         self._run(
-            lambda workspace, progress: export_annotations(DatasetFrames(workspace), path, progress)
+            lambda workspace, progress: export_annotations(
+                DatasetFrames(workspace), path, progress
+            ),
+            "export_annotations",
         )
 
     def write_scores(self, path: Path) -> None:
@@ -76,7 +79,8 @@ class Exporter:
         self._run(
             lambda workspace, progress: export_scores(
                 DatasetFrames(workspace), path, scoring, progress, only=only
-            )
+            ),
+            "export_scores",
         )
 
     @property
@@ -90,26 +94,28 @@ class Exporter:
         """Why no JaC can be exported; empty if it can."""
         active = self._document.active_source
         if active is None:
-            return "load cameras first: there is nothing to score"
+            return tr("load cameras first: there is nothing to score")
         if self._scored is not None:
             hidden = self._document.revealed_frames == frozenset()
-            return "blind: no frame is committed yet, so there is no JaC to show" if hidden else ""
-        return (
-            f"{active.name} is made from the clicks it would be scored against: judge the cameras"
-            " to be scored (procc-annotator calibrate fits and scores a set)"
+            none = tr("blind: no frame is committed yet, so there is no JaC to show")
+            return none if hidden else ""
+        return tr(
+            "{source} is made from the clicks it would be scored against: judge the cameras to be"
+            " scored (procc-annotator calibrate fits and scores a set)",
+            source=active.name,
         )
 
     def _ask(self, name: str, kinds: str, then: Callable[[Path], None]) -> None:
-        if (path := ask_where(self._document, self._parent, "Export", name, kinds)) is not None:
+        if (path := ask_where(self._document, self._parent, tr("Export"), name, kinds)) is not None:
             then(path)
 
-    def _run(self, work: Work) -> None:
+    def _run(self, work: Work, again: str) -> None:
         document = self._document
         if opened_frame(document) is None:
             return
         if not document.save_now():
             document.say(
-                "not everything could be saved: the export has the last saved state", "warning"
+                tr("not everything could be saved: the export has the last saved state"), "warning"
             )
         reopen = document.reopener()
 
@@ -119,27 +125,41 @@ class Exporter:
         run_in_background(
             export,
             on_result=self._tell,
-            on_error=lambda text: document.say(text, "error"),
-            on_progress=lambda done, total: document.say(f"exporting {done} / {total}"),
+            on_error=lambda text: document.say(text, "error", again),
+            on_progress=lambda done, total: document.say(
+                tr("exporting {done} / {total}", done=done, total=total)
+            ),
             owner=document,
         )
 
     def _tell(self, exported: Exported) -> None:
-        parts = []
-        if exported.annotations:
-            parts.append(counted(exported.annotations, "annotation"))
-        if exported.scored:
-            parts.append(f"JaC of {counted(exported.scored, 'frame')}")
-        what = " and ".join(parts) or "nothing: no frame is annotated"
-        text = f"exported {what} to {exported.path}"
-        if exported.left_out:
-            text += "; " + "; ".join(exported.left_out)
+        told = [tr("exported {what} to {path}", what=_what(exported), path=exported.path)]
+        told += exported.left_out
         if exported.hidden:
-            left = counted(exported.hidden, "frame")
-            text += f"; blind mode leaves out {left} not committed yet"
+            told.append(
+                tr_count(
+                    exported.hidden,
+                    "blind mode leaves out {n:,} frame not committed yet",
+                    "blind mode leaves out {n:,} frames not committed yet",
+                )
+            )
         if exported.problems:
-            unread = counted(len(exported.problems), "file")
-            text += f"; {unread} could not be read: {exported.problems[0]}"
-            self._document.say(text, "warning")
-        else:
-            self._document.say(text)
+            told.append(
+                tr_count(
+                    len(exported.problems),
+                    "{n:,} file could not be read: {problem}",
+                    "{n:,} files could not be read: {problem}",
+                    problem=exported.problems[0],
+                )
+            )
+        self._document.say("; ".join(told), "warning" if exported.problems else "info")
+
+
+def _what(exported: Exported) -> str:
+    annotations = tr_count(exported.annotations, "{n:,} annotation", "{n:,} annotations")
+    scores = tr_count(exported.scored, "JaC of {n:,} frame", "JaC of {n:,} frames")
+    if exported.annotations and exported.scored:
+        return tr("{annotations} and {scores}", annotations=annotations, scores=scores)
+    if exported.annotations:
+        return annotations
+    return scores if exported.scored else tr("nothing: no frame is annotated")

@@ -10,14 +10,13 @@ from PySide6.QtCore import QTimer
 from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 
 if TYPE_CHECKING:
     from procc_annotator.gui.tasks.files.dialogs import ExportDialog
     from procc_annotator.report.conversion_output import Converted
 
 _LISTED = 200
-_CANCELLED = "cancelled; files that were written already are still there"
 
 
 class ExportAs(DialogTask):
@@ -45,7 +44,8 @@ class ExportAs(DialogTask):
         document, dialog = self._document, self.dialog
         if dialog is None:
             return
-        said = "" if document.save_now() else "Not everything could be saved: what is on disk goes."
+        unsaved = tr("Not everything could be saved: what is on disk goes.")
+        said = "" if document.save_now() else unsaved
         review, reopen = document.review, document.reopener()
         drafts = set(review.database.drafts()) if review.database is not None else set()
         wanted = Wanted(
@@ -67,7 +67,7 @@ class ExportAs(DialogTask):
     def cancel(self) -> None:
         """Stop; an archive is then not there, files of single frames may be."""
         if self._work.cancel():
-            self._fail(f"{_CANCELLED[0].upper()}{_CANCELLED[1:]}.")
+            self._fail(tr("Cancelled; files that were written already are still there."))
 
     def _ask_path(self) -> None:
         workspace = self._document.workspace
@@ -83,20 +83,32 @@ class ExportAs(DialogTask):
         super()._leave()
 
     def _tell_cut_short(self) -> None:
-        self._document.say(f"export: {_CANCELLED}", "warning")
+        self._document.say(
+            tr("export: cancelled; files that were written already are still there"), "warning"
+        )
 
     def _tell(self, done: Converted, said: str) -> None:
         if self.dialog is None:
             return
         headline = (
-            f"{counted(done.frames, 'frame')}, {counted(done.elements, 'element')} and"
-            f" {counted(done.points, 'point')} written to {done.path} ({done.title})."
+            _written(done)
             if done.frames
-            else "Nothing was written: no frame is annotated, or none could be written."
+            else tr("Nothing was written: no frame is annotated, or none could be written.")
         )
         self.dialog.set_running(False)
         self.dialog.tell(
             "\n".join(filter(None, (headline, said))),
-            ("Not written", done.problems[:_LISTED]),
-            ("What the format cannot hold", done.losses),
+            (tr("Not written"), done.problems[:_LISTED]),
+            (tr("What the format cannot hold"), done.losses),
         )
+
+
+def _written(done: Converted) -> str:
+    return tr(
+        "{frames}, {elements} and {points} written to {path} ({format}).",
+        frames=tr_count(done.frames, "{n:,} frame", "{n:,} frames"),
+        elements=tr_count(done.elements, "{n:,} element", "{n:,} elements"),
+        points=tr_count(done.points, "{n:,} point", "{n:,} points"),
+        path=done.path,
+        format=done.title,
+    )

@@ -14,6 +14,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.gui.writing import opened_frame
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.saved_fit import fitted_folder, save_fit
 
@@ -50,12 +51,15 @@ class FitSaving(QObject):
         if not document.begin_edit():
             return  # somebody else has the frame, or nobody can edit it: that is said
         if document.live_fit.insight is not insight:
-            document.say("the fit is worked out again: save it in a moment")
+            document.say(tr("the fit is worked out again: save it in a moment"))
             return
         if document.picture_size != insight.fit.size:
             document.say(
-                f"{frame.name}: the picture cannot be read, so that the camera's pixels belong to"
-                " no size; not saved",
+                tr(
+                    "{frame}: the picture cannot be read, so that the camera's pixels belong to no"
+                    " size; not saved",
+                    frame=frame.name,
+                ),
                 "warning",
             )
             return
@@ -87,14 +91,20 @@ class FitSaving(QObject):
                 document.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
         if saved.problem:
             document.say(
-                f"saved as {saved.path}, but the loaded cameras could not be read again:"
-                f" {saved.problem}",
+                tr(
+                    "saved as {path}, but the loaded cameras could not be read again: {problem}",
+                    path=saved.path,
+                    problem=saved.problem,
+                ),
                 "warning",
             )
             return
-        said = f"the fit of {saved.frame} is saved as {saved.path}"
+        said = tr("the fit of {frame} is saved as {path}", frame=saved.frame, path=saved.path)
         if saved.left_open:
-            document.say(f"{said}; it is hardly determined: {saved.left_open}", "warning")
+            document.say(
+                tr("{saved}; it is hardly determined: {why}", saved=said, why=saved.left_open),
+                "warning",
+            )
         else:
             document.say(said)
 
@@ -103,11 +113,13 @@ class FitSaving(QObject):
         if barred := self._document.blind_lock.no_fit:
             return barred
         if not live.wanted:
-            return "the live fit is off (Ctrl+T)"
+            return tr("the live fit is off (Ctrl+T)")
         if not live.allowed:
-            return "blind: the fit is hidden until this frame is committed (Ctrl+Enter)"
+            return tr("blind: the fit is hidden until this frame is committed (Ctrl+Enter)")
         failure = live.result.failure if live.result is not None else None
-        return f"no camera to save: {failure or 'the fit is not there yet'}"
+        if failure:
+            return tr("no camera to save: {why}", why=failure)
+        return tr("no camera to save: the fit is not there yet")
 
 
 def _same(some: Path, other: Path) -> bool:

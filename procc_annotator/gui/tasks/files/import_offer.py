@@ -12,6 +12,7 @@ from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.files.importing import AnnotationImporter
 from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.annotated_elsewhere import (
     AnnotatedElsewhere,
     annotated_elsewhere,
@@ -25,20 +26,22 @@ class ImportBar(Bar):
 
     def __init__(self) -> None:
         super().__init__("importBar")
-        self.import_button = QPushButton("Import…")
-        self.import_button.setToolTip("Take these annotations in; their files stay as they are")
+        self.import_button = QPushButton(tr("Import…"))
+        self.import_button.setToolTip(tr("Take these annotations in; their files stay as they are"))
         self.import_button.clicked.connect(self.import_chosen)
         close = QToolButton()
         close.setText("✕")
         close.setAutoRaise(True)
-        close.setToolTip("Leave them, and say nothing more of them")
+        close.setToolTip(tr("Leave them, and say nothing more of them"))
         close.clicked.connect(self.hide)
         self.row.addWidget(self.import_button)
         self.row.addWidget(close)
 
     def tell(self, title: str) -> None:
         """Offer annotations of a format."""
-        self.label.setText(f"Annotations of another program lie in this dataset: {title}.")
+        self.label.setText(
+            tr("Annotations of another program lie in this dataset: {format}.", format=title)
+        )
         self.show()
 
 

@@ -21,7 +21,7 @@ from procc_annotator.gui.state.set_edits import (
 from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.tasks.files.label_look import LabelLook, LookedAt
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import kept, tr, tr_count
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import OriginKind
 
@@ -94,7 +94,7 @@ class AnnotationImporter(DialogTask):
             has_file=looked.has_file,
         )  # fmt: skip
         names.accepted.connect(lambda: self._read_again(looked, names))
-        names.rejected.connect(lambda: self._fail("Cancelled; nothing was imported."))
+        names.rejected.connect(lambda: self._fail(tr("Cancelled; nothing was imported.")))
         names.open()
 
     def _read_again(self, looked: LookedAt, names: LabelDialog) -> None:
@@ -111,7 +111,7 @@ class AnnotationImporter(DialogTask):
     def cancel(self) -> None:
         """Stop; frames that are saved already stay so, and are told."""
         if self._work.cancel():
-            self._fail("Cancelled; nothing was imported.")
+            self._fail(tr("Cancelled; nothing was imported."))
         else:
             self._edits.stop()
 
@@ -142,7 +142,9 @@ class AnnotationImporter(DialogTask):
                 return why
         change = imported(incoming, replacing=self._replace)
         store, editing = self._document.store, self._document.editing
-        return edit_frame(store, editing, index, change, "import", OriginKind.FILE)
+        return edit_frame(
+            store, editing, index, change, kept(lambda: tr("import", "a step")), OriginKind.FILE
+        )
 
     def _advance(self, done: int, total: int) -> None:
         if self.dialog is not None:
@@ -150,33 +152,62 @@ class AnnotationImporter(DialogTask):
 
     def _finish(self, outcome: EditedFrames) -> None:
         document = self._document
-        done = f"{len(outcome.edited)} of {counted(outcome.total, 'frame')} imported"
-        document.say(done)
+        edited, total = len(outcome.edited), outcome.total
+        document.say(
+            tr_count(
+                total,
+                "{edited} of {n:,} frame imported",
+                "{edited} of {n:,} frames imported",
+                edited=edited,
+            )
+        )
         if outcome.edited:
             self.imported.emit()
         if self.dialog is None:
             return
-        said = [f"{done} ({self._imported.title})."]
-        if left := outcome.waiting:
-            said.append(f"Cancelled: {counted(left, 'frame was', 'frames were')} not looked at.")
-        reasons = Counter(why for _, why in outcome.left)
-        if kept := reasons.pop(LeftAlone.ANNOTATED, 0):
-            annotated = counted(kept, "frame is annotated", "frames are annotated")
-            said.append(f"{annotated} already and left unchanged.")
-        if same := reasons.pop(LeftAlone.SAME, 0):
-            said.append(f"{counted(same, 'frame holds', 'frames hold')} the same already.")
         self.dialog.set_running(False)
         self.dialog.tell(
-            "\n".join(said),
-            ("Left as they were", self._refused(outcome)[:_LISTED]),
-            ("Could not be read", self._imported.problems[:_LISTED]),
-            (f"Without a picture here ({len(self._unmatched)})", self._unmatched[:_LISTED]),
-            ("Changed or left out", self._imported.losses),
+            "\n".join(_said(outcome, self._imported.title)),
+            (tr("Left as they were"), self._refused(outcome)[:_LISTED]),
+            (tr("Could not be read"), self._imported.problems[:_LISTED]),
+            (
+                tr("Without a picture here ({n})", n=len(self._unmatched)),
+                self._unmatched[:_LISTED],
+            ),
+            (tr("Changed or left out"), self._imported.losses),
         )
 
     def _refused(self, outcome: EditedFrames) -> list[str]:
         workspace = self._document.workspace
         frames = workspace.frames if workspace is not None else ()
         left = [(i, why) for i, why in outcome.left if not isinstance(why, LeftAlone)]
-        unsaved = [(i, f"it could not be saved: {why}") for i, why in outcome.unsaved]
+        unsaved = [(i, tr("it could not be saved: {why}", why=why)) for i, why in outcome.unsaved]
         return [f"{frames[i].name}: {why}" for i, why in sorted(left + unsaved)]
+
+
+def _said(outcome: EditedFrames, format_title: str) -> list[str]:
+    """What came of an import, a line each."""
+    reasons = Counter(why for _, why in outcome.left)
+    annotated, same = reasons[LeftAlone.ANNOTATED], reasons[LeftAlone.SAME]
+    imported = tr_count(
+        outcome.total,
+        "{edited} of {n:,} frame imported ({format}).",
+        "{edited} of {n:,} frames imported ({format}).",
+        edited=len(outcome.edited),
+        format=format_title,
+    )
+    waiting = tr_count(
+        outcome.waiting,
+        "Cancelled: {n:,} frame was not looked at.",
+        "Cancelled: {n:,} frames were not looked at.",
+    )
+    left = tr_count(
+        annotated,
+        "{n:,} frame is annotated already and left unchanged.",
+        "{n:,} frames are annotated already and left unchanged.",
+    )
+    alike = tr_count(
+        same, "{n:,} frame holds the same already.", "{n:,} frames hold the same already."
+    )
+    lines = ((imported, 1), (waiting, outcome.waiting), (left, annotated), (alike, same))
+    return [words for words, count in lines if count]

@@ -22,16 +22,20 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.parts import note_label, show_note
-from procc_annotator.interact.hints import counted
 from procc_annotator.io.annotation_files.label_map import LABELS_FILE, Rule
+from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.labels.label_choices import order_choices, rule_words
 from procc_annotator.session.labels.label_proposal import LabelProposal
 
 _SIZE = (960, 480)
-_HEADERS = ("Label", "Shapes", "Stands for", "", "Why")
-_AS_IT_IS = "? (stays as it is, an unknown class)"
-_LEFT_OUT = "Leave out"
-_SURETIES = {"sure": "sure", "likely": "likely", "open": "to be said"}
+_HEADERS = (word("Label"), word("Shapes"), word("Stands for"), "", word("Why"))
+_AS_IT_IS = word("? (stays as it is, an unknown class)")
+_LEFT_OUT = word("Leave out")
+_SURETIES = {
+    "sure": word("sure", "a proposal"),
+    "likely": word("likely", "a proposal"),
+    "open": word("to be said", "a proposal"),
+}
 _LONGEST = 40  # characters of a label that are shown
 
 
@@ -61,27 +65,35 @@ class LabelDialog(QDialog):
         """
         super().__init__(parent)
         self.setObjectName("labelDialog")
-        self.setWindowTitle("Names of another program")
+        self.setWindowTitle(tr("Names of another program"))
         self._proposals = proposals
         self.choices: list[QComboBox] = []
         self._rules: list[list[Rule | _AsItIs]] = []
-        labels = counted(len(proposals), "label is no class", "labels are no class")
         asked = QLabel(
-            f"{labels} of {field.title}. Say what they stand for; what is proposed was told by"
-            " their words, and by which elements their shapes lie on.",
+            tr_count(
+                len(proposals),
+                "{n} label is no class of {field}. Say what they stand for; what is proposed was"
+                " told by their words, and by which elements their shapes lie on.",
+                "{n} labels are no class of {field}. Say what they stand for; what is proposed was"
+                " told by their words, and by which elements their shapes lie on.",
+                field=tr(field.title),
+            ),
             wordWrap=True,
         )
         self.note = note_label("labelNote")
-        said = (
-            f"These names are more like those of {better}: choose that field first (File > Field)."
+        said = tr(
+            "These names are more like those of {field}: choose that field first (File > Field).",
+            field=tr(better) if better else "",
         )
         show_note(self.note, said if better else "")
-        self.keep = QCheckBox(f"Keep these names with the dataset ({LABELS_FILE})")
+        self.keep = QCheckBox(tr("Keep these names with the dataset ({file})", file=LABELS_FILE))
         if has_file:
-            self.keep.setText(f"Add these names to the dataset's {LABELS_FILE}, written anew")
+            self.keep.setText(
+                tr("Add these names to the dataset's {file}, written anew", file=LABELS_FILE)
+            )
         self.keep.setChecked(not has_file)
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self.take = QPushButton("Import")
+        self.take = QPushButton(tr("Import"))
         self.buttons.addButton(self.take, QDialogButtonBox.ButtonRole.AcceptRole)
         self.buttons.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
         self.take.setDefault(True)
@@ -108,18 +120,18 @@ class LabelDialog(QDialog):
         inside = QWidget()
         grid = QGridLayout(inside)
         for column, header in enumerate(_HEADERS):
-            title = QLabel(f"<b>{header}</b>" if header else "")
+            title = QLabel(f"<b>{tr(header)}</b>" if header else "")
             grid.addWidget(title, 0, column)
         names = [e.name for e in field.elements]
-        titles = [field.title_of(name) for name in names]
-        self._titles = QStringListModel([_AS_IT_IS, _LEFT_OUT, *titles], self)
+        titles = [tr(field.title_of(name)) for name in names]
+        self._titles = QStringListModel([tr(_AS_IT_IS), tr(_LEFT_OUT), *titles], self)
         for row, one in enumerate(self._proposals, start=1):
             box = self._choice(one, names, titles, field)
             shown = one.count.label
             shown = shown if len(shown) <= _LONGEST else f"{shown[: _LONGEST - 1]}…"
             cells = (
                 _text(shown, one.count.label), _text(str(one.count.shapes)), box,
-                _text(_SURETIES[one.surety]), _wrapped(_why(one, field)),
+                _text(tr(_SURETIES[one.surety], "a proposal")), _wrapped(_why(one, field)),
             )  # fmt: skip
             for column, cell in enumerate(cells):
                 grid.addWidget(cell, row, column, Qt.AlignmentFlag.AlignVCenter)
@@ -139,10 +151,10 @@ class LabelDialog(QDialog):
         orders = order_choices(one)
         rules: list[Rule | _AsItIs] = [_AsItIs(), None, *orders, *names]
         box = QComboBox()
-        box.setAccessibleName(f"What {one.count.label} stands for")
+        box.setAccessibleName(tr("What {label} stands for", label=one.count.label))
         if orders:
             words = [rule_words(rule, field) for rule in orders]
-            box.addItems([_AS_IT_IS, _LEFT_OUT, *words, *titles])
+            box.addItems([tr(_AS_IT_IS), tr(_LEFT_OUT), *words, *titles])
         else:  # most labels: one list for all of them
             box.setModel(self._titles)
         box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
@@ -158,7 +170,7 @@ class LabelDialog(QDialog):
 
 
 def _why(one: LabelProposal, field: Field) -> str:
-    like = ", ".join(field.title_of(name) for name in one.like)
+    like = ", ".join(tr(field.title_of(name)) for name in one.like)
     return f"{one.why}: {like}" if like else one.why
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from procc_annotator.io.annotation_files.read_set import ReadSet
     from procc_annotator.session.labels.label_proposal import LabelProposal
 
-_HEAD = ("What the labels of other programs stand for; chosen at an import.",)
+_HEAD = ("What the labels of other programs stand for; chosen at an import.",)  # not shown
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.files.video_opening import VideoOpening, keep_video_frame
 from procc_annotator.gui.worker import Latest
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.sample_copy import own_sample
 
 _CAMERA_SUFFIXES = (".json", ".homographyMatrix", ".txt", ".npy", ".zip")
@@ -60,19 +61,19 @@ class OpeningTask(QObject):
 
     def open_folder(self) -> None:
         """Ask for a folder of pictures."""
-        if (chosen := self._ask_folder("Open a folder of pictures", FOLDER)) is not None:
+        if (chosen := self._ask_folder(tr("Open a folder of pictures"), FOLDER)) is not None:
             self.open_path(chosen)
 
     def open_picture(self) -> None:
         """Ask for one picture."""
-        kind = "Pictures", sorted(PICTURE_SUFFIXES)
-        if (chosen := self._ask_file("Open a picture", FOLDER, *kind)) is not None:
+        kind = tr("Pictures"), sorted(PICTURE_SUFFIXES)
+        if (chosen := self._ask_file(tr("Open a picture"), FOLDER, *kind)) is not None:
             self.open_path(chosen)
 
     def open_video(self) -> None:
         """Ask for a video."""
-        kind = "Videos", sorted(VIDEO_SUFFIXES)
-        if (chosen := self._ask_file("Open a video", FOLDER, *kind)) is not None:
+        kind = tr("Videos"), sorted(VIDEO_SUFFIXES)
+        if (chosen := self._ask_file(tr("Open a video"), FOLDER, *kind)) is not None:
             self.open_path(chosen)
 
     def keep_frame(self) -> None:
@@ -81,28 +82,33 @@ class OpeningTask(QObject):
 
     def open_second(self) -> None:
         """Ask for the folder of a second annotator."""
-        if (chosen := self._ask_folder("Open a second annotator's folder", SECOND)) is not None:
+        if (chosen := self._ask_folder(tr("Open a second annotator's folder"), SECOND)) is not None:
             self.secondChosen.emit(chosen)
 
     def open_sample(self) -> None:
         """Open the user's own copy of the frames that come with the program."""
         folder = sample_folder()
         if folder is None:
-            self._document.say("the sample comes with the source, not here", "warning")
+            self._document.say(tr("the sample comes with the source, not here"), "warning")
         else:
             self._copying.start(lambda _: own_sample(folder), self._open_copy)
 
     def _open_copy(self, folder: Path) -> None:
         if self.open_path(folder):
-            self._document.say(f"your own copy, in {folder}; load its cameras from the menu Camera")
+            self._document.say(
+                tr(
+                    "your own copy, in {folder}; load its cameras from the menu Camera",
+                    folder=folder,
+                )
+            )
 
     def load_cameras(self) -> None:
         """Ask for a folder of cameras."""
-        self._load(self._ask_folder("Load a folder of cameras", CAMERAS))
+        self._load(self._ask_folder(tr("Load a folder of cameras"), CAMERAS))
 
     def load_camera_file(self) -> None:
         """Ask for one camera file or a zip."""
-        self._load(self._ask_file("Load cameras", CAMERAS, "Cameras", _CAMERA_SUFFIXES))
+        self._load(self._ask_file(tr("Load cameras"), CAMERAS, tr("Cameras"), _CAMERA_SUFFIXES))
 
     # --- inside ---
 

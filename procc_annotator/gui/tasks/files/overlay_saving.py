@@ -20,6 +20,7 @@ from procc_annotator.gui.picture.overlay_picture import OverlayPictures
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.language import tr, word
 from procc_annotator.report.scenes import (
     MAX_SCALE,
     MIN_SCALE,
@@ -30,10 +31,13 @@ from procc_annotator.report.scenes import (
 )
 
 _KINDS = {
-    ".png": "PNG: pixels, nothing is lost",
-    ".jpg": "JPEG: pixels, small",
-    ".svg": "SVG: lines and text stay sharp",
+    ".png": word("PNG: pixels, nothing is lost"),
+    ".jpg": word("JPEG: pixels, small"),
+    ".svg": word("SVG: lines and text stay sharp"),
 }
+
+_RESULT = word("{width} x {height} px, without the legend")
+_TOO_LARGE = word("{width} x {height} px, too large: choose a smaller scale or SVG")
 
 
 class OverlayDialog(QDialog):
@@ -46,24 +50,26 @@ class OverlayDialog(QDialog):
     def __init__(self, size: tuple[int, int], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("overlayDialog")
-        self.setWindowTitle("Save overlay picture")
+        self.setWindowTitle(tr("Save overlay picture"))
         self._size = size
         self.kind = QComboBox()
         for suffix in SUFFIXES:
-            self.kind.addItem(_KINDS[suffix], suffix)
+            self.kind.addItem(tr(_KINDS[suffix]), suffix)
         self.scale = DecimalBox()
         self.scale.setRange(MIN_SCALE, MAX_SCALE)
         self.scale.setSingleStep(0.5)
         self.scale.setValue(1.0)
-        self.scale.setToolTip("Px of the result per px of the picture; lines and text grow with it")
+        self.scale.setToolTip(
+            tr("Px of the result per px of the picture; lines and text grow with it")
+        )
         self.result_size = QLabel()
-        self.legend = QCheckBox("Explain colours, dashes and marks below the picture")
+        self.legend = QCheckBox(tr("Explain colours, dashes and marks below the picture"))
         self.legend.setChecked(True)
         form = QFormLayout(self)
-        form.addRow("&Kind", self.kind)
-        form.addRow("&Scale", self.scale)
-        form.addRow("Result", self.result_size)
-        form.addRow("&Legend", self.legend)
+        form.addRow(tr("&Kind"), self.kind)
+        form.addRow(tr("&Scale"), self.scale)
+        form.addRow(tr("Result"), self.result_size)
+        form.addRow(tr("&Legend"), self.legend)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
         )
@@ -89,8 +95,8 @@ class OverlayDialog(QDialog):
         width, height = (round(side * self.scale.value()) for side in self._size)
         painted = self.suffix != ".svg"  # an SVG has no pixels of its own
         too_large = painted and width * height > MOST_PIXELS
-        remark = "too large: choose a smaller scale or SVG" if too_large else "without the legend"
-        self.result_size.setText(f"{width} x {height} px, {remark}")
+        words = _TOO_LARGE if too_large else _RESULT
+        self.result_size.setText(tr(words, width=width, height=height))
         self._save.setEnabled(not too_large)
 
 
@@ -106,7 +112,7 @@ class OverlaySaving:
         document = self._document
         frame, size = document.frame, document.picture_size
         if frame is None or size is None:
-            document.say("open a picture first", "warning")
+            document.say(tr("open a picture first"), "warning")
             return
         dialog = OverlayDialog(size, self._parent)
         accepted = dialog.exec() == QDialog.DialogCode.Accepted
@@ -114,8 +120,9 @@ class OverlaySaving:
         dialog.deleteLater()
         if not accepted:
             return
-        name, kind = f"{frame.name.replace('/', '_')}_overlay{suffix}", f"Picture (*{suffix})"
-        path = ask_where(document, self._parent, "Save overlay picture", name, kind)
+        name = f"{frame.name.replace('/', '_')}_overlay{suffix}"
+        kind = tr("Picture (*{suffix})", suffix=suffix)
+        path = ask_where(document, self._parent, tr("Save overlay picture"), name, kind)
         if path is not None:
             self.write(path, look)
 
@@ -130,7 +137,11 @@ class OverlaySaving:
         if frame is None:
             return False
         if path.resolve() == frame.image_path.resolve():
-            document.say(f"{path}: is the picture itself, choose another name", "error")
+            document.say(
+                tr("{path}: is the picture itself, choose another name", path=path),
+                "error",
+                "save_overlay",
+            )
             return False
         scene = Scene(
             frame.image_path,
@@ -145,12 +156,13 @@ class OverlaySaving:
         try:
             draw = OverlayPictures(path.suffix.lower(), look)
         except ProccError as error:
-            document.say(str(error), "error")
+            document.say(str(error), "error", "save_overlay")
             return False
-        document.say(f"writing the overlay picture {path} …")
+        document.say(tr("writing the overlay picture {path} …", path=path))
         write(
             document,
             lambda _: write_atomic(path, draw(scene)),
-            lambda _: f"overlay picture written to {path}",
+            lambda _: tr("overlay picture written to {path}", path=path),
+            again="save_overlay",
         )
         return True

@@ -14,8 +14,8 @@ from procc_annotator.gui.panels.overview.dialog import OverviewWindow
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.gui.writing import ask_where, write
-from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.language import tr, tr_count
 from procc_annotator.report.overview import OverviewRow, overview_csv, summarise
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.workspace import Workspace
@@ -52,8 +52,8 @@ class OverviewCommand:
 
     def export(self) -> None:
         """Ask for a file and write one row a frame."""
-        asked = self._document, self._parent, "Export the overview"
-        if (path := ask_where(*asked, "overview.csv", "Table (*.csv)")) is not None:
+        asked = self._document, self._parent, tr("Export the overview")
+        if (path := ask_where(*asked, "overview.csv", tr("Table (*.csv)"))) is not None:
             self.write(path)
 
     def write(self, path: Path) -> None:
@@ -65,12 +65,18 @@ class OverviewCommand:
             return len(rows)
 
         scoring = document.set_scores.running
-        more = "; the set was being scored still: some frames have no JaC yet" if scoring else ""
-        write(
-            document,
-            self._rows_for(as_csv, complete=True),
-            lambda count: f"exported {counted(count, 'frame')} to {path}{more}",
-        )
+
+        def said(count: int) -> str:
+            done = tr_count(
+                count,
+                "exported {n:,} frame to {path}",
+                "exported {n:,} frames to {path}",
+                path=path,
+            )
+            more = tr("the set was being scored still: some frames have no JaC yet")
+            return f"{done}; {more}" if scoring else done
+
+        write(document, self._rows_for(as_csv, complete=True), said, again="export_overview")
 
     def _rows_for(
         self, use: Callable[[list[OverviewRow]], T], *, complete: bool = False

@@ -14,6 +14,7 @@ from procc_annotator.errors import ProccError
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
+from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 
@@ -85,7 +86,8 @@ class SourceMemory(QObject):
             if self._dataset == dataset:
                 self._changing = False
                 self._document.say(
-                    f"cameras opened here before are not opened again: {text}", "warning"
+                    tr("cameras opened here before are not opened again: {why}", why=text),
+                    "warning",
                 )
 
         run_in_background(work, on_result=done, on_error=fail, owner=self)
@@ -110,7 +112,10 @@ class SourceMemory(QObject):
         self._write_down()
         if reopened.lost:
             document.say(
-                f"cameras opened here before are not there any more: {'; '.join(reopened.lost)}",
+                tr(
+                    "cameras opened here before are not there any more: {paths}",
+                    paths="; ".join(reopened.lost),
+                ),
                 "warning",
             )
 

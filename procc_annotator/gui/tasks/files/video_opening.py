@@ -24,7 +24,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.gui.writing import write
 from procc_annotator.image.video import Video, frames_at_interval, scene_cuts
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 from procc_annotator.session.dataset.video_frames import keep_frame, open_video
 
 T = TypeVar("T")
@@ -40,20 +40,20 @@ class VideoDialog(QDialog):
     def __init__(self, parent: QWidget, video: Video) -> None:
         super().__init__(parent)
         self.setObjectName("videoDialog")
-        self.setWindowTitle("Open a video")
+        self.setWindowTitle(tr("Open a video"))
         width, height = video.size
         seconds = video.frame_count / video.fps if video.fps else 0.0
-        frames = counted(video.frame_count, "frame")
+        frames = tr_count(video.frame_count, "{n:,} frame", "{n:,} frames")
         text = f"{video.path.name}: {frames}, {width}x{height}, {seconds:.0f} s"
-        self.interval = QRadioButton("One frame every")
+        self.interval = QRadioButton(tr("One frame every"))
         self.interval.setChecked(True)
         self.seconds = DecimalBox()
         self.seconds.setRange(0.02, 3600.0)
         self.seconds.setDecimals(2)
         self.seconds.setValue(DEFAULT_INTERVAL_S)
         self.seconds.setSuffix(" s")
-        self.cuts = QRadioButton("The first frame of every scene")
-        self.cuts.setToolTip("Looks through the whole video for cuts; this takes a while")
+        self.cuts = QRadioButton(tr("The first frame of every scene"))
+        self.cuts.setToolTip(tr("Looks through the whole video for cuts; this takes a while"))
         self.cuts.toggled.connect(lambda on: self.seconds.setEnabled(not on))
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Cancel
@@ -64,7 +64,7 @@ class VideoDialog(QDialog):
         form.addRow(QLabel(text))
         form.addRow(self.interval, self.seconds)
         form.addRow(self.cuts)
-        form.addRow(QLabel("Nothing is extracted; “Keep this video frame” writes a picture."))
+        form.addRow(QLabel(tr("Nothing is extracted; “Keep this video frame” writes a picture.")))
         form.addRow(buttons)
 
 
@@ -88,7 +88,7 @@ class VideoOpening:
             video.read_index()  # reads through the file: here, not when the dialog asks
             return video
 
-        self._run(f"Reading {path.name}", read, self._show_dialog)
+        self._run(tr("Reading {file}", file=path.name), read, self._show_dialog)
 
     def cancel(self) -> None:
         """Forget the video that is being read or looked through."""
@@ -118,7 +118,7 @@ class VideoOpening:
                 video.close()
 
         self._run(
-            f"Looking for cuts in {video.path.name}",
+            tr("Looking for cuts in {file}", file=video.path.name),
             look,
             lambda numbers: self._open(video.path, numbers),
         )
@@ -130,9 +130,9 @@ class VideoOpening:
     def _run(self, what: str, work: Callable[[JobControl], T], then: Callable[[T], object]) -> None:
         """Work in the background, with a window that shows how far it is and can cancel it."""
         self.cancel()
-        self._progress = progress = QProgressDialog(what, "Cancel", 0, 0, self._parent)
+        self._progress = progress = QProgressDialog(what, tr("Cancel"), 0, 0, self._parent)
         progress.setObjectName("videoProgress")
-        progress.setWindowTitle("Open a video")
+        progress.setWindowTitle(tr("Open a video"))
         progress.setMinimumDuration(_PATIENCE_MS)
         progress.canceled.connect(self.cancel)
 
@@ -162,6 +162,8 @@ def keep_video_frame(document: Document) -> None:
     """Write the picture on screen beside its annotation, if it is a frame of a video."""
     frame, picture = document.frame, document.picture
     if frame is None or picture is None or frame.image_folder.is_dir():
-        document.say("this frame is a picture already")
+        document.say(tr("this frame is a picture already"))
         return
-    write(document, lambda _: keep_frame(frame, picture), lambda path: f"kept as {path}")
+    write(
+        document, lambda _: keep_frame(frame, picture), lambda path: tr("kept as {path}", path=path)
+    )

@@ -5,6 +5,16 @@ from __future__ import annotations
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from procc_annotator.gui.state.document import Document
+from procc_annotator.language import tr, word
+
+_UNLOCKS_SHARED = word(
+    "Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with"
+    " the dataset that {author} unlocked it, and when."
+)
+_UNLOCKS_OWN = word(
+    "Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is"
+    " recorded with the dataset that {author} unlocked it, and when."
+)
 
 
 class BlindLocking:
@@ -23,18 +33,15 @@ class BlindLocking:
 
     def _confirmed(self, reason: str) -> bool:
         shared = not self._document.review.reach
-        whom = "everybody who annotates it" if shared else "you; for others it was not locked"
+        words = _UNLOCKS_SHARED if shared else _UNLOCKS_OWN
         box = QMessageBox(self._parent)
         box.setObjectName("unlockBlind")
         box.setIcon(QMessageBox.Icon.Warning)
-        box.setWindowTitle("Unlock blind mode")
+        box.setWindowTitle(tr("Unlock blind mode"))
         box.setText(f"{reason[0].upper()}{reason[1:]}.")
-        box.setInformativeText(
-            f"Unlocking shows cameras, ghosts and the fit to {whom}."
-            f" It is recorded with the dataset that {self._document.author} unlocked it, and when."
-        )
-        unlock = box.addButton("Unlock, and record it", QMessageBox.ButtonRole.AcceptRole)
-        keep = box.addButton("Keep it locked", QMessageBox.ButtonRole.RejectRole)
+        box.setInformativeText(tr(words, author=self._document.author))
+        unlock = box.addButton(tr("Unlock, and record it"), QMessageBox.ButtonRole.AcceptRole)
+        keep = box.addButton(tr("Keep it locked"), QMessageBox.ButtonRole.RejectRole)
         box.setDefaultButton(keep)
         box.exec()
         chosen = box.clickedButton() is unlock

@@ -10,17 +10,23 @@ from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.errors import ProccError, UsageError
-from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind
+from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Severity
 from procc_annotator.gui.panels.findings.rows import Entry
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
-from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.language import kept, spoken, tr, tr_count, word
 from procc_annotator.report.findings import CheckReport, ToldFinding, findings_csv
 from procc_annotator.session.clicks.remedies import apply_remedy
 from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _MOST_NAMED = 2  # elements that fit the status bar by name
+
+_SEVERITIES = {
+    Severity.ERROR: word("error", "a finding"),
+    Severity.WARNING: word("warning", "a finding"),
+    Severity.HINT: word("hint", "a finding"),
+}
 
 
 class LabelCheckCommands(QObject):
@@ -93,19 +99,35 @@ class LabelCheckCommands(QObject):
 
     def _tell_place(self, at: int, entries: list[Entry]) -> None:
         """In one line that fits; the panel, which opens, has the reason whole."""
-        finding, title_of = entries[at][1].finding, self._document.field.title_of
-        names = [title_of(name) for name in finding.elements]
-        what = " and ".join(names) if len(names) <= _MOST_NAMED else counted(len(names), "element")
-        place = f"finding {at + 1} of {len(entries)}, {finding.severity}: {what}"
-        remedy = f"; F12: {finding.remedies[0].text}" if finding.remedies else ""
-        self._document.say(f"{place}{remedy}")
+        finding = entries[at][1].finding
+        said = tr(
+            "finding {place} of {total}, {severity}: {elements}",
+            place=at + 1,
+            total=len(entries),
+            severity=tr(_SEVERITIES[finding.severity], "a finding"),
+            elements=self._named(finding.elements),
+        )
+        remedy = f"F12: {tr(finding.remedies[0].text)}" if finding.remedies else ""
+        self._document.say("; ".join(filter(None, (said, remedy))))
+
+    def _named(self, elements: tuple[str, ...]) -> str:
+        """One or two elements by name, more by their number."""
+        if len(elements) > _MOST_NAMED:
+            return tr_count(len(elements), "{n} element", "{n} elements")
+        titles = [self._title(name) for name in elements]
+        if len(titles) == _MOST_NAMED:
+            return tr("{element} and {other}", element=titles[0], other=titles[1])
+        return "".join(titles)
 
     def _why_nothing(self) -> str:
         check = self._check
         if not check.in_set():
-            more = "" if check.known_frames > 1 else "; check the whole set to look at all frames"
-            return f"the label check has found nothing{more}"
-        return "no finding is as sure as the Check panel is set to show"
+            if check.known_frames > 1:
+                return tr("the label check has found nothing")
+            return tr(
+                "the label check has found nothing; check the whole set to look at all frames"
+            )
+        return tr("no finding is as sure as the Check panel is set to show")
 
     # --- showing --------------------------------------------------------------------------
 
@@ -146,9 +168,9 @@ class LabelCheckCommands(QObject):
         listed = [f for f in self._check.shown if f.finding.severity in chosen]
         found = self._check.current or next(iter(listed), None)
         if found is None:
-            document.say("the label check has found nothing in this frame")
+            document.say(tr("the label check has found nothing in this frame"))
         elif not found.finding.remedies:
-            document.say(f"no remedy is known: {found.finding.reason}")
+            document.say(tr("no remedy is known: {reason}", reason=found.finding.reason))
         else:
             self.apply(found, found.finding.remedies[0])
 
@@ -157,20 +179,20 @@ class LabelCheckCommands(QObject):
         document, finding = self._document, found.finding
         if remedy.kind is RemedyKind.LOOK:
             self.look(found)
-            document.say(finding.reason)
+            document.say(tr(finding.reason))
             return
         document.aboutToLeave.emit()
         if found.key not in {known.key for known in self._check.shown}:
-            document.say("the elements have changed since: checked again")
+            document.say(tr("the elements have changed since: checked again"))
             return
         if remedy.kind is RemedyKind.FOLLOW:
             self.followWanted.emit(finding.elements[0])
             return
-        done = self._done(finding, remedy)
+        done = kept(lambda: self._done(finding, remedy))
 
         def mend(annotation: FrameAnnotation) -> FrameAnnotation:
             if not found.holds_for(annotation):  # another window changed them
-                raise UsageError("the elements have changed since: checked again")
+                raise UsageError(tr("the elements have changed since: checked again"))
             return apply_remedy(annotation, finding, remedy, document.field)
 
         if not document.edit(done, mend):
@@ -180,20 +202,23 @@ class LabelCheckCommands(QObject):
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
         document.select_point(None)
         document.select_class(shown)
-        document.say(f"{done}; Ctrl+Z takes it back")
+        document.say(tr("{done}; Ctrl+Z takes it back", done=spoken(done)))
 
     def _done(self, finding: Finding, remedy: Remedy) -> str:
         """What a remedy has done, in words."""
-        title = self._document.field.title_of
+        title, renamed = self._title, remedy.renamed
         if remedy.kind is RemedyKind.REMOVE_POINT:
-            which = "" if finding.point is None else f" {finding.point + 1}"
-            return f"removed point{which} of {title(finding.elements[0])}"
-        if remedy.kind is RemedyKind.SWAP and len(remedy.renamed) == 2:
-            return f"swapped {title(remedy.renamed[0][0])} and {title(remedy.renamed[1][0])}"
-        if len(remedy.renamed) == 1:
-            before, after = remedy.renamed[0]
-            return f"relabelled {title(before)} to {title(after)}"
-        return f"relabelled {counted(len(remedy.renamed), 'element')}"
+            element = title(finding.elements[0])
+            if finding.point is None:
+                return tr("removed point of {element}", element=element)
+            return tr("removed point {n} of {element}", n=finding.point + 1, element=element)
+        if remedy.kind is RemedyKind.SWAP and len(renamed) == 2:
+            first, second = title(renamed[0][0]), title(renamed[1][0])
+            return tr("swapped {element} and {other}", element=first, other=second)
+        if len(renamed) == 1:
+            before, after = map(title, renamed[0])
+            return tr("relabelled {element} to {other}", element=before, other=after)
+        return tr_count(len(renamed), "relabelled {n} element", "relabelled {n} elements")
 
     # --- ignoring -------------------------------------------------------------------------
 
@@ -201,7 +226,7 @@ class LabelCheckCommands(QObject):
         """Show the current finding no more."""
         found = self._check.current
         if found is None:
-            self._document.say("go to a finding first (F10)")
+            self._document.say(tr("go to a finding first (F10)"))
             return
         self.ignore(self._frame_name(), found)
 
@@ -209,8 +234,10 @@ class LabelCheckCommands(QObject):
         """Show a finding no more, as long as the points of its elements stay as they are."""
         self._passed.add(found.key)
         self._check.ignored.add(frame, found.key)
-        titles = ", ".join(map(self._document.field.title_of, found.finding.elements))
-        self._document.say(f"ignored until {titles} changes; the Check panel brings it back")
+        titles = ", ".join(map(self._title, found.finding.elements))
+        self._document.say(
+            tr("ignored until {elements} changes; the Check panel brings it back", elements=titles)
+        )
 
     def restore(self) -> None:
         """Show the ignored findings of the frame on screen again."""
@@ -231,23 +258,30 @@ class LabelCheckCommands(QObject):
         """Stop checking the set."""
         if self._check.running:
             self._check.stop()
-            self._document.say("stopped checking the set; what was found stays")
+            self._document.say(tr("stopped checking the set; what was found stays"))
 
     def _tell_finished(self, checked: int) -> None:
         check = self._check
         found = [f for _, f in check.in_set()]
-        counts = [counted(n, str(severity)) for severity, n in check.counts(found).items() if n]
-        said = ", ".join(counts) if counts else "nothing found"
-        problems = len(check.problems)
-        more = f"; {counted(problems, 'frame')} cannot be checked" if problems else ""
-        model = self._document.live_fit.model
-        what = f"{counted(checked, 'frame')}, camera model {model}"
-        self._document.say(f"checked {what}: {said}{more}")
+        counts = [_so_many(severity, n) for severity, n in check.counts(found).items() if n]
+        said = tr_count(
+            checked,
+            "checked {n:,} frame, camera model {model}: {found}",
+            "checked {n:,} frames, camera model {model}: {found}",
+            model=self._document.live_fit.model,
+            found=", ".join(counts) if counts else tr("nothing found"),
+        )
+        if problems := len(check.problems):
+            not_checked = tr_count(
+                problems, "{n:,} frame cannot be checked", "{n:,} frames cannot be checked"
+            )
+            said = f"{said}; {not_checked}"
+        self._document.say(said)
 
     def ask_export(self) -> None:
         """Ask for a file and write the findings of all checked frames there."""
-        asked = self._document, self._window, "Export findings"
-        if (path := ask_where(*asked, "findings.csv", "Table (*.csv)")) is not None:
+        asked = self._document, self._window, tr("Export findings")
+        if (path := ask_where(*asked, "findings.csv", tr("Table (*.csv)"))) is not None:
             self.export(path)
 
     def export(self, path: Path) -> None:
@@ -262,13 +296,34 @@ class LabelCheckCommands(QObject):
         try:
             write_atomic(path, findings_csv(CheckReport(found=found, unreadable=unreadable)))
         except ProccError as error:
-            document.say(str(error), "error")
+            document.say(str(error), "error", "export_findings")
             return
-        what = f"{counted(len(found), 'finding')} in {counted(known, 'checked frame')}"
-        document.say(f"exported {what} to {path}")
+        frames = tr_count(known, "{n:,} checked frame", "{n:,} checked frames")
+        document.say(
+            tr_count(
+                len(found),
+                "exported {n:,} finding in {frames} to {path}",
+                "exported {n:,} findings in {frames} to {path}",
+                frames=frames,
+                path=path,
+            )
+        )
 
     # --- inside ---------------------------------------------------------------------------
 
     def _frame_name(self) -> str:
         frame = self._document.frame
         return frame.name if frame is not None else ""
+
+    def _title(self, class_name: str) -> str:
+        return tr(self._document.field.title_of(class_name))
+
+
+def _so_many(severity: Severity, count: int) -> str:
+    match severity:
+        case Severity.ERROR:
+            return tr_count(count, "{n:,} error", "{n:,} errors")
+        case Severity.WARNING:
+            return tr_count(count, "{n:,} warning", "{n:,} warnings")
+        case Severity.HINT:
+            return tr_count(count, "{n:,} hint", "{n:,} hints")

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.review_state import UNFINISHED
+from procc_annotator.language import tr
 from procc_annotator.session.facts.origins import Status
 
 
@@ -25,7 +26,9 @@ class Tour:
         self._go(
             step,
             lambda name: self._document.review.status(name) in UNFINISHED,
-            f"every frame {'after' if step > 0 else 'before'} this one is done or approved",
+            tr("every frame after this one is done or approved")
+            if step > 0
+            else tr("every frame before this one is done or approved"),
         )
 
     def go_rejected(self) -> None:
@@ -33,7 +36,7 @@ class Tour:
         self._go(
             1,
             lambda name: self._document.review.status(name) is Status.REJECTED,
-            "no other frame is rejected",
+            tr("no other frame is rejected"),
             around=True,
         )
 
@@ -44,7 +47,7 @@ class Tour:
             return
         document.aboutToLeave.emit()
         document.review.set_status(frame.name, Status(status))
-        document.say(f"{frame.name} is {status}")
+        document.say(tr("{frame} is {status}", frame=frame.name, status=tr(status, "a frame")))
 
     def _go(
         self, step: int, wanted: Callable[[str], bool], none_left: str, *, around: bool = False

@@ -12,8 +12,8 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import ask_where, opened_frame, write
-from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.language import tr, tr_count
 from procc_annotator.report.verdicts import verdicts_csv
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault, Verdict, place_by_name
@@ -36,27 +36,40 @@ class Triage(QObject):
         document = self._document
         source, frame = document.active_source, document.frame
         if frame is None or source is None:
-            document.say("a verdict is on a frame and a camera: load cameras first")
+            document.say(tr("a verdict is on a frame and a camera: load cameras first"))
             return
         if source.files is None:
             follows = source is document.fit_source.source
-            how = "follows the clicks" if follows else "is worked out here"
+            name = source.name
             document.say(
-                f"{source.name} {how}: a verdict is on a camera that was loaded",
+                tr(
+                    "{source} follows the clicks: a verdict is on a camera that was loaded",
+                    source=name,
+                )
+                if follows
+                else tr(
+                    "{source} is worked out here: a verdict is on a camera that was loaded",
+                    source=name,
+                )
             )
             return
         if not document.projection_visible:
-            document.say("blind: the camera is hidden until this frame is committed (Ctrl+Enter)")
+            document.say(
+                tr("blind: the camera is hidden until this frame is committed (Ctrl+Enter)")
+            )
             return
         chosen = Fault(fault)
         before = document.verdicts.verdict(frame.name, source)
         if before is not None and before.fault is chosen:
             document.verdicts.set_verdict(frame.name, source, None)
-            document.say(f"{frame.name}: no verdict on {source.name} any more")
+            taken_back = tr(
+                "{frame}: no verdict on {source} any more", frame=frame.name, source=source.name
+            )
+            document.say(taken_back)
             return
         comment = before.comment if before is not None else ""
         document.verdicts.set_verdict(frame.name, source, chosen, comment)
-        document.say(f"{frame.name}: {FAULT_WORDS[chosen]}, {source.name}")
+        document.say(f"{frame.name}: {tr(FAULT_WORDS[chosen], 'a verdict')}, {source.name}")
 
     def ask_note(self) -> None:
         """Ask for a few words on the verdict."""
@@ -66,10 +79,10 @@ class Triage(QObject):
         if frame is not None and source is not None and document.projection_visible:
             verdict = document.verdicts.verdict(frame.name, source)
         if frame is None or source is None or verdict is None:
-            document.say("mark the frame first: camera fault, annotation fault or fine")
+            document.say(tr("mark the frame first: camera fault, annotation fault or fine"))
             return
         text, given = QInputDialog.getText(
-            self._window, "Note on the verdict", "What is wrong here:", text=verdict.comment
+            self._window, tr("Note on the verdict"), tr("What is wrong here:"), text=verdict.comment
         )
         if given:
             document.verdicts.set_verdict(frame.name, source, verdict.fault, text.strip())
@@ -78,8 +91,8 @@ class Triage(QObject):
 
     def ask_export(self) -> None:
         """Ask for a file and write all verdicts there."""
-        asked = self._document, self._window, "Export verdicts"
-        if (path := ask_where(*asked, "verdicts.csv", "Table (*.csv)")) is not None:
+        asked = self._document, self._window, tr("Export verdicts")
+        if (path := ask_where(*asked, "verdicts.csv", tr("Table (*.csv)"))) is not None:
             self.export(path)
 
     def export(self, path: Path) -> None:
@@ -93,21 +106,33 @@ class Triage(QObject):
         revealed = document.revealed_frames
         verdicts = [v for v in every if revealed is None or v.frame in revealed]
         if not verdicts:
-            hidden = "blind: no frame that is committed has a verdict"
-            none = "no frame has a verdict yet: mark one first"
+            hidden = tr("blind: no frame that is committed has a verdict")
+            none = tr("no frame has a verdict yet: mark one first")
             document.say(hidden if every else none)
             return
         if not document.save_now():
             document.say(
-                "not everything could be saved: the figures are of the last saved state", "warning"
+                tr("not everything could be saved: the figures are of the last saved state"),
+                "warning",
             )
         left = len(every) - len(verdicts)
-        more = f"; blind mode leaves out {left} on frames that are not committed" if left else ""
+        more = tr("blind mode leaves out {n} on frames that are not committed", n=left)
+
+        def said(count: int) -> str:
+            done = tr_count(
+                count,
+                "exported {n:,} verdict to {path}",
+                "exported {n:,} verdicts to {path}",
+                path=path,
+            )
+            return f"{done}; {more}" if left else done
+
         write(
             document,
             self._writing(path, self._in_order(verdicts)),
-            lambda count: f"exported {counted(count, 'verdict')} to {path}{more}",
+            said,
             owner=self,
+            again="export_verdicts",
         )
 
     def _in_order(self, verdicts: list[Verdict]) -> list[Verdict]:

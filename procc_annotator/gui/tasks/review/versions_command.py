@@ -8,6 +8,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.review.versions_dialog import VersionRow, VersionsDialog
+from procc_annotator.language import kept, tr
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.facts.origins import OriginKind
 
@@ -27,7 +28,7 @@ class Versions:
         workspace, frame = document.workspace, document.frame
         database = document.review.database
         if workspace is None or frame is None or database is None:
-            document.say("open a folder of pictures first")
+            document.say(tr("open a folder of pictures first"))
             return
         rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
         index = document.frame_index
@@ -63,8 +64,8 @@ def apply_version(document: Document, version: str) -> None:
 
     def restore(annotation: FrameAnnotation) -> FrameAnnotation:
         if annotation is not seen:  # nobody decided to give up what somebody else just saved
-            raise UsageError("the frame was changed elsewhere: look at it, then restore again")
+            raise UsageError(tr("the frame was changed elsewhere: look at it, then restore again"))
         return edits.propose(restored, annotation.unconfirmed)
 
-    if document.edit("restore an earlier version", restore, OriginKind.FILE):
-        document.say("the earlier version is back; undo takes it away again")
+    if document.edit(kept(lambda: tr("restore an earlier version")), restore, OriginKind.FILE):
+        document.say(tr("the earlier version is back; undo takes it away again"))

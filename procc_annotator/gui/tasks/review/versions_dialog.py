@@ -36,12 +36,12 @@ from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.picture.annotation_preview import AnnotationPreview
 from procc_annotator.gui.theme import blend
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import spoken, tr, tr_count, word
 
 _LIST_WIDTH = 350
 _PAD = 7
 _MOST_NAMES = 4
-_NO_VERSION = "There is no earlier version of this frame."
+_NO_VERSION = word("There is no earlier version of this frame.")
 
 _ROOT = QModelIndex()
 
@@ -84,7 +84,7 @@ class VersionsDialog(QDialog):
         """
         super().__init__(parent)
         self.setObjectName("versionsDialog")
-        self.setWindowTitle("Earlier versions")
+        self.setWindowTitle(tr("Earlier versions"))
         self.chosen_id: str | None = None
         self._field = field
         self.model = VersionsModel(versions, preview, current)
@@ -98,7 +98,7 @@ class VersionsDialog(QDialog):
         self.preview = AnnotationPreview(picture, field, size)
         self.note = note_label("versionsNote")
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        self.restore = self.buttons.addButton("Restore", QDialogButtonBox.ButtonRole.AcceptRole)
+        self.restore = self.buttons.addButton(tr("Restore"), QDialogButtonBox.ButtonRole.AcceptRole)
         self.restore.setObjectName("versionsRestore")
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self.reject)
@@ -129,7 +129,7 @@ class VersionsDialog(QDialog):
         across.addLayout(right, 1)
         self.pages = QStackedWidget()
         self.pages.addWidget(content)
-        self.pages.addWidget(empty_state(_NO_VERSION, "versionsEmpty"))
+        self.pages.addWidget(empty_state(tr(_NO_VERSION), "versionsEmpty"))
         self.pages.setCurrentIndex(0 if self.model.rows else 1)
         layout = QVBoxLayout(self)
         layout.addWidget(self.pages, 1)
@@ -189,43 +189,59 @@ class VersionsModel(QAbstractListModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return "\n".join(self.lines(row))
         if role == Qt.ItemDataRole.ToolTipRole:
-            return self.rows[row].reason
+            return spoken(self.rows[row].reason)
         return None
 
     def lines(self, row: int) -> tuple[str, str, str, str]:
         """Time, author, reason and content of a row, in words."""
         version, annotation = self.rows[row], self.annotation(row)
-        when = datetime.fromtimestamp(version.time).strftime("%d %b %Y, %H:%M:%S")
-        content = "cannot be read"
+        when = datetime.fromtimestamp(version.time).strftime(
+            tr("%d %b %Y, %H:%M:%S", "a moment; the month as %b is English, as %m a number")
+        )
+        content = tr("cannot be read")
         if isinstance(annotation, FrameAnnotation):
             content = content_words(annotation)
             if self.current is not None:
                 content += f"  ({difference_words(annotation, self.current)})"
-        return when, version.author, version.reason, content
+        return when, version.author, spoken(version.reason), content
 
 
 def content_words(annotation: FrameAnnotation) -> str:
     """How much is annotated: "12 elements, 84 points"."""
     elements, points = _counts(annotation)
-    return f"{counted(elements, 'element')}, {counted(points, 'point')}" if elements else "empty"
+    if not elements:
+        return tr("empty", "a version")
+    return f"{_elements(elements)}, {_points(points)}"
+
+
+def _elements(count: int) -> str:
+    return tr_count(count, "{n} element", "{n} elements")
+
+
+def _points(count: int) -> str:
+    return tr_count(count, "{n} point", "{n} points")
 
 
 def difference_words(version: FrameAnnotation, current: FrameAnnotation) -> str:
     """What restoring a version would add and take away: "+2 elements, −5 points"."""
     if version.polylines == current.polylines:
-        return "as now"
+        return tr("as now")
     changes = [
-        f"{'+' if more > 0 else '−'}{counted(abs(more), word)}"
-        for more, word in zip(
+        f"{'+' if more > 0 else '−'}{so_many(abs(more))}"
+        for more, so_many in zip(
             (a - b for a, b in zip(_counts(version), _counts(current), strict=True)),
-            ("element", "point"),
+            (_elements, _points),
             strict=True,
         )
         if more
     ]
     if changes:
         return ", ".join(changes)
-    return "other elements" if set(version.annotated) != set(current.annotated) else "points moved"
+    return (
+        tr("other elements")
+        if set(version.annotated) != set(current.annotated)
+        else tr("points moved")
+    )
 
 
 def comparison(version: FrameAnnotation, current: FrameAnnotation | None, field: Field) -> str:
@@ -233,18 +249,22 @@ def comparison(version: FrameAnnotation, current: FrameAnnotation | None, field:
     if current is None:
         return content_words(version)
     if version.polylines == current.polylines:
-        return "This is what the frame holds now."
+        return tr("This is what the frame holds now.")
     was, now = (
         {p.class_name: p.points for p in a.polylines if p.points} for a in (version, current)
     )
     names = [n for n in {**now, **was} if was.get(n) != now.get(n)]
     if not names:
-        return "Compared with now: the same points in another order of elements."
+        return tr("Compared with now: the same points in another order of elements.")
     titles = [class_title(field, n) for n in names[:_MOST_NAMES]]
     if len(names) > _MOST_NAMES:
-        titles.append(f"{len(names) - _MOST_NAMES} more")
+        titles.append(tr("{n} more", n=len(names) - _MOST_NAMES))
     words = difference_words(version, current)
-    return f"Compared with now: {words}. What differs: {', '.join(titles)}."
+    return tr(
+        "Compared with now: {changes}. What differs: {elements}.",
+        changes=words,
+        elements=", ".join(titles),
+    )
 
 
 def _polylines(annotation: FrameAnnotation | None) -> object:

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.language import tr, word
 from procc_annotator.session.runs.audit import FrameAudit
 from procc_annotator.session.runs.triage import (
     SetDisagreement,
@@ -23,6 +24,11 @@ from procc_annotator.session.runs.triage import (
 Order = Literal["jac", "error", "disagreement"]
 Values = Callable[[], Mapping[str, float]]
 
+_SAID: dict[Order, str] = {
+    "jac": word("{place} of {total}, worst first: JaC {value:.3f}"),
+    "error": word("{place} of {total}, worst first: largest error {value:.1f} px"),
+    "disagreement": word("{place} of {total}, worst first: median disagreement {value:.2f} m"),
+}
 _MANY = 300  # frames that are ranked on the interface thread at most
 
 
@@ -73,7 +79,7 @@ class WorstFirst(QObject):
         pair = self._pair()
         if pair is None or document.workspace is None:
             document.say(
-                "two sources are needed to see where they disagree: load more cameras (Ctrl+L)",
+                tr("two sources are needed to see where they disagree: load more cameras (Ctrl+L)"),
             )
             return
         found = self._kept.get(self._pair_key(*pair))
@@ -82,7 +88,11 @@ class WorstFirst(QObject):
             return
         if not found.metres:
             document.say(
-                f"{pair[0].name} and {pair[1].name} cannot be compared on the ground in any frame",
+                tr(
+                    "{source} and {other} cannot be compared on the ground in any frame",
+                    source=pair[0].name,
+                    other=pair[1].name,
+                )
             )
             return
         self._go("disagreement", lambda: found.metres, self._pair_key(*pair), low=False)
@@ -92,7 +102,7 @@ class WorstFirst(QObject):
         self._document.set_scores.cancel()
         if self._comparing.cancel():
             self.progressed.emit(0, 0)
-            self._document.say("stopped comparing the sources")
+            self._document.say(tr("stopped comparing the sources"))
 
     # --- walking --------------------------------------------------------------------------
 
@@ -156,30 +166,37 @@ class WorstFirst(QObject):
             return
         if walk.place < 0 and walk.order[0] == document.frame_index:
             walk.place = 0
-            self._tell(order, walk, "this is the worst; once more goes on")
+            self._tell(order, walk, tr("this is the worst; once more goes on"))
             return
         place = next_worst(walk.order, walk.place, document.frame_index)
         if place is None:
-            document.say("no other frame has a score")
+            document.say(tr("no other frame has a score"))
             return
         again, walk.place = place < walk.place, place
         document.go_to(walk.order[place])
-        self._tell(order, walk, "from the worst again" if again else "")
+        self._tell(order, walk, tr("from the worst again") if again else "")
 
     def _tell(self, order: Order, walk: _Walk, more: str) -> None:
         """Say where in a walk the frame on screen is."""
         frame = self._document.frame
         if frame is not None:
-            place = f"{walk.place + 1} of {len(walk.order)}, worst first"
-            said = f"{place}: {_said(order, walk.values[frame.name])}"
+            said = tr(
+                _SAID[order],
+                place=walk.place + 1,
+                total=len(walk.order),
+                value=walk.values[frame.name],
+            )
             self._document.say("; ".join(filter(None, (said, more))))
 
     def _say_no_scores(self) -> None:
-        words = "no JaC yet: load cameras first"
+        words = tr("no JaC yet: load cameras first")
         if self._document.active_source is not None:
-            words = "no frame with a score to go to"
+            words = tr("no frame with a score to go to")
             if self._document.blind:
-                words += ": blind mode shows those of committed frames only"
+                words = tr(
+                    "no frame with a score to go to: blind mode shows those of committed frames"
+                    " only"
+                )
         self._document.say(words)
 
     # --- comparing ------------------------------------------------------------------------
@@ -200,12 +217,14 @@ class WorstFirst(QObject):
         if workspace is None:
             return
         if self._comparing.running:
-            document.say("two sources are being compared already")
+            document.say(tr("two sources are being compared already"))
             return
         key = self._pair_key(a, b)
         names = [f.name for f in workspace.frames]
         first, second = a.camera_set, b.camera_set
-        document.say(f"comparing {a.name} with {b.name} over the set")
+        document.say(
+            tr("comparing {source} with {other} over the set", source=a.name, other=b.name)
+        )
 
         def work(control: JobControl) -> SetDisagreement:
             return set_disagreement(
@@ -218,7 +237,7 @@ class WorstFirst(QObject):
             if document.frame is frame:  # nobody has moved on meanwhile
                 self.go_disagreement()
             else:
-                document.say(f"{a.name} and {b.name} are compared")
+                document.say(tr("{source} and {other} are compared", source=a.name, other=b.name))
 
         self._comparing.start(work, done, progress=self.progressed.emit)
 
@@ -242,11 +261,3 @@ class WorstFirst(QObject):
             for key, found in self._kept.items()
             if isinstance(key[0], frozenset) and key[0] <= there
         }
-
-
-def _said(order: Order, value: float) -> str:
-    if order == "jac":
-        return f"JaC {value:.3f}"
-    if order == "error":
-        return f"largest error {value:.1f} px"
-    return f"median disagreement {value:.2f} m"

@@ -20,7 +20,7 @@ from procc_annotator.gui.state.many_edits import EditedFrames, ManyEdits
 from procc_annotator.gui.state.set_edits import edit_frame
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import kept, tr, tr_count, word
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.tracked_cameras import doubt_about
@@ -28,12 +28,12 @@ from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.ghost_points import accept_all, find_points
 
 _NOTHING = FrameAnnotation(())
-_ANNOTATED = "it is annotated by now"
-_EDITED = "it was edited since"
-_NONE_SURE = (
+_ANNOTATED = word("it is annotated by now")
+_EDITED = word("it was edited since")
+_NONE_SURE = word(
     "no frame to accept: follow the shot first (T); doubtful and annotated frames are left out"
 )
-_BLIND = "blind mode: nothing is accepted that was not clicked"
+_BLIND = word("blind mode: nothing is accepted that was not clicked")
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,8 +115,12 @@ class StretchAccepting(QObject):
         """How far it is."""
         if self._job is None:
             return ""
-        of = f": {self._far[0]} of {self._far[1]} frames" if self._far[1] else ""
-        return f"looking for paint along the track{of}"
+        done, total = self._far
+        if not total:
+            return tr("looking for paint along the track")
+        return tr(
+            "looking for paint along the track: {done} of {total} frames", done=done, total=total
+        )
 
     def accept(self) -> None:
         """Annotate the sure frames along the track."""
@@ -124,12 +128,12 @@ class StretchAccepting(QObject):
         if self.running or workspace is None:
             return
         if not document.proposals.allowed:
-            document.say(_BLIND)
+            document.say(tr(_BLIND))
             return
         document.aboutToLeave.emit()
         stretch = self._stretch()
         if stretch is None:
-            document.say(_NONE_SURE)
+            document.say(tr(_NONE_SURE))
             return
         self._far = (0, 0)
         self._job = run_in_background(
@@ -145,7 +149,7 @@ class StretchAccepting(QObject):
         """Frames that were accepted last and not edited since are as they were before."""
         document = self._document
         if self.running or not self._accepted:
-            document.say("nothing was accepted that could be taken back")
+            document.say(tr("nothing was accepted that could be taken back"))
             return
         document.aboutToLeave.emit()
         self._found, self._accepted = self._accepted, {}
@@ -156,7 +160,7 @@ class StretchAccepting(QObject):
         """Take Undo right after a stretch was accepted, and Escape while it is looked for."""
         if name in ("Escape", "Undo") and self._job is not None:
             self._stop_looking()
-            self._document.say("taken back: no frame is accepted")
+            self._document.say(tr("taken back: no frame is accepted"))
             return True
         if name != "Undo" or self._at != self._document.frame_index or not self._accepted:
             return False
@@ -197,10 +201,10 @@ class StretchAccepting(QObject):
     def _take(self, found: dict[int, FrameAnnotation] | None) -> None:
         self._end()
         if found is None:
-            self._document.say(_NONE_SURE)
+            self._document.say(tr(_NONE_SURE))
             return
         if not found:
-            self._document.say("no frame was accepted: too little of their lines is seen")
+            self._document.say(tr("no frame was accepted: too little of their lines is seen"))
             return
         self._found, self._put, self._then = found, {}, self._tell_accepted
         self._at, self._here = self._document.frame_index, self._document.annotation
@@ -208,7 +212,7 @@ class StretchAccepting(QObject):
 
     def _fail(self, text: str) -> None:
         self._end()
-        self._document.say(f"no frame was accepted: {text}", "warning")
+        self._document.say(tr("no frame was accepted: {why}", why=text), "warning")
 
     def _end(self) -> None:
         self._job = None
@@ -225,28 +229,28 @@ class StretchAccepting(QObject):
         workspace = self._document.workspace
         assert workspace is not None
         if not self._document.proposals.allowed_in(workspace.frames[index].name):
-            return _BLIND
+            return tr(_BLIND)
 
         def change(before: FrameAnnotation) -> FrameAnnotation | str:
             if before.annotated or before.unconfirmed:
-                return _ANNOTATED
+                return tr(_ANNOTATED)
             found = self._found[index]
             for polyline in found.polylines:
                 before = before.with_polyline(polyline)
             self._put[index] = before
             return before
 
-        return self._edit(index, change, "accept the track")
+        return self._edit(index, change, kept(lambda: tr("accept the track")))
 
     def _empty_frame(self, index: int) -> str:
         def change(before: FrameAnnotation) -> FrameAnnotation | str:
             if before.polylines != self._found[index].polylines:
-                return _EDITED
+                return tr(_EDITED)
             for polyline in before.polylines:
                 before = before.without(polyline.class_name)
             return before
 
-        return self._edit(index, change, "take back the track")
+        return self._edit(index, change, kept(lambda: tr("take back the track")))
 
     def _edit(
         self, index: int, change: Callable[[FrameAnnotation], FrameAnnotation | str], label: str
@@ -260,13 +264,22 @@ class StretchAccepting(QObject):
         document = self._document
         self._accepted = {i: self._put[i] for i in outcome.edited}
         self._here = self._accepted.get(self._at, self._here)
-        frames = counted(len(outcome.edited), "frame")
-        document.say(f"accepted {frames} along the track{_why(outcome)}; Ctrl+Z takes them back")
+        said = tr_count(
+            len(outcome.edited),
+            "accepted {n:,} frame along the track",
+            "accepted {n:,} frames along the track",
+        )
+        back = tr("Ctrl+Z takes them back")
+        document.say("; ".join((said, *_why(outcome), back)))
         self.changed.emit()
 
     def _tell_taken_back(self, outcome: EditedFrames) -> None:
-        frames = counted(len(outcome.edited), "frame")
-        self._document.say(f"taken back: {frames} accepted along the track{_why(outcome)}")
+        said = tr_count(
+            len(outcome.edited),
+            "taken back: {n:,} frame accepted along the track",
+            "taken back: {n:,} frames accepted along the track",
+        )
+        self._document.say("; ".join((said, *_why(outcome))))
         self.changed.emit()
 
     def _go_on(self) -> None:
@@ -283,11 +296,14 @@ class StretchAccepting(QObject):
         self._at = -1
 
 
-def _why(outcome: EditedFrames) -> str:
+def _why(outcome: EditedFrames) -> list[str]:
     """What is said of frames that were left as they were, or could not be saved."""
     whys = dict.fromkeys(why for _, why in (*outcome.left, *outcome.unsaved))
     left = len(outcome.left) + len(outcome.unsaved)
-    return f"; {counted(left, 'frame')} left: {', '.join(whys)}" if left else ""
+    if not left:
+        return []
+    why = ", ".join(whys)
+    return [tr_count(left, "{n:,} frame left: {why}", "{n:,} frames left: {why}", why=why)]
 
 
 def _look(stretch: _Stretch, control: JobControl) -> dict[int, FrameAnnotation] | None:

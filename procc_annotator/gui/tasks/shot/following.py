@@ -19,7 +19,7 @@ from procc_annotator.fit.through_shot.following_shot import track
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
-from procc_annotator.interact.hints import counted
+from procc_annotator.language import tr, tr_count
 from procc_annotator.session.clicks.anchors import anchors_of
 from procc_annotator.session.clicks.correction import Correction, as_anchor, on_paint
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
@@ -107,8 +107,12 @@ class ShotFollowing(QObject):
         if not self.running:
             return ""
         if not self._come.total:
-            return "looking for the ends of the shot …  T stops"
-        return f"following: {self._come.done} of {self._come.total} frames  ·  T stops"
+            return tr("looking for the ends of the shot …  T stops")
+        return tr(
+            "following: {done} of {total} frames  ·  T stops",
+            done=self._come.done,
+            total=self._come.total,
+        )
 
     def toggle(self) -> None:
         """Follow the shot of the frame on screen, or stop."""
@@ -117,10 +121,10 @@ class ShotFollowing(QObject):
             self.stop()
             return
         if sequence is None:
-            document.say("only a video, or frames that follow one another, can be followed")
+            document.say(tr("only a video, or frames that follow one another, can be followed"))
             return
         if document.blind:
-            document.say("blind mode: no shot is followed, its cameras would be seen")
+            document.say(tr("blind mode: no shot is followed, its cameras would be seen"))
             return
         document.aboutToLeave.emit()
         number = int(sequence.numbers[document.frame_index])
@@ -137,8 +141,11 @@ class ShotFollowing(QObject):
             self._end()
             self._document.shot_track.put(self._come.take())
             self._document.shot_track.keep()
-            kept = "what was followed so far stays" if self._come.done else "nothing was followed"
-            self._document.say(f"stopped; {kept}")
+            self._document.say(
+                tr("stopped; what was followed so far stays")
+                if self._come.done
+                else tr("stopped; nothing was followed")
+            )
 
     # --- inside -------------------------------------------------------------------------------
 
@@ -201,18 +208,16 @@ class ShotFollowing(QObject):
         shot_track.take(found, is_shot=is_shot)
         if all(frame.fit is None for frame in found.frames):
             self._document.say(
-                "no frame of the shot has a camera that is sure: annotate one, then follow it"
+                tr("no frame of the shot has a camera that is sure: annotate one, then follow it")
             )
             return
         doubtful = sum(bool(doubt_about(frame)) for frame in found.frames)
-        frames = counted(len(found.frames), "frame")
-        left = f", {doubtful:,} of them doubtful (Alt+PgDown)" if doubtful else ", all of them sure"
-        self._document.say(f"followed {frames}{left}; Ctrl+Shift+Enter accepts the sure ones")
+        self._document.say(_followed(len(found.frames), doubtful))
         self._follow_corrected()
 
     def _fail(self, text: str) -> None:
         self._end()
-        self._document.say(f"the shot could not be followed: {text}", "warning")
+        self._document.say(tr("the shot could not be followed: {why}", why=text), "warning")
 
     def _end(self) -> None:
         self._job = None
@@ -282,6 +287,24 @@ class ShotFollowing(QObject):
                 return
 
 
+def _followed(frames: int, doubtful: int) -> str:
+    """What came of a shot."""
+    if not doubtful:
+        return tr_count(
+            frames,
+            "followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones",
+            "followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones",
+        )
+    return tr_count(
+        frames,
+        "followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter"
+        " accepts the sure ones",
+        "followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter"
+        " accepts the sure ones",
+        doubtful=doubtful,
+    )
+
+
 def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
     """In a thread."""
 
@@ -296,7 +319,7 @@ def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
     sequence = asked.sequence
     numbers, within = sequence.unbroken(asked.number), asked.within
     with sequence.open_pictures() as read:
-        pictures = UsablePictures(read, numbers, lambda n: f"frame {n}")
+        pictures = UsablePictures(read, numbers, lambda n: f"frame {n}")  # not shown
         if within is None:
             within = shot_around(pictures.or_last, asked.number, numbers, go_on)
         else:

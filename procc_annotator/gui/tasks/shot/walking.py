@@ -9,9 +9,20 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
+from procc_annotator.language import tr, word
 from procc_annotator.session.dataset.tracked_cameras import doubt_about
 
 _SLOWEST_MS = 1000  # between frames that lie seconds apart, nobody wants to wait as long
+
+
+# (forward, what is looked for) -> what is said where there is none.
+_ANNOTATED, _DOUBTFUL = "annotated", "doubtful"
+_NO_OTHER = {
+    (True, _ANNOTATED): word("no frame after this one is annotated"),
+    (False, _ANNOTATED): word("no frame before this one is annotated"),
+    (True, _DOUBTFUL): word("no frame after this one is doubtful"),
+    (False, _DOUBTFUL): word("no frame before this one is doubtful"),
+}
 
 
 class ShotWalk(QObject):
@@ -40,7 +51,7 @@ class ShotWalk(QObject):
         """Go to the nearest annotated frame after (1) or before (-1) this one."""
         indices = self._document.annotated_frames.indices
         if self._has_order():
-            self._go(indices, step, "annotated")
+            self._go(indices, step, _ANNOTATED)
 
     def go_doubtful(self, step: int) -> None:
         """Go to the nearest frame whose track is in doubt, after (1) or before (-1) this one."""
@@ -49,13 +60,13 @@ class ShotWalk(QObject):
         if sequence is None or not self._has_order():
             return
         if self._document.blind:
-            self._document.say("blind mode: how the track does is hidden")
+            self._document.say(tr("blind mode: how the track does is hidden"))
             return
         if not tracked:
-            self._document.say("no shot was followed yet (T)")
+            self._document.say(tr("no shot was followed yet (T)"))
             return
         index_of = sequence.index_of
-        self._go((index_of[n] for n in index_of if _doubtful(tracked, n)), step, "doubtful")
+        self._go((index_of[n] for n in index_of if _doubtful(tracked, n)), step, _DOUBTFUL)
 
     def _go(self, indices: Iterable[int], step: int, what: str) -> None:
         here = self._document.frame_index
@@ -63,12 +74,11 @@ class ShotWalk(QObject):
         if beyond:
             self._document.walk.come_to(min(beyond) if step > 0 else max(beyond))
         else:
-            where = "after" if step > 0 else "before"
-            self._document.say(f"no frame {where} this one is {what}")
+            self._document.say(tr(_NO_OTHER[step > 0, what]))
 
     def _has_order(self) -> bool:
         if self._document.sequence.value is None:
-            self._document.say("these frames do not follow one another")
+            self._document.say(tr("these frames do not follow one another"))
             return False
         return True
 

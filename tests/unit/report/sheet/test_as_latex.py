@@ -13,7 +13,7 @@ from procc_annotator.metric.spread import Spread
 from procc_annotator.report.page.report_pairs import ReportedPair, disagreement_section
 from procc_annotator.report.sheet.as_latex import escape_latex, latex_table, latex_tables
 from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.sheet import Column, Sheet, of
+from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, of
 from procc_annotator.session.runs.comparison_run import ComparisonSummary
 
 
@@ -75,6 +75,32 @@ def test_a_table_that_is_too_wide_is_set_smaller_and_goes_on_below() -> None:
     assert text.count("rather") == len(parts)  # the source stands before each part
 
 
+def _of_several_taus() -> Sheet:
+    """As tables of intervals are: source and tau tell the rows apart."""
+    error = Figure("error", "mean error", "px", "lower", digits=2)
+    columns = [Column("part", "Part"), Column("source", "Source"), TAU]
+    for name in ("jac", "score", "error"):
+        columns.append(of(error, key=name, heading=name))
+        columns.append(of(error, key=f"{name}_low", joined=" [{}, "))
+        columns.append(of(error, key=f"{name}_high", joined="{}]"))
+    rows = tuple(
+        (f"focal 1260 to {focal} px of the_same", source, tau, *[100.0] * 9)
+        for focal in (1877, 2460)
+        for source in ("PnLCalib", "Another")
+        for tau in (2.0, 5.0)
+    )
+    return Sheet("taus", "Taus", tuple(columns), rows)
+
+
+def test_every_part_of_a_table_tells_its_rows_apart() -> None:
+    text = latex_table(_of_several_taus(), 229.0)
+    parts = text.split(r"\par\medskip")
+    assert len(parts) > 1
+    for part in parts:
+        lines = [line for line in part.splitlines() if "100.00" in line]
+        assert len(set(lines)) == len(lines) == 8
+
+
 def test_what_has_room_enough_is_set_as_it_is() -> None:
     sheet = Sheet("small", "Small", (Column("a", "Two words"), of(Figure("b", "b"))), (("x", 1.0),))
     assert latex_table(sheet).splitlines()[2:5] == [
@@ -99,7 +125,11 @@ def test_latex_sets_every_table_within_the_text(tmp_path: Path) -> None:
         ("100 % \\input{x} ~^ \"quoted\" a|b {–} 3² 4°", 1.0),
     ))  # fmt: skip
     tables = latex_tables([*(_wide(columns) for columns in (2, 5, 9)), strange])
-    document = "\\documentclass{article}\\begin{document}\n" + tables + "\\end{document}\n"
+    tables += latex_table(_of_several_taus())
+    setup = (
+        "\\documentclass{article}\\setlength{\\textwidth}{229pt}\\setlength{\\columnwidth}{229pt}"
+    )
+    document = setup + "\\begin{document}\n" + tables + "\\end{document}\n"
     (tmp_path / "a.tex").write_text(document, encoding="utf-8")
     done = subprocess.run(
         [pdflatex, "-interaction=nonstopmode", "-halt-on-error", "a.tex"],

@@ -11,7 +11,9 @@ import pytest
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.report.scores.chance_sheets import differences_sheet
+from procc_annotator.report.scores.chance_sheets import differences_sheet, power_sheet
+from procc_annotator.report.scores.strata_sheet import figures_sheet
+from procc_annotator.report.sheet.sheet import records
 from procc_annotator.session.runs.audit import TAU_GRID, Pose
 from procc_annotator.session.runs.certainty import Certainty, same_frames
 from procc_annotator.session.runs.click_spreads import pairs_under_clicks, spread_of
@@ -53,6 +55,47 @@ def three() -> tuple[SourceSums, ...]:
 
 def certain(sources, by=NONE, tags=None, order=None) -> Certainty:
     return Certainty(sources, clusters_of(sources[0].names, by, tags or {}, order), DRAWS)
+
+
+def test_tables_of_few_clusters_say_what_they_cannot_tell(three) -> None:
+    def said(clusters: int, method: str) -> str:
+        tags = {f"{n:03}": f"match {n % clusters}" for n in range(60)}
+        numbers = clusters_of(three[0].names, "match", tags)
+        notes = differences_sheet(Certainty(three, numbers, DRAWS, method), "").notes
+        return " ".join(notes)
+
+    assert "no interval is to be relied on" in said(4, "t")
+    assert "Of 5 clusters no p is below 0.062" in said(5, "t")
+    assert "relied on" not in said(5, "t")
+    assert "in 88 to 93 of 100 sets" in said(9, "bca")
+    for many in (said(9, "t"), said(10, "percentile")):
+        assert "100 sets" not in many
+        assert "no p is below" not in many
+    alone = Certainty(three[:1], clusters_of(three[0].names, NONE, {}), DRAWS)
+    assert alone.cautions == ()
+
+
+def test_frames_needed_are_no_fewer_than_the_test_can_tell_anything_of(three) -> None:
+    def needed(clusters: int) -> list[dict]:
+        tags = {f"{n:03}": f"match {n % clusters}" for n in range(60)}
+        numbers = clusters_of(three[0].names, "match", tags)
+        return list(records(power_sheet(Certainty(three, numbers, DRAWS), "")))
+
+    for row in needed(10):
+        assert row["frames_for_5"] >= 6 * row["frames"] / 10
+        assert row["least_difference"] > 0
+    for row in needed(5):
+        assert row["frames_for_5"] > row["frames"]
+        assert row["least_difference"] is None
+
+
+def test_a_part_of_one_cluster_is_warned_of(three) -> None:
+    tags = {f"{n:03}": str(n // 10) for n in range(60)}
+    whole = Certainty(three, clusters_of(three[0].names, "match", tags), DRAWS)
+    parts = strata(whole, "half", ["first" if n < 10 else "rest" for n in range(60)])
+    notes = " ".join(figures_sheet(parts, whole, "").notes)
+    assert "part with the fewest: of fewer than 5 clusters no interval" in notes
+    assert whole.cautions == ()
 
 
 def test_a_fit_to_the_clicks_is_never_the_best_and_takes_no_place(three) -> None:

@@ -1,0 +1,64 @@
+"""The legend in the picture's corner: of what is there, out of the hand's way, switched off."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.settings import SWITCHES, Settings
+from tests.gui.conftest import Hand, until_kept
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+
+def texts(window: MainWindow) -> list[str]:
+    QApplication.processEvents()
+    return [entry.text for entry in window.canvas.legend.entries]
+
+
+def test_it_explains_what_is_there(begun: MainWindow, qtbot: QtBot) -> None:
+    legend = begun.canvas.legend
+    qtbot.waitUntil(lambda: "ghost: expected here" in texts(begun))
+    assert texts(begun)[0] == "annotated, in its class's colour"
+    assert legend.isVisible()
+    assert "ghost: expected here" in legend.accessibleName()
+    room = begun.canvas.viewport().rect()
+    assert room.contains(legend.geometry())
+    begun.actions_["ghosts"].trigger()
+    assert texts(begun) == ["annotated, in its class's colour"]
+    begun.actions_["hide_overlays"].trigger()
+    assert texts(begun) == []
+    assert not legend.isVisible()
+
+
+def test_verdicts_and_sources_are_named(audited: MainWindow, qtbot: QtBot) -> None:
+    audited.document.set_active_camera(1)
+    assert texts(audited)[:2] == ["passes", "too far"]
+    assert {"projection", "true"} <= set(texts(audited))
+    audited.actions_["others"].trigger()
+    assert "true" not in texts(audited)
+    audited.actions_["colour_origin"].trigger()
+    assert texts(audited)[0] == "from the file"
+
+
+def test_it_gives_way_to_the_hand(begun: MainWindow) -> None:
+    legend, canvas = begun.canvas.legend, begun.canvas
+    texts(begun)
+    hand = Hand(begun)
+    assert legend.isVisible()
+    at = canvas.to_picture(legend.geometry().center().toPointF())
+    hand.move(*at)
+    assert not legend.isVisible()
+    hand.move(*canvas.to_picture(canvas.viewport().rect().center().toPointF()))
+    assert legend.isVisible()
+
+
+def test_it_can_be_switched_off_for_good(begun: MainWindow) -> None:
+    texts(begun)
+    begun.actions_["legend"].trigger()
+    assert not begun.canvas.legend.isVisible()
+    until_kept()
+    begun.close()
+    assert Settings().get(SWITCHES["legend"]) is False

@@ -1,0 +1,157 @@
+"""The field map lies as the camera sees the field, and what is out of sight is faint."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.load import load_field
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state.map_sight import MapSight
+from procc_annotator.interact.field_sight import field_sight
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from tests.gui.conftest import MakeWindow
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+SIZE = (960, 540)
+
+
+def camera(x: float, y: float, at: tuple[float, float], focal: float = 900.0) -> PinholeCamera:
+    """15 m above a place, looking at one on the ground."""
+    dx, dy = at[0] - x, at[1] - y
+    return PinholeCamera(
+        pan_rad=math.atan2(dx, -dy),
+        tilt_rad=math.atan2(math.hypot(dx, dy), 15.0),
+        roll_rad=0.0,
+        position_world=(x, y, -15.0),
+        focal_px=(focal, focal),
+        principal_point_px=(479.5, 269.5),
+    )
+
+
+MAIN = camera(0, 60, (0, 0), 1500)
+SIDES = (MAIN, camera(90, 5, (50, 0), 2000), camera(0, -60, (0, 0)), camera(-90, -5, (-50, 0)))
+
+
+@pytest.fixture
+def cameras(tmp_path: Path) -> Path:
+    """A main camera, and one behind the right goal; the third frame has none."""
+    folder = tmp_path / "cameras"
+    folder.mkdir()
+    for i, one in enumerate(SIDES[:2]):
+        (folder / f"camera_frame_{i}.json").write_bytes(write_camera(one))
+    return folder
+
+
+@pytest.fixture
+def judged(make_window: MakeWindow, dataset: Path, cameras: Path, qtbot: QtBot) -> MainWindow:
+    window = make_window(dataset)
+    assert window.document.load_cameras(cameras)
+    see(window, qtbot)
+    return window
+
+
+def see(window: MainWindow, qtbot: QtBot) -> MapSight:
+    sight = window.document.map_sight
+    qtbot.waitUntil(lambda: sight.shown is not None)
+    return sight
+
+
+@pytest.mark.parametrize(("turns", "seen_by"), list(enumerate(SIDES)))
+def test_the_side_of_the_camera_is_told_by_any_model(turns: int, seen_by: PinholeCamera) -> None:
+    field = load_field("soccer")
+    ground = np.array([(0, 0, 0), (10, 0, 0), (0, 10, 0), (10, 10, 0.0)])
+    px, shown = seen_by.project(ground)
+    assert shown.all()
+    matrix = cv2.getPerspectiveTransform(ground[:, :2].astype(np.float32), px.astype(np.float32))
+    by_matrix = HomographyCamera.from_world_from_image(np.linalg.inv(matrix), SIZE)
+    for one in (seen_by, by_matrix):
+        found = field_sight(field, one, SIZE)
+        assert found is not None
+        assert found.turns == turns
+
+
+def test_a_camera_that_pans_turns_no_map() -> None:
+    field = load_field("soccer")
+    for x in (-52.0, -20.0, 20.0, 52.0):
+        found = field_sight(field, camera(0, 60, (x, 20.0)), SIZE)
+        assert found is not None
+        assert found.turns == 0
+
+
+def test_a_camera_over_the_field_turns_it_by_what_is_right() -> None:
+    field = load_field("soccer")
+    found = field_sight(field, camera(20, 0, (45, 1)), SIZE)
+    assert found is not None
+    assert found.turns == 3
+    assert found.half == 1
+
+
+def test_left_on_the_map_is_left_in_the_picture(judged: MainWindow, qtbot: QtBot) -> None:
+    window, document = judged, judged.document
+    field_map = window.field_map
+    assert document.map_sight.turns == 0
+    far, left = (field_map.to_widget(*at) for at in ((0, -30), (-30, 0)))
+    middle = field_map.to_widget(0, 0)
+    assert far.y() < middle.y()
+    assert left.x() < middle.x()
+    document.go_to(1)
+    qtbot.waitUntil(lambda: document.map_sight.turns == 1)
+    # From behind the right goal its far side is the left one, and its own goal lies near.
+    px, _ = SIDES[1].project(np.array([(40, 20, 0), (40, -20, 0), (48, 0, 0), (30, 0, 0.0)]))
+    on_map = [field_map.to_widget(*at) for at in ((40, 20), (40, -20), (48, 0), (30, 0))]
+    assert (px[0, 0] < px[1, 0]) == (on_map[0].x() < on_map[1].x())
+    assert (px[2, 1] > px[3, 1]) == (on_map[2].y() > on_map[3].y())
+    # Clicks mean what they hit.
+    at = field_map.position_of("Goal right crossbar")
+    qtbot.mouseClick(field_map, Qt.MouseButton.LeftButton, pos=at.toPoint())
+    assert document.selected_class == "Goal right crossbar"
+    document.go_to(2)  # without a camera: it stays turned, and nothing is out of sight
+    qtbot.waitUntil(lambda: document.map_sight.shown is None)
+    assert document.map_sight.turns == 1
+    window.actions_["turn_map"].trigger()
+    assert document.map_sight.turns == 0
+
+
+def test_what_is_out_of_sight_is_faint(judged: MainWindow, qtbot: QtBot) -> None:
+    field_map = judged.field_map
+    field_map.resize(330, 300)
+
+    def contrast(name: str) -> float:
+        image = field_map.grab().toImage()
+        at = field_map.position_of(name).toPoint()
+        ground = image.pixelColor(at + QPoint(4, 4)).lightnessF()
+        around = [at + QPoint(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+        return max(abs(image.pixelColor(p).lightnessF() - ground) for p in around)
+
+    assert contrast("Middle line") > 2 * contrast("Big rect. left main")
+    judged.document.select_class("Big rect. left main")
+    assert contrast("Big rect. left main") > 0.2  # who asks for it sees it
+
+
+def test_the_half_in_sight_takes_the_room(judged: MainWindow, qtbot: QtBot) -> None:
+    document, field_map = judged.document, judged.field_map
+    document.go_to(1)
+    qtbot.waitUntil(lambda: document.map_sight.half == 1)
+
+    def metre() -> float:
+        apart = field_map.to_widget(30, 0) - field_map.to_widget(31, 0)
+        return abs(apart.x()) + abs(apart.y())
+
+    large = metre()
+    document.select_class("Goal left crossbar")  # out of sight, but asked for
+    whole = metre()
+    assert large > 1.2 * whole
+    document.select_class(None)
+    judged.actions_["turn_map"].trigger()
+    assert metre() != large
+    assert document.map_sight.shown is None
