@@ -72,6 +72,7 @@ PRESETS: Mapping[str, Keymap] = {
             "switch_mode": ("Home",),  # not shown
             "snapping": ("End",),  # not shown
             "copy_previous": ("Ins",),  # not shown
+            "insert_point": ("Ctrl+Ins",),  # not shown
             "confirm_all": ("Shift+Ins",),
         }
     ),

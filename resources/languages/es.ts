@@ -4,6 +4,304 @@
  <context>
   <name>procc</name>
   <message>
+   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
+   <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
+   <translation>las coordenadas parecen píxeles, se esperaba de 0 a 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>look at it</source>
+   <extracomment>[procc_annotator/fit/labels/finding.py]</extracomment>
+   <translation>mirarlo</translation>
+  </message>
+  <message>
+   <source>all labels fit with far and near exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>todas las clases encajan con lejos y cerca intercambiados</translation>
+  </message>
+  <message>
+   <source>all labels fit with left and right exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>todas las clases encajan con izquierda y derecha intercambiadas</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>mirar el punto {number}</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>el punto {number} de {title} está a {off:.0f} px, sus otros puntos a lo sumo a {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>los elementos están de media a {after:.1f} px, ninguna cámara encaja con las clases tal como están</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>los elementos están de media a {after:.1f} px, a {before:.1f} px tal como están</translation>
+  </message>
+  <message>
+   <source>{a} and {b} fit with each other's label</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{a} y {b} encajan con la clase del otro</translation>
+  </message>
+  <message>
+   <source>{titles} fit with each other's labels</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{titles} encajan con las clases de los otros</translation>
+  </message>
+  <message>
+   <source>relabel {steps}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>cambiar la clase: {steps}</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>quitar el punto {number}</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>el punto {number} de {title} está a {off:.0f} px, su otro punto a lo sumo a {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} está hasta a {px:.0f} px de donde lo muestra la cámara de los demás</translation>
+  </message>
+  <message>
+   <source>{title} is nowhere near where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} está lejos de donde lo muestra la cámara de los demás</translation>
+  </message>
+  <message>
+   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>sin {titles} los demás bajan de {before:.1f} a {after:.1f} px</translation>
+  </message>
+  <message>
+   <source>swap {a} and {b}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>intercambiar {a} y {b}</translation>
+  </message>
+  <message>
+   <source>{a} to {b}</source>
+   <comment>labels</comment>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{a} a {b}</translation>
+  </message>
+  <message>
+   <source>it lies where {title} should be</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>está donde debería estar {title}</translation>
+  </message>
+  <message>
+   <source>the others are {px:.1f} px off with and without it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>los demás están a {px:.1f} px con él y sin él</translation>
+  </message>
+  <message>
+   <source>more than its own place is uncertain</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>más de lo que es incierto su propio lugar</translation>
+  </message>
+  <message>
+   <source>relabel to {title}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>cambiar la clase a {title}</translation>
+  </message>
+  <message>
+   <source>it lies on {title}, which is annotated as well</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>está sobre {title}, que también está anotado</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} está hasta a {px:.0f} px de donde lo muestra la cámara; encajan demasiado pocos elementos para decir cuáles están mal</translation>
+  </message>
+  <message>
+   <source>no camera fits these labels together</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>ninguna cámara encaja con todas estas clases</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
+   <translation>intercambiar lejos y cerca en toda la imagen</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
+   <translation>intercambiar izquierda y derecha en toda la imagen</translation>
+  </message>
+  <message>
+   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
+   <extracomment>[procc_annotator/fit/labels/overlap.py]</extracomment>
+   <translation>{a} y {b} están uno sobre otro, a menos de {px:.0f} px: ¿una línea con dos nombres?</translation>
+  </message>
+  <message>
+   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>{title} es recto en el campo, sus puntos se apartan hasta {px:.0f} px de una recta, más de lo que la curva cualquier lente</translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points, a line takes two</source>
+   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} tiene {n} punto, una línea necesita dos</numerusform>
+    <numerusform>{title} tiene {n} puntos, una línea necesita dos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; a curve takes at least {least}</source>
+   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} tiene {n} punto; una curva necesita al menos {least}</numerusform>
+    <numerusform>{title} tiene {n} puntos; una curva necesita al menos {least}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
+   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} tiene {n} punto; menos de {least} no determinan una elipse</numerusform>
+    <numerusform>{title} tiene {n} puntos; menos de {least} no determinan una elipse</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>{title} es un solo lugar, tiene {count} puntos separados hasta {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>the points of {title} go back and forth instead of along it</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>los puntos de {title} van y vienen en vez de seguirlo</translation>
+  </message>
+  <message>
+   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>los puntos de {title} pasan más de una vez por el mismo tramo: su recorrido es {times:.1f} veces más largo de lo necesario</translation>
+  </message>
+  <message>
+   <source>its corner</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>su esquina</translation>
+  </message>
+  <message>
+   <source>the picture's edge</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>el borde de la imagen</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>a {title} le faltan {px:.0f} px para llegar a {what}</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>a {title} le faltan {px:.0f} px para llegar a {what}, y {px_2:.0f} px para llegar a {what_2} en el otro extremo</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>todo está al revés: lejos y cerca están intercambiados</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: left and right, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>todo está al revés: izquierda y derecha están intercambiadas</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>todo está al revés: lejos y cerca, o izquierda y derecha, están intercambiados</translation>
+  </message>
+  <message>
+   <source>{title} is on the wrong side of {others}</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{title} está en el lado equivocado de {others}</translation>
+  </message>
+  <message>
+   <source>{titles} lie on each other's side of the elements around them</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{titles} están cada uno en el lado del otro respecto a los elementos de alrededor</translation>
+  </message>
+  <message>
+   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{titles} no pueden estar así uno respecto al otro, sea cual sea la cámara</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r}, did you mean {title}?</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>no existe esa clase: {name!r}, ¿quiso decir {title}?</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>no existe esa clase: {name!r} no encaja con ninguna cámara y cuenta como fallada donde se puntúa</translation>
+  </message>
+  <message>
+   <source>That is annotated already</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>Eso ya está anotado</translation>
+  </message>
+  <message>
+   <source>put its points along the paint</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>poner sus puntos a lo largo de la pintura</translation>
+  </message>
+  <message>
+   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>{title} es recto entre sus clics, su pintura pasa hasta a {px:.0f} px: regularícelo (R)</translation>
+  </message>
+  <message>
+   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>un extremo de {title} está a unos {px:.0f} px de su pintura, que se ve en el camino hasta allí: ponga ese punto sobre ella</translation>
+  </message>
+  <message>
+   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>no hay pintura bajo {title} en un {percent:.0f} % de él, a lo sumo {px:.0f} px seguidos</translation>
+  </message>
+  <message>
+   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>no hay pintura bajo {title} hacia uno de sus extremos, bajo todo el resto sí</translation>
+  </message>
+  <message>
+   <source>turn the labels by half a turn</source>
+   <extracomment>[procc_annotator/fit/which_side.py]</extracomment>
+   <translation>girar las clases media vuelta</translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
+   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/fit/which_side.py]</extracomment>
+   <translation>
+    <numerusform>la cámara está en un lado del campo en que casi ninguna otra de {n} imagen lo está: una cámara aparte, o clases giradas media vuelta</numerusform>
+    <numerusform>la cámara está en un lado del campo en que casi ninguna otra de {n} imágenes lo está: una cámara aparte, o clases giradas media vuelta</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
+   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/fit/which_side.py]</extracomment>
+   <translation>
+    <numerusform>la cámara está al otro lado del campo que el resto; con sus clases giradas media vuelta está donde la de {n} imagen</numerusform>
+    <numerusform>la cámara está al otro lado del campo que el resto; con sus clases giradas media vuelta está donde la de {n} imágenes</numerusform>
+   </translation>
+  </message>
+  <message>
    <source>File</source>
    <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Archivo</translation>
@@ -390,6 +688,21 @@
    <source>Panels</source>
    <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
    <translation>Paneles</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
+   <translation>no editable: la barra sobre la imagen dice por qué</translation>
+  </message>
+  <message>
+   <source>Choose another place…</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Elegir otro lugar…</translation>
+  </message>
+  <message>
+   <source>Save again</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Guardar de nuevo</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -8983,7 +9296,7 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Left goal line</source>
    <extracomment>[the field american_football, the field futsal, the field handball]</extracomment>
-   <translation>Línea de gol izquierda</translation>
+   <translation>Línea de meta izquierda</translation>
   </message>
   <message>
    <source>Left 5-yard line</source>
@@ -9043,7 +9356,7 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Right goal line</source>
    <extracomment>[the field american_football, the field futsal, the field handball]</extracomment>
-   <translation>Línea de gol derecha</translation>
+   <translation>Línea de meta derecha</translation>
   </message>
   <message>
    <source>Right 5-yard line</source>
@@ -10033,12 +10346,12 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Left penalty area</source>
    <extracomment>[the field futsal, the field soccer]</extracomment>
-   <translation>Área de penalti izquierda</translation>
+   <translation>Área grande izquierda</translation>
   </message>
   <message>
    <source>Right penalty area</source>
    <extracomment>[the field futsal, the field soccer]</extracomment>
-   <translation>Área de penalti derecha</translation>
+   <translation>Área grande derecha</translation>
   </message>
   <message>
    <source>Marks</source>
@@ -10523,32 +10836,32 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Left goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña izquierda, lado cercano</translation>
+   <translation>Área de portería izquierda, lado cercano</translation>
   </message>
   <message>
    <source>Left goal area front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña izquierda, frente</translation>
+   <translation>Área de portería izquierda, frente</translation>
   </message>
   <message>
    <source>Left goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña izquierda, lado lejano</translation>
+   <translation>Área de portería izquierda, lado lejano</translation>
   </message>
   <message>
    <source>Right goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña derecha, lado cercano</translation>
+   <translation>Área de portería derecha, lado cercano</translation>
   </message>
   <message>
    <source>Right goal area front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña derecha, frente</translation>
+   <translation>Área de portería derecha, frente</translation>
   </message>
   <message>
    <source>Right goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña derecha, lado lejano</translation>
+   <translation>Área de portería derecha, lado lejano</translation>
   </message>
   <message>
    <source>Left far corner flag (foot)</source>

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import importlib.util
 import re
+import shutil
 import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -24,6 +25,7 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
+from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
 from procc_annotator import language
@@ -33,6 +35,7 @@ from procc_annotator.fit.labels.shape import few_points
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
@@ -48,7 +51,8 @@ from procc_annotator.language import (
     tr_count,
 )
 from procc_annotator.report.sheet.as_json import json_bytes
-from tests.gui.conftest import Hand
+from procc_annotator.session.dataset import edits
+from tests.gui.conftest import Hand, all_done
 from tests.gui.shown_texts import Asked, paint_spy, texts_of, unsaid_words
 
 # The offscreen platform has no window manager to pass these on to.
@@ -119,7 +123,7 @@ _KEYS = "Ctrl|Shift|Alt|Tab|Return|Enter|Space|Del|Backspace|Esc|Pg(?:Up|Down)|H
 _KEYS += "|Left|Right|Up|Down"
 _UNITS = "px|kB|MB|GB|fps|JaC|TP|FP|FN|JSON|CSV"
 _FILES = r"(?<![\w<])/[\w./-]+|\b[\w*]+\.\w{3,4}\b|\*\.\w+"
-_SOURCES = "true|bad|pinhole|sample|soccernet|procc"
+_SOURCES = "true|bad|pinhole|fit|sample|soccernet|procc"
 _NAMED = [
     *(element.name.strip() for element in load_field("soccer").elements),
     *(known.title for known in FORMATS),
@@ -195,6 +199,36 @@ def test_no_word_of_the_window_is_left_out(
     QApplication.processEvents()
     found += texts_of(audited)
     assert len(found) > 5_000
+    assert _left_out([*found, *asked.texts]) == {}
+
+
+@pytest.mark.new_window
+def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
+    pseudo: None, begun: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot, tmp_path: Path
+) -> None:
+    asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
+    document, workspace = begun.document, begun.document.workspace
+    assert workspace is not None
+    document.message.connect(lambda text, _: found.append(("told", text)))
+    begun.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
+    second = shutil.copytree(workspace.root, tmp_path / "second")
+    qtbot.waitUntil(lambda: bool(document.ghosts.painted), timeout=20_000)
+    for action in ("next_ghost", "not_visible", "visible_again", "accept_ghost"):
+        begun.actions_[action].trigger()
+        begun._show_menu(QPoint(0, 0))
+    all_done(qtbot)
+    swapped = edits.swap_classes(document.annotation, "Big rect. left main", "Circle left")
+    document.commit_edit("swap", swapped)
+    all_done(qtbot)
+    assert document.label_check.shown
+    for action in ("next_finding", "check_set"):
+        begun.actions_[action].trigger()
+        all_done(qtbot)
+    document.select_class("Circle left")
+    begun._show_menu(QPoint(0, 0))
+    begun.agreement.open(second)
+    all_done(qtbot)
+    found += texts_of(begun)
     assert _left_out([*found, *asked.texts]) == {}
 
 
@@ -276,6 +310,15 @@ def test_menus_open_by_letters_of_their_own_language(german: None) -> None:
 
 
 @pytest.mark.new_window
+def test_a_title_says_below_its_group_what_the_group_does_not(qapp: QApplication) -> None:
+    take_up(qapp, "de")
+    shown = short_titles(load_field("soccer"))
+    take_up(qapp, "en")
+    assert shown["Big rect. left main"] == "Vorn"
+    assert shown["Goal left post left "] == "Linker Pfosten"
+    assert shown["Circle left"] == "Linker Teilkreis"  # no part of it is only the group's
+
+
 def test_the_guide_says_that_it_is_in_english(german: None, window: MainWindow) -> None:
     window.commands.show_guide()
     guide = window.commands._guide
