@@ -9296,7 +9296,7 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Left goal line</source>
    <extracomment>[the field american_football, the field futsal, the field handball]</extracomment>
-   <translation>Línea de gol izquierda</translation>
+   <translation>Línea de meta izquierda</translation>
   </message>
   <message>
    <source>Left 5-yard line</source>
@@ -9356,7 +9356,7 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Right goal line</source>
    <extracomment>[the field american_football, the field futsal, the field handball]</extracomment>
-   <translation>Línea de gol derecha</translation>
+   <translation>Línea de meta derecha</translation>
   </message>
   <message>
    <source>Right 5-yard line</source>
@@ -10346,12 +10346,12 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Left penalty area</source>
    <extracomment>[the field futsal, the field soccer]</extracomment>
-   <translation>Área de penalti izquierda</translation>
+   <translation>Área grande izquierda</translation>
   </message>
   <message>
    <source>Right penalty area</source>
    <extracomment>[the field futsal, the field soccer]</extracomment>
-   <translation>Área de penalti derecha</translation>
+   <translation>Área grande derecha</translation>
   </message>
   <message>
    <source>Marks</source>
@@ -10836,32 +10836,32 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Left goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña izquierda, lado cercano</translation>
+   <translation>Área de portería izquierda, lado cercano</translation>
   </message>
   <message>
    <source>Left goal area front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña izquierda, frente</translation>
+   <translation>Área de portería izquierda, frente</translation>
   </message>
   <message>
    <source>Left goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña izquierda, lado lejano</translation>
+   <translation>Área de portería izquierda, lado lejano</translation>
   </message>
   <message>
    <source>Right goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña derecha, lado cercano</translation>
+   <translation>Área de portería derecha, lado cercano</translation>
   </message>
   <message>
    <source>Right goal area front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña derecha, frente</translation>
+   <translation>Área de portería derecha, frente</translation>
   </message>
   <message>
    <source>Right goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña derecha, lado lejano</translation>
+   <translation>Área de portería derecha, lado lejano</translation>
   </message>
   <message>
    <source>Left far corner flag (foot)</source>

@@ -9749,7 +9749,7 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left key far side</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>左限制区远侧</translation>
+   <translation>左限制区，远侧</translation>
   </message>
   <message>
    <source>Left free-throw line</source>
@@ -9759,7 +9759,7 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left key near side</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>左限制区近侧</translation>
+   <translation>左限制区，近侧</translation>
   </message>
   <message>
    <source>Left free-throw semicircle</source>
@@ -9769,7 +9769,7 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Right key far side</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>右限制区远侧</translation>
+   <translation>右限制区，远侧</translation>
   </message>
   <message>
    <source>Right free-throw line</source>
@@ -9779,7 +9779,7 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Right key near side</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>右限制区近侧</translation>
+   <translation>右限制区，近侧</translation>
   </message>
   <message>
    <source>Right free-throw semicircle</source>
@@ -9794,12 +9794,12 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left three-point far straight</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>左三分线远侧直段</translation>
+   <translation>左三分线，远侧直段</translation>
   </message>
   <message>
    <source>Left three-point near straight</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>左三分线近侧直段</translation>
+   <translation>左三分线，近侧直段</translation>
   </message>
   <message>
    <source>Right three-point arc</source>
@@ -9809,12 +9809,12 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Right three-point far straight</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>右三分线远侧直段</translation>
+   <translation>右三分线，远侧直段</translation>
   </message>
   <message>
    <source>Right three-point near straight</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>右三分线近侧直段</translation>
+   <translation>右三分线，近侧直段</translation>
   </message>
   <message>
    <source>Left backboard</source>
@@ -10089,22 +10089,22 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left goal far post</source>
    <extracomment>[the field futsal, the field handball]</extracomment>
-   <translation>左球门远柱</translation>
+   <translation>左球门，远柱</translation>
   </message>
   <message>
    <source>Left goal near post</source>
    <extracomment>[the field futsal, the field handball]</extracomment>
-   <translation>左球门近柱</translation>
+   <translation>左球门，近柱</translation>
   </message>
   <message>
    <source>Right goal far post</source>
    <extracomment>[the field futsal, the field handball]</extracomment>
-   <translation>右球门远柱</translation>
+   <translation>右球门，远柱</translation>
   </message>
   <message>
    <source>Right goal near post</source>
    <extracomment>[the field futsal, the field handball]</extracomment>
-   <translation>右球门近柱</translation>
+   <translation>右球门，近柱</translation>
   </message>
   <message>
    <source>Centre mark</source>
@@ -10434,12 +10434,12 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left goal left post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>左球门左柱</translation>
+   <translation>左球门，左柱</translation>
   </message>
   <message>
    <source>Left goal right post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>左球门右柱</translation>
+   <translation>左球门，右柱</translation>
   </message>
   <message>
    <source>Right goal crease</source>
@@ -10449,12 +10449,12 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Right goal left post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>右球门左柱</translation>
+   <translation>右球门，左柱</translation>
   </message>
   <message>
    <source>Right goal right post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>右球门右柱</translation>
+   <translation>右球门，右柱</translation>
   </message>
   <message>
    <source>Left trapezoid near</source>
@@ -10684,32 +10684,32 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left penalty near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左罚球区近侧线</translation>
+   <translation>左罚球区，近侧线</translation>
   </message>
   <message>
    <source>Left penalty front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左罚球区前沿线</translation>
+   <translation>左罚球区，前沿线</translation>
   </message>
   <message>
    <source>Left penalty far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左罚球区远侧线</translation>
+   <translation>左罚球区，远侧线</translation>
   </message>
   <message>
    <source>Right penalty near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右罚球区近侧线</translation>
+   <translation>右罚球区，近侧线</translation>
   </message>
   <message>
    <source>Right penalty front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右罚球区前沿线</translation>
+   <translation>右罚球区，前沿线</translation>
   </message>
   <message>
    <source>Right penalty far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右罚球区远侧线</translation>
+   <translation>右罚球区，远侧线</translation>
   </message>
   <message>
    <source>Left penalty arc</source>
@@ -10724,32 +10724,32 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左球门区近侧线</translation>
+   <translation>左球门区，近侧线</translation>
   </message>
   <message>
    <source>Left goal area front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左球门区前沿线</translation>
+   <translation>左球门区，前沿线</translation>
   </message>
   <message>
    <source>Left goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左球门区远侧线</translation>
+   <translation>左球门区，远侧线</translation>
   </message>
   <message>
    <source>Right goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右球门区近侧线</translation>
+   <translation>右球门区，近侧线</translation>
   </message>
   <message>
    <source>Right goal area front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右球门区前沿线</translation>
+   <translation>右球门区，前沿线</translation>
   </message>
   <message>
    <source>Right goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右球门区远侧线</translation>
+   <translation>右球门区，远侧线</translation>
   </message>
   <message>
    <source>Left far corner flag (foot)</source>

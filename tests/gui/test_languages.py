@@ -35,6 +35,7 @@ from procc_annotator.fit.labels.shape import few_points
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
@@ -309,6 +310,15 @@ def test_menus_open_by_letters_of_their_own_language(german: None) -> None:
 
 
 @pytest.mark.new_window
+def test_a_title_says_below_its_group_what_the_group_does_not(qapp: QApplication) -> None:
+    take_up(qapp, "de")
+    shown = short_titles(load_field("soccer"))
+    take_up(qapp, "en")
+    assert shown["Big rect. left main"] == "Vorn"
+    assert shown["Goal left post left "] == "Linker Pfosten"
+    assert shown["Circle left"] == "Linker Teilkreis"  # no part of it is only the group's
+
+
 def test_the_guide_says_that_it_is_in_english(german: None, window: MainWindow) -> None:
     window.commands.show_guide()
     guide = window.commands._guide
