@@ -310,8 +310,10 @@ def test_menus_open_by_letters_of_their_own_language(german: None) -> None:
 
 
 @pytest.mark.new_window
-def test_a_title_says_below_its_group_what_the_group_does_not(german: None) -> None:
+def test_a_title_says_below_its_group_what_the_group_does_not(qapp: QApplication) -> None:
+    take_up(qapp, "de")
     shown = short_titles(load_field("soccer"))
+    take_up(qapp, "en")
     assert shown["Big rect. left main"] == "Vorn"
     assert shown["Goal left post left "] == "Linker Pfosten"
     assert shown["Circle left"] == "Linker Teilkreis"  # no part of it is only the group's
