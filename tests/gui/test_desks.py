@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,7 @@ from tests.gui.conftest import MakeWindow
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
+InFront = Callable[[MainWindow, str], bool]
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 JUDGE = set(DESKS["judge"]) - {"plots"}  # the drawer is shut at first
 
@@ -29,12 +31,21 @@ def opened(window: MainWindow) -> set[str]:
     return {name for name in docks if not window.docks[name].isHidden()}
 
 
-def in_front(window: MainWindow, name: str) -> bool:
-    QApplication.processEvents()
-    return not window.docks[name].visibleRegion().isEmpty()
+@pytest.fixture
+def in_front(qtbot: QtBot) -> InFront:
+    """Whether a panel comes to the front of its tabs: the window lays them out when it gets to it,
+    and what it is doing else may take it more than one turn."""
+
+    def comes(window: MainWindow, panel: str) -> bool:
+        qtbot.waitUntil(lambda: not window.docks[panel].visibleRegion().isEmpty())
+        return True
+
+    return comes
 
 
-def test_keys_and_buttons_turn_to_the_panels_of_a_work(window: MainWindow) -> None:
+def test_keys_and_buttons_turn_to_the_panels_of_a_work(
+    window: MainWindow, in_front: InFront
+) -> None:
     assert opened(window) == set(DESKS["annotate"])
     QTest.keyClick(window.canvas, Qt.Key.Key_F2, SHIFT)
     assert opened(window) == JUDGE
@@ -49,7 +60,7 @@ def test_keys_and_buttons_turn_to_the_panels_of_a_work(window: MainWindow) -> No
     assert opened(window) == {"review"}
 
 
-def test_a_panel_that_is_asked_for_brings_its_work(window: MainWindow) -> None:
+def test_a_panel_that_is_asked_for_brings_its_work(window: MainWindow, in_front: InFront) -> None:
     window.show_panel("plots")
     assert window.actions_["desk_judge"].isChecked()
     assert in_front(window, "plots")
@@ -58,7 +69,7 @@ def test_a_panel_that_is_asked_for_brings_its_work(window: MainWindow) -> None:
     assert in_front(window, "elements")
 
 
-def test_each_is_found_as_it_was_left(window: MainWindow) -> None:
+def test_each_is_found_as_it_was_left(window: MainWindow, in_front: InFront) -> None:
     window.show_panel("fit")
     window.docks["scores"].close()
     window.resizeDocks([window.docks["fit"]], [420], Qt.Orientation.Horizontal)
@@ -95,7 +106,9 @@ def test_hidden_panels_come_back_with_a_work(window: MainWindow) -> None:
 
 
 @pytest.mark.new_window
-def test_the_next_run_begins_at_the_same_work(make_window: MakeWindow, dataset: Path) -> None:
+def test_the_next_run_begins_at_the_same_work(
+    make_window: MakeWindow, dataset: Path, in_front: InFront
+) -> None:
     first = make_window(dataset)
     first.show_panel("cameras")
     first.close()
