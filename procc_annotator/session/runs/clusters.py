@@ -62,13 +62,16 @@ def clusters_of(
         return _by_value(frames, [values.get(frame) for frame in frames], f"by {by}", by or "")
     found = shots_in(frames, order)
     shot_of = {frame: str(n) for n, shot in enumerate(found) for frame in shot.frames}
+    told_by = "by names" if order is None else f"by {order.told_by}"
     if len(found) > 1 and any(len(shot.frames) > 1 for shot in found):
-        told_by = "by names" if order is None else f"by {order.told_by}"
         return _by_value(
             frames, [shot_of.get(f) for f in frames], f"of one shot each, {told_by}", SHOT
         )
     if by == SHOT:
         raise UsageError("names of frames tell no shots to cluster by: give a tag with --tags")
+    if order is not None and len(frames) > 1 and len(shot_of) == len(frames):
+        words = f"not clustered: all frames are of one shot, {told_by}, and true intervals are wider"
+        return _alone(frames, words)
     return _alone(
         frames,
         "not clustered: neither tag nor names say which frames are alike, and where some are, true"
