@@ -14,6 +14,7 @@ from procc_annotator.words import count_of
 
 SHOT = "shot"  # by the names of the frames, or the dataset's frames.csv
 NONE = "none"  # every frame for itself
+_RELIED_ON = 5
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +35,18 @@ class Clusters:
     def count(self) -> int:
         """How many there are."""
         return int(self.numbers.max()) + 1 if len(self.numbers) else 0
+
+    @property
+    def thing(self) -> str:
+        """What there are so many of."""
+        return "frame" if self.by == NONE else "cluster"
+
+    @property
+    def caution(self) -> str:
+        """A sentence where there are too few for any interval, else empty."""
+        if self.count >= _RELIED_ON:
+            return ""
+        return f"Of fewer than {_RELIED_ON} {self.thing}s no interval is to be relied on."
 
 
 def clusters_of(
@@ -70,8 +83,8 @@ def clusters_of(
     if by == SHOT:
         raise UsageError("names of frames tell no shots to cluster by: give a tag with --tags")
     if order is not None and len(frames) > 1 and len(shot_of) == len(frames):
-        words = f"not clustered: all frames are of one shot, {told_by}, and true intervals are wider"
-        return _alone(frames, words)
+        words = f"all frames are of one shot, {told_by}, and true intervals are wider"
+        return _alone(frames, f"not clustered: {words}")
     return _alone(
         frames,
         "not clustered: neither tag nor names say which frames are alike, and where some are, true"
