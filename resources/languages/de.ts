@@ -1937,7 +1937,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>Worst</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Schlechtester</translation>
+   <translation>Größter</translation>
   </message>
   <message>
    <source>Passes at</source>
