@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QCheckBox,
     QComboBox,
+    QHeaderView,
     QLabel,
     QPushButton,
     QRadioButton,
@@ -361,6 +362,8 @@ def _too_narrow(widget: QWidget) -> str:
             lack = widget.heightForWidth(widget.width()) - widget.height()
         else:
             lack = widget.sizeHint().width() - widget.width()
+    elif isinstance(widget, QHeaderView):
+        return _narrow_columns(widget)
     elif isinstance(widget, QTabBar):
         text = " | ".join(map(widget.tabText, range(widget.count())))
         lack = 0 if widget.usesScrollButtons() else widget.sizeHint().width() - widget.width()
@@ -369,10 +372,23 @@ def _too_narrow(widget: QWidget) -> str:
     return f"{text!r}: {lack} px" if lack > 0 else ""
 
 
+def _narrow_columns(header: QHeaderView) -> str:
+    titles, wide = header.model(), Qt.Orientation.Horizontal
+    lacking = []
+    for column in range(header.count() if header.orientation() == wide else 0):
+        title = str(titles.headerData(column, wide) or "")
+        tip = str(titles.headerData(column, wide, Qt.ItemDataRole.ToolTipRole) or "")
+        room = header.sectionSize(column)
+        if title and title not in tip and 0 < room < header.sectionSizeHint(column):
+            lacking.append(f"{title!r}: {header.sectionSizeHint(column) - room} px")
+    return ", ".join(lacking)
+
+
 def _cut_off(window: QWidget) -> dict[str, str]:
     """What is in sight and has no room for its words."""
     QApplication.processEvents()
     kinds = (QLabel, QPushButton, QToolButton, QCheckBox, QComboBox, QRadioButton, QTabBar)
+    kinds = (*kinds, QHeaderView)
     shown = [
         widget
         for widget in window.findChildren(QWidget)
