@@ -10,10 +10,12 @@ import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtCore import QPoint, QSize, Qt, QTranslator
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
     QCheckBox,
@@ -34,7 +36,8 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.clicked import Clicked
 from procc_annotator.fit.labels.shape import few_points
 from procc_annotator.gui.actions import ACTIONS, MENUS
-from procc_annotator.gui.languages import take_up
+from procc_annotator.gui.keymap import NATIVE
+from procc_annotator.gui.languages import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.window.docks import DESKS
@@ -441,3 +444,37 @@ def tool() -> ModuleType:
 
 def test_no_words_of_the_code_are_out_of_reach(tool: ModuleType) -> None:
     assert tool.unsaid() == []
+
+
+_TRANSLATED = [name for name in LANGUAGES if name != "en"]
+
+
+def _forms(text: Any, forms: tuple[str, ...]) -> dict[int, str]:
+    """What is said of one thing and of five, or without a number."""
+    return {1: forms[0], 5: forms[-1]} if text.one else {-1: forms[0]}
+
+
+def test_translations_have_no_faults_and_are_compiled(tool: ModuleType) -> None:
+    texts = {(text.source, text.about): text for text in tool.collected()}
+    for name in _TRANSLATED:
+        known = {key: forms for key, forms in tool.translations(name).items() if key in texts}
+        assert known
+        faulty = {key: tool.faults_of(texts[key], name, forms) for key, forms in known.items()}
+        assert {key: fault for key, fault in faulty.items() if fault} == {}, name
+        translator = QTranslator()
+        assert translator.load(str(tool.FOLDER / f"{name}.qm"))
+        for (source, about), forms in known.items():
+            for number, form in _forms(texts[source, about], forms).items():
+                found = translator.translate(CONTEXT, source, about or None, number)
+                assert found == form, f"{name}.qm is older than {name}.ts"
+
+
+@pytest.mark.parametrize("name", _TRANSLATED)
+def test_a_language_is_spoken_once_it_is_taken_up(qapp: QApplication, name: str) -> None:
+    take_up(qapp, name)
+    said, of_qt = tr("Undo"), QKeySequence("Space").toString(NATIVE)
+    take_up(qapp, "en")
+    assert said != "Undo"
+    assert (tr("Undo"), QKeySequence("Space").toString(NATIVE)) == ("Undo", "Space")
+    assert of_qt != "Space" or name in ("ja", "zh_CN")  # Qt's own words come along
+    assert language.is_english()
