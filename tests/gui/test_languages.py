@@ -10,14 +10,17 @@ import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtCore import QPoint, QSize, Qt, QTranslator
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
     QCheckBox,
     QComboBox,
+    QHeaderView,
     QLabel,
     QPushButton,
     QRadioButton,
@@ -33,7 +36,8 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.clicked import Clicked
 from procc_annotator.fit.labels.shape import few_points
 from procc_annotator.gui.actions import ACTIONS, MENUS
-from procc_annotator.gui.languages import take_up
+from procc_annotator.gui.keymap import NATIVE
+from procc_annotator.gui.languages import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.window.docks import DESKS
@@ -361,6 +365,8 @@ def _too_narrow(widget: QWidget) -> str:
             lack = widget.heightForWidth(widget.width()) - widget.height()
         else:
             lack = widget.sizeHint().width() - widget.width()
+    elif isinstance(widget, QHeaderView):
+        return _narrow_columns(widget)
     elif isinstance(widget, QTabBar):
         text = " | ".join(map(widget.tabText, range(widget.count())))
         lack = 0 if widget.usesScrollButtons() else widget.sizeHint().width() - widget.width()
@@ -369,10 +375,23 @@ def _too_narrow(widget: QWidget) -> str:
     return f"{text!r}: {lack} px" if lack > 0 else ""
 
 
+def _narrow_columns(header: QHeaderView) -> str:
+    titles, wide = header.model(), Qt.Orientation.Horizontal
+    lacking = []
+    for column in range(header.count() if header.orientation() == wide else 0):
+        title = str(titles.headerData(column, wide) or "")
+        tip = str(titles.headerData(column, wide, Qt.ItemDataRole.ToolTipRole) or "")
+        room = header.sectionSize(column)
+        if title and title not in tip and 0 < room < header.sectionSizeHint(column):
+            lacking.append(f"{title!r}: {header.sectionSizeHint(column) - room} px")
+    return ", ".join(lacking)
+
+
 def _cut_off(window: QWidget) -> dict[str, str]:
     """What is in sight and has no room for its words."""
     QApplication.processEvents()
     kinds = (QLabel, QPushButton, QToolButton, QCheckBox, QComboBox, QRadioButton, QTabBar)
+    kinds = (*kinds, QHeaderView)
     shown = [
         widget
         for widget in window.findChildren(QWidget)
@@ -425,3 +444,37 @@ def tool() -> ModuleType:
 
 def test_no_words_of_the_code_are_out_of_reach(tool: ModuleType) -> None:
     assert tool.unsaid() == []
+
+
+_TRANSLATED = [name for name in LANGUAGES if name != "en"]
+
+
+def _forms(text: Any, forms: tuple[str, ...]) -> dict[int, str]:
+    """What is said of one thing and of five, or without a number."""
+    return {1: forms[0], 5: forms[-1]} if text.one else {-1: forms[0]}
+
+
+def test_translations_have_no_faults_and_are_compiled(tool: ModuleType) -> None:
+    texts = {(text.source, text.about): text for text in tool.collected()}
+    for name in _TRANSLATED:
+        known = {key: forms for key, forms in tool.translations(name).items() if key in texts}
+        assert known
+        faulty = {key: tool.faults_of(texts[key], name, forms) for key, forms in known.items()}
+        assert {key: fault for key, fault in faulty.items() if fault} == {}, name
+        translator = QTranslator()
+        assert translator.load(str(tool.FOLDER / f"{name}.qm"))
+        for (source, about), forms in known.items():
+            for number, form in _forms(texts[source, about], forms).items():
+                found = translator.translate(CONTEXT, source, about or None, number)
+                assert found == form, f"{name}.qm is older than {name}.ts"
+
+
+@pytest.mark.parametrize("name", _TRANSLATED)
+def test_a_language_is_spoken_once_it_is_taken_up(qapp: QApplication, name: str) -> None:
+    take_up(qapp, name)
+    said, of_qt = tr("Undo"), QKeySequence("Space").toString(NATIVE)
+    take_up(qapp, "en")
+    assert said != "Undo"
+    assert (tr("Undo"), QKeySequence("Space").toString(NATIVE)) == ("Undo", "Space")
+    assert of_qt != "Space" or name in ("ja", "zh_CN")  # Qt's own words come along
+    assert language.is_english()

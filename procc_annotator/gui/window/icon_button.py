@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
-from PySide6.QtGui import QAction, QColor, QFont, QFontMetrics, QKeySequence, QPainter, QPaintEvent
+from PySide6.QtGui import QAction, QColor, QFont, QFontMetrics, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QStyle, QStyleOptionToolButton, QToolButton, QWidget
 
 from procc_annotator.gui.icons import paint_icon
+from procc_annotator.gui.keymap import NATIVE, short_text
 from procc_annotator.gui.theme import blend
 
 _ICON = 1.45  # heights of a line of text
@@ -107,10 +108,8 @@ class IconButton(QToolButton):
     def _take(self) -> None:
         """Another key, or another step that is undone."""
         action, other = self._of
-        keys = [
-            keys.toString(QKeySequence.SequenceFormat.NativeText)
-            for keys in action.shortcuts() or other.shortcuts()
-        ]
+        called_by = action.shortcuts() or other.shortcuts()
+        keys = [short_text(keys.toString(NATIVE)) for keys in called_by]
         self._key, self._hint = min(keys, key=len, default=self._held), None
         self.updateGeometry()
         words = action.text().replace("&&", "&")
