@@ -260,7 +260,9 @@ def test_a_point_far_away_or_nowhere_does_no_harm(views, field, median_error, fa
         assert median_error(view.camera, found.camera) < 3
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize(
+    "seed", [*range(4), *(pytest.param(n, marks=pytest.mark.soak) for n in range(4, 12))]
+)
 def test_random_clicks_give_a_camera_or_a_reason(field, seed) -> None:
     """Nothing that is clicked ends in an error, a warning or a number that is none."""
     rng = np.random.default_rng(seed)

@@ -237,7 +237,9 @@ def covered(curve: np.ndarray, *places: int) -> PixelArray:
     return picture
 
 
-@pytest.mark.parametrize("drawing", range(24))
+@pytest.mark.parametrize(
+    "drawing", [*range(6), *(pytest.param(n, marks=pytest.mark.soak) for n in range(6, 24))]
+)
 def test_what_was_regularised_stays(drawing: int) -> None:
     """A circle clicked all round but for one gap, with players on it: time and again the same."""
     rng = np.random.default_rng(drawing)
