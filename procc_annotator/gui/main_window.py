@@ -376,7 +376,7 @@ class MainWindow(QMainWindow):
         conflict = document.saver.conflict(document.frame_index)
         if told.level == "info":
             self.status.tell(told.text)
-        elif told.text == document.frame_error:
+        elif told.text == document.state.why_broken:
             self.status.tell(tr("not editable: the bar over the picture says why"))
         elif told.key != UNSAVED:
             # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails

@@ -70,7 +70,7 @@ class MessageBar(Bar):
     def __init__(self) -> None:
         super().__init__("messageBar")
         self._remedy = ""
-        self.remedy = QPushButton()
+        self.remedy = QPushButton(tr(_USUAL_REMEDY))
         self.remedy.setObjectName("messageRemedy")
         self.remedy.clicked.connect(lambda: self.remedy_wanted.emit(self._remedy))
         self.row.addWidget(self.remedy)

@@ -4,9 +4,114 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>der Bildhauptpunkt liegt weit von der Bildmitte, das Bild scheint aus einem größeren ausgeschnitten</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>mit Seitenverhältnis und Bildhauptpunkt {px} px: nicht deutlich besser</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>ohne Linsenverzeichnung liegen die Punkte {without} px daneben, mit ihr {with_it} px: nicht deutlich besser</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>Seitenverhältnis und Bildhauptpunkt bringen die Punkte von {before} auf {after} px, mehr als drei Parameter zufällig brächten</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>die Linsenverzeichnung bringt die Punkte von {before} auf {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>die Punkte zeigen deutliche Linsenverzeichnung und liegen {px} px daneben</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Schwenk, Neigung oder Rollen ± mehr als {degrees:g}°, Position ± mehr als {way:g} % des Wegs zur Feldmitte, oder Brennweite ± mehr als {focal:g} %, oder Klicks, die vom anderen Ende gleich sind</translation>
+  </message>
+  <message>
+   <source>pan ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Schwenk ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>tilt ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Neigung ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>roll ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Rollen ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Position ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Brennweite ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>vom anderen Ende gleich</translation>
+  </message>
+  <message>
    <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
    <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
    <translation>Koordinaten sehen nach Pixeln aus, erwartet ist 0 bis 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>{lines:.0f} % der sichtbaren Linien liegen auf Farbe, was {paint:.0f} % der Farbe am Boden erklärt</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>eine andere Kamera, die andere Linien zeigt, passt fast ebenso gut zum Bild</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>es fehlen Linien, die zu sehen sein müssten</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>es gibt Farbe, wo das Feld keine hat</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>dort stehen kaum Kameras</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>zu wenige Linien sind zu sehen, um es zu sagen</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>die sichtbaren Linien lassen die Kamera offen: {what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>keine Kamera passt zur Farbe in diesem Bild: bei der besten {shares}</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -279,6 +384,160 @@
    <source>no paint under {title} towards one of its ends, under all the rest there is</source>
    <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
    <translation>keine Farbe unter {title} gegen eines seiner Enden, unter dem ganzen Rest schon</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
+   <translation>keine Kamera erklärt diese Elemente zusammen: die beste verfehlt die Hälfte davon um mehr als {px:.0f} px (sind die Klassen richtig?)</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py, procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>nur {share:.0%} der sichtbaren Linien liegen auf Farbe</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>es gibt zu wenig Farbe</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>die Farbe in der Nähe nähme einem Pflock seinen Platz</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element, {needed} nötig</numerusform>
+    <numerusform>{n} Elemente, {needed} nötig</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{points} Punkte auf {n} Element, nötig sind je zwei verschiedene auf {needed}</numerusform>
+    <numerusform>{points} Punkte auf {n} Elementen, nötig sind je zwei verschiedene auf {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element am Boden, {needed} nötig</numerusform>
+    <numerusform>{n} Elemente am Boden, {needed} nötig</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>alle Punkte liegen an einer Stelle des Bildes</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>alle Punkte liegen auf einer Linie des Bildes</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: die Anpassung kam nicht zur Ruhe</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: auf dem Boden</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: {metres:.1f} m unter dem Boden</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: nur {metres:.1f} m über dem Boden</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: {metres:.0f} m von der Feldmitte</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: um {degrees:.0f} Grad gerollt</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: Brennweite {px:.0f} px bei 960 px Breite</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>zu wenig Farbe in Sicht</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>zu wenig davon gefunden, was zu sehen sein müsste</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>die gefundene Farbe würde die Kamera zu weit verschieben</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>selbst mit bekannter Position: {why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>{count} Positionen, und nichts sagt, welche die seine ist</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>{count} von {total} Klicks liegen, wo die Kamera nichts zeigt</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>die Ansichten sehen es aus fast derselben Richtung ({degrees:.2f} Grad auseinander, nötig sind mindestens {least:g})</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>in keiner Ansicht geklickt, die eine Kamera hat</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>Kameras, die nur den Boden kennen (Homographien), bestimmen keinen Ort im Raum</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>die Sichtlinien treffen sich hinter der Kamera von {names}</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>nur in einer Ansicht geklickt</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>läge weiter als {metres:g} m vom Feld entfernt</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>die Ansichten stimmen nicht überein: {far} px daneben (ist es in allen derselbe Ort, und sind die Kameras richtig?)</translation>
   </message>
   <message>
    <source>turn the labels by half a turn</source>
@@ -1937,7 +2196,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>Worst</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation>Schlechtester</translation>
+   <translation>Größter</translation>
   </message>
   <message>
    <source>Passes at</source>
@@ -3029,6 +3288,16 @@ Open a folder of pictures first.</source>
    <translation>Fadenkreuz: die Pfeiltasten bewegen es (Umschalt 0.1 px, Strg 10 px, Strg+Umschalt 100 px), Leertaste klickt, Esc legt es weg</translation>
   </message>
   <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>zeigen Sie zuerst auf eine Linie: mit der Maus oder mit den Pfeiltasten</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>hier ist keine Linie, auf die ein Punkt passt</translation>
+  </message>
+  <message>
    <source>Brightness</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
    <translation>Helligkeit</translation>
@@ -3993,9 +4262,19 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>Bilder in klein</translation>
   </message>
   <message>
+   <source>The arrows go along, Enter shows the frame</source>
+   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
+   <translation>Die Pfeiltasten gehen entlang, Eingabe zeigt das Bild</translation>
+  </message>
+  <message>
    <source>Frames of the shot</source>
    <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
    <translation>Bilder der Einstellung</translation>
+  </message>
+  <message>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
+   <translation>Die Pfeiltasten gehen von Bild zu Bild, mit Umschalt markieren sie einen Abschnitt, Esc vergisst ihn</translation>
   </message>
   <message>
    <source>anchor</source>
@@ -7389,6 +7668,46 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>{element} ist verfehlt: es ist annotiert, aber es verlässt den Boden, und die Kamera kennt nur den Boden.</translation>
   </message>
   <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>An die Klicks jedes Bildes angepasst; nichts davon ist in einer Datei</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>noch keine Anpassung von {frame}</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>die Farbe liegt {px:.1f} px neben den Linien</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>Durch die Einstellung verfolgt; nichts davon ist in einer Datei</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>hier keine Spur: {why}</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py, procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>keine Kamera wurde gefunden</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>durch die Bewegung des Bildes weitergeführt, nicht auf Farbe gemessen</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>bisher nicht verfolgt</translation>
+  </message>
+  <message>
    <source>what was saved elsewhere</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>was anderswo gespeichert wurde</translation>
@@ -7527,6 +7846,36 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
    <translation>Fehler der Annotation</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} wurde vermessen: der Ort bleibt, wie er ist</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} bewegt sich: seine Orte gelten je für einen Augenblick</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>seine Kamera ist kaum bestimmt: {what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>keine Kamera in {frame} ({why}), und {count} weiteren</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>keine Kamera in {frame} ({why})</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>vermessen: bleibt, wie sie ist</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -7757,6 +8106,16 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>Remove the selected point; without one, the selected element</source>
    <extracomment>[the action delete]</extracomment>
    <translation>Den gewählten Punkt entfernen; ohne einen das gewählte Element</translation>
+  </message>
+  <message>
+   <source>Insert point</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>Punkt einfügen</translation>
+  </message>
+  <message>
+   <source>Put a point on the line at the crosshair, or at the mouse (Alt and a click do it, too)</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>Einen Punkt auf die Linie am Fadenkreuz setzen, oder an der Maus (Alt und ein Klick tun es auch)</translation>
   </message>
   <message>
    <source>Choose all points</source>

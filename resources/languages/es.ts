@@ -4,9 +4,114 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>el punto principal está lejos del centro de la imagen, que parece recortada de otra mayor</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>con relación de aspecto y punto principal {px} px: no claramente mejor</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>sin distorsión de lente los puntos están a {without} px, con ella a {with_it} px: no claramente mejor</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>la relación de aspecto y el punto principal llevan los puntos de {before} a {after} px, más de lo que harían tres parámetros por azar</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>la distorsión de lente lleva los puntos de {before} a {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>los puntos muestran claramente distorsión de lente y están a {px} px</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>giro, inclinación o alabeo ± más de {degrees:g}°, posición ± más del {way:g} % del camino al centro del campo, o distancia focal ± más del {focal:g} %, o clics que son iguales desde el otro extremo</translation>
+  </message>
+  <message>
+   <source>pan ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>giro ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>tilt ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>inclinación ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>roll ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>alabeo ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>posición ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>distancia focal ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>igual desde el otro extremo</translation>
+  </message>
+  <message>
    <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
    <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
    <translation>las coordenadas parecen píxeles, se esperaba de 0 a 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>el {lines:.0f} % de las líneas a la vista está sobre pintura, lo que explica el {paint:.0f} % de la pintura del suelo</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>otra cámara que muestra otras líneas encaja casi igual de bien con la imagen</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>faltan líneas que deberían verse</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>hay pintura donde el campo no la tiene</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>allí apenas hay cámaras</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>se ven demasiado pocas líneas para decirlo</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>las líneas a la vista dejan abierta la cámara: {what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>ninguna cámara encaja con la pintura de esta imagen: en la mejor {shares}</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -279,6 +384,160 @@
    <source>no paint under {title} towards one of its ends, under all the rest there is</source>
    <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
    <translation>no hay pintura bajo {title} hacia uno de sus extremos, bajo todo el resto sí</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
+   <translation>ninguna cámara explica estos elementos juntos: la mejor falla la mitad por más de {px:.0f} px (¿son correctas las clases?)</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py, procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>solo el {share:.0%} de las líneas a la vista está sobre pintura</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>hay demasiado poca pintura</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>la pintura cercana quitaría una estaca de su sitio</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento, se necesitan {needed}</numerusform>
+    <numerusform>{n} elementos, se necesitan {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{points} puntos en {n} elemento, se necesitan dos distintos en cada uno de {needed}</numerusform>
+    <numerusform>{points} puntos en {n} elementos, se necesitan dos distintos en cada uno de {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento en el suelo, se necesitan {needed}</numerusform>
+    <numerusform>{n} elementos en el suelo, se necesitan {needed}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>todos los puntos están en un mismo lugar de la imagen</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>todos los puntos están en una misma línea de la imagen</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose no plausible: el ajuste no se estabilizó</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose no plausible: en el suelo</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose no plausible: {metres:.1f} m bajo el suelo</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose no plausible: solo {metres:.1f} m sobre el suelo</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose no plausible: a {metres:.0f} m del centro del campo</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose no plausible: alabeo de {degrees:.0f} grados</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose no plausible: distancia focal {px:.0f} px a 960 px de ancho</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>demasiado poca pintura a la vista</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>se halló demasiado poco de lo que debería verse</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>la pintura hallada movería demasiado la cámara</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>incluso con la posición conocida: {why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>{count} posiciones, y nada dice cuál es la suya</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>{count} de {total} clics están donde la cámara no muestra nada</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>las vistas lo miran casi desde la misma dirección (separadas {degrees:.2f} grados, se necesitan al menos {least:g})</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>no marcado en ninguna vista con cámara</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>las cámaras que solo conocen el suelo (homografías) no dan ningún lugar en el espacio</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>las líneas de visión se cruzan detrás de la cámara de {names}</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>marcado en una sola vista</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>estaría a más de {metres:g} m del campo</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>las vistas no concuerdan: {far} px (¿es el mismo lugar en todas, y son correctas las cámaras?)</translation>
   </message>
   <message>
    <source>turn the labels by half a turn</source>
@@ -3029,6 +3288,16 @@ Abra primero una carpeta de imágenes.</translation>
    <translation>retícula: las flechas la mueven (Mayús 0.1 px, Ctrl 10 px, Ctrl+Mayús 100 px), Espacio hace clic, Esc la guarda</translation>
   </message>
   <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>señale primero una línea: con el ratón o con las flechas</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>aquí no hay ninguna línea en que poner un punto</translation>
+  </message>
+  <message>
    <source>Brightness</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
    <translation>Brillo</translation>
@@ -3993,9 +4262,19 @@ Cargue o muestre otra.</translation>
    <translation>Imágenes en miniatura</translation>
   </message>
   <message>
+   <source>The arrows go along, Enter shows the frame</source>
+   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
+   <translation>Las flechas recorren, Intro muestra la imagen</translation>
+  </message>
+  <message>
    <source>Frames of the shot</source>
    <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
    <translation>Imágenes del plano</translation>
+  </message>
+  <message>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
+   <translation>Las flechas van de imagen en imagen, con Mayús marcan un tramo, Esc lo olvida</translation>
   </message>
   <message>
    <source>anchor</source>
@@ -7389,6 +7668,46 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>{element} se pierde: está anotado, pero sale del suelo, y la cámara solo conoce el suelo.</translation>
   </message>
   <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>Ajustada a los clics de cada imagen; nada de ello está en un archivo</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>aún no hay ajuste de {frame}</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>la pintura está a {px:.1f} px de las líneas</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>Seguida a lo largo del plano; nada de ello está en un archivo</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>aquí no hay seguimiento: {why}</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py, procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>no se halló ninguna cámara</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>llevada por el movimiento de la imagen, no medida sobre pintura</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>no seguida hasta ahora</translation>
+  </message>
+  <message>
    <source>what was saved elsewhere</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>lo que se guardó en otra parte</translation>
@@ -7527,6 +7846,36 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
    <translation>fallo de la anotación</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} se midió en el terreno: su posición queda como está</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} se mueve: cada una de sus posiciones vale para un instante</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>su cámara está apenas determinada: {what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>sin cámara en {frame} ({why}), y {count} más</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>sin cámara en {frame} ({why})</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>medida en el terreno: queda como está</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -7757,6 +8106,16 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>Remove the selected point; without one, the selected element</source>
    <extracomment>[the action delete]</extracomment>
    <translation>Quitar el punto seleccionado; si no hay, el elemento seleccionado</translation>
+  </message>
+  <message>
+   <source>Insert point</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>Insertar punto</translation>
+  </message>
+  <message>
+   <source>Put a point on the line at the crosshair, or at the mouse (Alt and a click do it, too)</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>Poner un punto en la línea bajo la retícula o bajo el ratón (también con Alt y un clic)</translation>
   </message>
   <message>
    <source>Choose all points</source>
@@ -9296,7 +9655,7 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Left goal line</source>
    <extracomment>[the field american_football, the field futsal, the field handball]</extracomment>
-   <translation>Línea de gol izquierda</translation>
+   <translation>Línea de meta izquierda</translation>
   </message>
   <message>
    <source>Left 5-yard line</source>
@@ -9356,7 +9715,7 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Right goal line</source>
    <extracomment>[the field american_football, the field futsal, the field handball]</extracomment>
-   <translation>Línea de gol derecha</translation>
+   <translation>Línea de meta derecha</translation>
   </message>
   <message>
    <source>Right 5-yard line</source>
@@ -10346,12 +10705,12 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Left penalty area</source>
    <extracomment>[the field futsal, the field soccer]</extracomment>
-   <translation>Área de penalti izquierda</translation>
+   <translation>Área grande izquierda</translation>
   </message>
   <message>
    <source>Right penalty area</source>
    <extracomment>[the field futsal, the field soccer]</extracomment>
-   <translation>Área de penalti derecha</translation>
+   <translation>Área grande derecha</translation>
   </message>
   <message>
    <source>Marks</source>
@@ -10836,32 +11195,32 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   <message>
    <source>Left goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña izquierda, lado cercano</translation>
+   <translation>Área de portería izquierda, lado cercano</translation>
   </message>
   <message>
    <source>Left goal area front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña izquierda, frente</translation>
+   <translation>Área de portería izquierda, frente</translation>
   </message>
   <message>
    <source>Left goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña izquierda, lado lejano</translation>
+   <translation>Área de portería izquierda, lado lejano</translation>
   </message>
   <message>
    <source>Right goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña derecha, lado cercano</translation>
+   <translation>Área de portería derecha, lado cercano</translation>
   </message>
   <message>
    <source>Right goal area front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña derecha, frente</translation>
+   <translation>Área de portería derecha, frente</translation>
   </message>
   <message>
    <source>Right goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Área pequeña derecha, lado lejano</translation>
+   <translation>Área de portería derecha, lado lejano</translation>
   </message>
   <message>
    <source>Left far corner flag (foot)</source>

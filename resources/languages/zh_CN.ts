@@ -4,9 +4,114 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>主点远离图片中心，图片似乎是从更大的图片裁剪而来</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>加入像素宽高比和主点后为 {px} px：没有明显改善</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>不含镜头畸变时点偏离 {without} px，含畸变时 {with_it} px：没有明显改善</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>像素宽高比和主点使点从 {before} 降到 {after} px，超过三个参数偶然所能达到的</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>镜头畸变使点从 {before} 降到 {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>点明显显示镜头畸变，偏离 {px} px</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>水平转动、俯仰或横滚 ± 超过 {degrees:g}°，位置 ± 超过到场地中心距离的 {way:g} %，或焦距 ± 超过 {focal:g} %，或从另一端看相同的点击</translation>
+  </message>
+  <message>
+   <source>pan ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>水平转动 ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>tilt ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>俯仰 ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>roll ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>横滚 ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>位置 ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>焦距 ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>从另一端看相同</translation>
+  </message>
+  <message>
    <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
    <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
    <translation>坐标看起来像像素，应为 0 到 1（x = {x:g}，y = {y:g}）</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>可见线的 {lines:.0f} % 落在画线上，解释了地面画线的 {paint:.0f} %</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>另一个显示其他线的相机与图片几乎同样吻合</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>缺少本应可见的线</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>在场地没有画线之处有画线</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>相机很少位于该处</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>可见的线太少，无法判断</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>可见的线无法确定相机：{what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>没有相机与此图片的画线吻合：最好的为{shares}</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -276,6 +381,157 @@
    <source>no paint under {title} towards one of its ends, under all the rest there is</source>
    <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
    <translation>{title} 靠近一端之下没有画线，其余部分都有</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
+   <translation>没有相机能同时解释这些元素：最好的也有一半偏离超过 {px:.0f} px（类别是否正确？）</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py, procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>只有 {share:.0%} 的可见线落在画线上</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>画线太少</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>附近的画线会使固定桩偏离原位</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个元素，需要 {needed} 个</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个元素上共 {points} 个点，需要 {needed} 个元素各有两个不同的点</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个地面元素，需要 {needed} 个</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>所有点都在图片的同一处</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>所有点都在图片的一条直线上</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>位姿不合理：拟合未收敛</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>位姿不合理：在地面上</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>位姿不合理：在地面以下 {metres:.1f} m</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>位姿不合理：仅高出地面 {metres:.1f} m</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>位姿不合理：距场地中心 {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>位姿不合理：横滚 {degrees:.0f} 度</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>位姿不合理：宽 960 px 时焦距为 {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>可见画线太少</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>本应可见的内容找到得太少</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>找到的画线会使相机移动过多</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>即使位置已知：{why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>有 {count} 个位置，无法判断哪个属于它</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>{total} 次点击中有 {count} 次位于相机没有显示内容之处</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>各视图几乎从同一方向看它（相差 {degrees:.2f} 度，至少需要 {least:g} 度）</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>未在任何有相机的视图中点击</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>只知道地面的相机（单应矩阵）无法给出空间位置</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>视线相交于 {names} 的相机之后</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>只在一个视图中点击</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>会距场地超过 {metres:g} m</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>各视图不一致：相差 {far} px（所有视图中是同一位置吗？相机正确吗？）</translation>
   </message>
   <message>
    <source>turn the labels by half a turn</source>
@@ -2981,6 +3237,16 @@ Open a folder of pictures first.</source>
    <translation>十字光标：方向键移动（Shift 0.1 px，Ctrl 10 px，Ctrl+Shift 100 px），空格点击，Esc 收起</translation>
   </message>
   <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>请先指向一条线：用鼠标或方向键</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>此处没有可放置点的线</translation>
+  </message>
+  <message>
    <source>Brightness</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
    <translation>亮度</translation>
@@ -3941,9 +4207,19 @@ Load or show another one.</source>
    <translation>帧的缩略图</translation>
   </message>
   <message>
+   <source>The arrows go along, Enter shows the frame</source>
+   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
+   <translation>方向键沿帧条移动，回车显示该帧</translation>
+  </message>
+  <message>
    <source>Frames of the shot</source>
    <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
    <translation>镜头的帧</translation>
+  </message>
+  <message>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
+   <translation>方向键逐帧移动，加 Shift 标记区段，Esc 取消标记</translation>
   </message>
   <message>
    <source>anchor</source>
@@ -7277,6 +7553,46 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>{element} 未命中：已标注，但它离开地面，而相机只知道地面。</translation>
   </message>
   <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>根据每帧的点击拟合；均未存为文件</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>{frame} 尚无拟合</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>画线偏离线 {px:.1f} px</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>随镜头跟踪；均未存为文件</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>此处没有跟踪：{why}</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py, procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>未找到相机</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>由图片的运动延续而来，未在画线上测量</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>目前未跟踪</translation>
+  </message>
+  <message>
    <source>what was saved elsewhere</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>在别处保存的内容</translation>
@@ -7415,6 +7731,36 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
    <translation>标注错误</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} 为实测：其位置保持不变</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} 会移动：其位置各只对一个瞬间有效</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>其相机难以确定：{what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>{frame} 中没有相机（{why}），另有 {count} 帧</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>{frame} 中没有相机（{why}）</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>实测：保持不变</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -7645,6 +7991,16 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Remove the selected point; without one, the selected element</source>
    <extracomment>[the action delete]</extracomment>
    <translation>移除选中的点；若无，则移除选中的元素</translation>
+  </message>
+  <message>
+   <source>Insert point</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>插入点</translation>
+  </message>
+  <message>
+   <source>Put a point on the line at the crosshair, or at the mouse (Alt and a click do it, too)</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>在十字光标或鼠标处的线上放置点（Alt 加点击亦可）</translation>
   </message>
   <message>
    <source>Choose all points</source>
@@ -9749,7 +10105,7 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left key far side</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>左限制区远侧</translation>
+   <translation>左限制区，远侧</translation>
   </message>
   <message>
    <source>Left free-throw line</source>
@@ -9759,7 +10115,7 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left key near side</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>左限制区近侧</translation>
+   <translation>左限制区，近侧</translation>
   </message>
   <message>
    <source>Left free-throw semicircle</source>
@@ -9769,7 +10125,7 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Right key far side</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>右限制区远侧</translation>
+   <translation>右限制区，远侧</translation>
   </message>
   <message>
    <source>Right free-throw line</source>
@@ -9779,7 +10135,7 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Right key near side</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>右限制区近侧</translation>
+   <translation>右限制区，近侧</translation>
   </message>
   <message>
    <source>Right free-throw semicircle</source>
@@ -9794,12 +10150,12 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left three-point far straight</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>左三分线远侧直段</translation>
+   <translation>左三分线，远侧直段</translation>
   </message>
   <message>
    <source>Left three-point near straight</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>左三分线近侧直段</translation>
+   <translation>左三分线，近侧直段</translation>
   </message>
   <message>
    <source>Right three-point arc</source>
@@ -9809,12 +10165,12 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Right three-point far straight</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>右三分线远侧直段</translation>
+   <translation>右三分线，远侧直段</translation>
   </message>
   <message>
    <source>Right three-point near straight</source>
    <extracomment>[the field basketball_fiba, the field basketball_nba]</extracomment>
-   <translation>右三分线近侧直段</translation>
+   <translation>右三分线，近侧直段</translation>
   </message>
   <message>
    <source>Left backboard</source>
@@ -10089,22 +10445,22 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left goal far post</source>
    <extracomment>[the field futsal, the field handball]</extracomment>
-   <translation>左球门远柱</translation>
+   <translation>左球门，远柱</translation>
   </message>
   <message>
    <source>Left goal near post</source>
    <extracomment>[the field futsal, the field handball]</extracomment>
-   <translation>左球门近柱</translation>
+   <translation>左球门，近柱</translation>
   </message>
   <message>
    <source>Right goal far post</source>
    <extracomment>[the field futsal, the field handball]</extracomment>
-   <translation>右球门远柱</translation>
+   <translation>右球门，远柱</translation>
   </message>
   <message>
    <source>Right goal near post</source>
    <extracomment>[the field futsal, the field handball]</extracomment>
-   <translation>右球门近柱</translation>
+   <translation>右球门，近柱</translation>
   </message>
   <message>
    <source>Centre mark</source>
@@ -10434,12 +10790,12 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left goal left post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>左球门左柱</translation>
+   <translation>左球门，左柱</translation>
   </message>
   <message>
    <source>Left goal right post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>左球门右柱</translation>
+   <translation>左球门，右柱</translation>
   </message>
   <message>
    <source>Right goal crease</source>
@@ -10449,12 +10805,12 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Right goal left post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>右球门左柱</translation>
+   <translation>右球门，左柱</translation>
   </message>
   <message>
    <source>Right goal right post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>右球门右柱</translation>
+   <translation>右球门，右柱</translation>
   </message>
   <message>
    <source>Left trapezoid near</source>
@@ -10684,32 +11040,32 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left penalty near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左罚球区近侧线</translation>
+   <translation>左罚球区，近侧线</translation>
   </message>
   <message>
    <source>Left penalty front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左罚球区前沿线</translation>
+   <translation>左罚球区，前沿线</translation>
   </message>
   <message>
    <source>Left penalty far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左罚球区远侧线</translation>
+   <translation>左罚球区，远侧线</translation>
   </message>
   <message>
    <source>Right penalty near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右罚球区近侧线</translation>
+   <translation>右罚球区，近侧线</translation>
   </message>
   <message>
    <source>Right penalty front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右罚球区前沿线</translation>
+   <translation>右罚球区，前沿线</translation>
   </message>
   <message>
    <source>Right penalty far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右罚球区远侧线</translation>
+   <translation>右罚球区，远侧线</translation>
   </message>
   <message>
    <source>Left penalty arc</source>
@@ -10724,32 +11080,32 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   <message>
    <source>Left goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左球门区近侧线</translation>
+   <translation>左球门区，近侧线</translation>
   </message>
   <message>
    <source>Left goal area front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左球门区前沿线</translation>
+   <translation>左球门区，前沿线</translation>
   </message>
   <message>
    <source>Left goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>左球门区远侧线</translation>
+   <translation>左球门区，远侧线</translation>
   </message>
   <message>
    <source>Right goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右球门区近侧线</translation>
+   <translation>右球门区，近侧线</translation>
   </message>
   <message>
    <source>Right goal area front</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右球门区前沿线</translation>
+   <translation>右球门区，前沿线</translation>
   </message>
   <message>
    <source>Right goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>右球门区远侧线</translation>
+   <translation>右球门区，远侧线</translation>
   </message>
   <message>
    <source>Left far corner flag (foot)</source>

@@ -5,18 +5,22 @@ from __future__ import annotations
 import copy
 import importlib.util
 import re
+import shutil
 import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtCore import QPoint, QSize, Qt, QTranslator
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
     QCheckBox,
     QComboBox,
+    QHeaderView,
     QLabel,
     QPushButton,
     QRadioButton,
@@ -24,6 +28,7 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
+from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
 from procc_annotator import language
@@ -31,8 +36,10 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.clicked import Clicked
 from procc_annotator.fit.labels.shape import few_points
 from procc_annotator.gui.actions import ACTIONS, MENUS
-from procc_annotator.gui.languages import take_up
+from procc_annotator.gui.keymap import NATIVE
+from procc_annotator.gui.languages import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
@@ -48,7 +55,8 @@ from procc_annotator.language import (
     tr_count,
 )
 from procc_annotator.report.sheet.as_json import json_bytes
-from tests.gui.conftest import Hand
+from procc_annotator.session.dataset import edits
+from tests.gui.conftest import Hand, all_done
 from tests.gui.shown_texts import Asked, paint_spy, texts_of, unsaid_words
 
 # The offscreen platform has no window manager to pass these on to.
@@ -119,7 +127,7 @@ _KEYS = "Ctrl|Shift|Alt|Tab|Return|Enter|Space|Del|Backspace|Esc|Pg(?:Up|Down)|H
 _KEYS += "|Left|Right|Up|Down"
 _UNITS = "px|kB|MB|GB|fps|JaC|TP|FP|FN|JSON|CSV"
 _FILES = r"(?<![\w<])/[\w./-]+|\b[\w*]+\.\w{3,4}\b|\*\.\w+"
-_SOURCES = "true|bad|pinhole|sample|soccernet|procc"
+_SOURCES = "true|bad|pinhole|fit|sample|soccernet|procc"
 _NAMED = [
     *(element.name.strip() for element in load_field("soccer").elements),
     *(known.title for known in FORMATS),
@@ -195,6 +203,36 @@ def test_no_word_of_the_window_is_left_out(
     QApplication.processEvents()
     found += texts_of(audited)
     assert len(found) > 5_000
+    assert _left_out([*found, *asked.texts]) == {}
+
+
+@pytest.mark.new_window
+def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
+    pseudo: None, begun: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot, tmp_path: Path
+) -> None:
+    asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
+    document, workspace = begun.document, begun.document.workspace
+    assert workspace is not None
+    document.message.connect(lambda text, _: found.append(("told", text)))
+    begun.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
+    second = shutil.copytree(workspace.root, tmp_path / "second")
+    qtbot.waitUntil(lambda: bool(document.ghosts.painted), timeout=20_000)
+    for action in ("next_ghost", "not_visible", "visible_again", "accept_ghost"):
+        begun.actions_[action].trigger()
+        begun._show_menu(QPoint(0, 0))
+    all_done(qtbot)
+    swapped = edits.swap_classes(document.annotation, "Big rect. left main", "Circle left")
+    document.commit_edit("swap", swapped)
+    all_done(qtbot)
+    assert document.label_check.shown
+    for action in ("next_finding", "check_set"):
+        begun.actions_[action].trigger()
+        all_done(qtbot)
+    document.select_class("Circle left")
+    begun._show_menu(QPoint(0, 0))
+    begun.agreement.open(second)
+    all_done(qtbot)
+    found += texts_of(begun)
     assert _left_out([*found, *asked.texts]) == {}
 
 
@@ -276,6 +314,15 @@ def test_menus_open_by_letters_of_their_own_language(german: None) -> None:
 
 
 @pytest.mark.new_window
+def test_a_title_says_below_its_group_what_the_group_does_not(qapp: QApplication) -> None:
+    take_up(qapp, "de")
+    shown = short_titles(load_field("soccer"))
+    take_up(qapp, "en")
+    assert shown["Big rect. left main"] == "Vorn"
+    assert shown["Goal left post left "] == "Linker Pfosten"
+    assert shown["Circle left"] == "Linker Teilkreis"  # no part of it is only the group's
+
+
 def test_the_guide_says_that_it_is_in_english(german: None, window: MainWindow) -> None:
     window.commands.show_guide()
     guide = window.commands._guide
@@ -318,6 +365,8 @@ def _too_narrow(widget: QWidget) -> str:
             lack = widget.heightForWidth(widget.width()) - widget.height()
         else:
             lack = widget.sizeHint().width() - widget.width()
+    elif isinstance(widget, QHeaderView):
+        return _narrow_columns(widget)
     elif isinstance(widget, QTabBar):
         text = " | ".join(map(widget.tabText, range(widget.count())))
         lack = 0 if widget.usesScrollButtons() else widget.sizeHint().width() - widget.width()
@@ -326,10 +375,23 @@ def _too_narrow(widget: QWidget) -> str:
     return f"{text!r}: {lack} px" if lack > 0 else ""
 
 
+def _narrow_columns(header: QHeaderView) -> str:
+    titles, wide = header.model(), Qt.Orientation.Horizontal
+    lacking = []
+    for column in range(header.count() if header.orientation() == wide else 0):
+        title = str(titles.headerData(column, wide) or "")
+        tip = str(titles.headerData(column, wide, Qt.ItemDataRole.ToolTipRole) or "")
+        room = header.sectionSize(column)
+        if title and title not in tip and 0 < room < header.sectionSizeHint(column):
+            lacking.append(f"{title!r}: {header.sectionSizeHint(column) - room} px")
+    return ", ".join(lacking)
+
+
 def _cut_off(window: QWidget) -> dict[str, str]:
     """What is in sight and has no room for its words."""
     QApplication.processEvents()
     kinds = (QLabel, QPushButton, QToolButton, QCheckBox, QComboBox, QRadioButton, QTabBar)
+    kinds = (*kinds, QHeaderView)
     shown = [
         widget
         for widget in window.findChildren(QWidget)
@@ -382,3 +444,37 @@ def tool() -> ModuleType:
 
 def test_no_words_of_the_code_are_out_of_reach(tool: ModuleType) -> None:
     assert tool.unsaid() == []
+
+
+_TRANSLATED = [name for name in LANGUAGES if name != "en"]
+
+
+def _forms(text: Any, forms: tuple[str, ...]) -> dict[int, str]:
+    """What is said of one thing and of five, or without a number."""
+    return {1: forms[0], 5: forms[-1]} if text.one else {-1: forms[0]}
+
+
+def test_translations_have_no_faults_and_are_compiled(tool: ModuleType) -> None:
+    texts = {(text.source, text.about): text for text in tool.collected()}
+    for name in _TRANSLATED:
+        known = {key: forms for key, forms in tool.translations(name).items() if key in texts}
+        assert known
+        faulty = {key: tool.faults_of(texts[key], name, forms) for key, forms in known.items()}
+        assert {key: fault for key, fault in faulty.items() if fault} == {}, name
+        translator = QTranslator()
+        assert translator.load(str(tool.FOLDER / f"{name}.qm"))
+        for (source, about), forms in known.items():
+            for number, form in _forms(texts[source, about], forms).items():
+                found = translator.translate(CONTEXT, source, about or None, number)
+                assert found == form, f"{name}.qm is older than {name}.ts"
+
+
+@pytest.mark.parametrize("name", _TRANSLATED)
+def test_a_language_is_spoken_once_it_is_taken_up(qapp: QApplication, name: str) -> None:
+    take_up(qapp, name)
+    said, of_qt = tr("Undo"), QKeySequence("Space").toString(NATIVE)
+    take_up(qapp, "en")
+    assert said != "Undo"
+    assert (tr("Undo"), QKeySequence("Space").toString(NATIVE)) == ("Undo", "Space")
+    assert of_qt != "Space" or name in ("ja", "zh_CN")  # Qt's own words come along
+    assert language.is_english()
