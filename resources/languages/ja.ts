@@ -395,7 +395,7 @@
   </message>
   <message>
    <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/poses.py]</extracomment>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
    <translation>移動</translation>
   </message>
   <message>
@@ -1851,8 +1851,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   </message>
   <message>
    <source>Pan</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py, the action pan]</extracomment>
-   <translation>移動</translation>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Tilt</source>
@@ -3355,6 +3356,12 @@ Load or show another one.</source>
    <source>No poses yet. They are gathered in the background, frame by frame.</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
    <translation>姿勢はまだありません。バックグラウンドでフレームごとに集めます。</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The shown sources are of models without a pose (homographies, projections alone).</source>
@@ -8525,6 +8532,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Reduce (the mouse wheel does it at the cursor)</source>
    <extracomment>[the action zoom_out]</extracomment>
    <translation>縮小します（マウスホイールではカーソル位置で）</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <extracomment>[the action pan]</extracomment>
+   <translation>移動</translation>
   </message>
   <message>
    <source>The left button moves the picture (or hold Space, or the middle button); Esc ends it</source>

@@ -102,7 +102,7 @@ class PosesPage(PlotPage[PosePlot]):
     # --- inside ---------------------------------------------------------------------------
 
     def _make_plot(self, row: int, column: int) -> None:
-        plot = self.add_plot(row, tr("frame"), f"{tr(_NAMES[column])} ({POSE_UNITS[column]})")
+        plot = self.add_plot(row, tr("frame"), f"{_name(column)} ({POSE_UNITS[column]})")
         plot.setMouseEnabled(x=True, y=False)
         plot.enableAutoRange(axis="y")
         if row < len(self.columns) - 1:
@@ -181,8 +181,8 @@ class PosesPage(PlotPage[PosePlot]):
                 parts.append(
                     f"{source.name} "
                     + ", ".join(
-                        f"{tr(_NAMES[c])} {values[c]:.2f} {POSE_UNITS[c]}"
-                        if np.isfinite(values[c]) else f"{tr(_NAMES[c])} –"
+                        f"{_name(c)} {values[c]:.2f} {POSE_UNITS[c]}"
+                        if np.isfinite(values[c]) else f"{_name(c)} –"
                         for c in self.columns
                     )
                 )  # fmt: skip
@@ -216,7 +216,12 @@ class PositionPage(PosesPage):
         super().__init__("plot_position")
 
 
-_NAMES = (word("pan"), word("tilt"), word("roll"), word("focal"), "x", "y", word("height"))
+_NAMES = ("", word("tilt"), word("roll"), word("focal"), "x", "y", word("height"))
+
+
+def _name(column: int) -> str:
+    """A quantity of the pose; to pan the picture is another word in most languages."""
+    return tr(_NAMES[column]) if column else tr("pan", "an angle")
 
 
 def _no_pose(data: PosePlot) -> str:

@@ -106,7 +106,7 @@ def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
     if not isinstance(camera, PosedCamera) or sd is None:
         return []
     angles = (
-        (tr("Pan"), camera.pan_rad, sd.pan_rad),
+        (tr("Pan", "an angle"), camera.pan_rad, sd.pan_rad),
         (tr("Tilt"), camera.tilt_rad, sd.tilt_rad),
         (tr("Roll"), camera.roll_rad, sd.roll_rad),
     )
