@@ -39,7 +39,7 @@ def doubt_about(frame: TrackedFrame) -> str:
     most = most_residual_px(frame.fit.size[0])
     if frame.residual_px is not None and frame.residual_px > most:
         return f"the paint is {frame.residual_px:.1f} px from the lines"
-    return ""
+    return frame.reason
 
 
 @dataclass(frozen=True, eq=False)
