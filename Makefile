@@ -47,11 +47,19 @@ run: setup
 	fi
 
 # Tests start the program hundreds of times: compiled once, it starts three times as fast. A process
-# that ends midway (a test that hangs) is not started again: it would begin with the same test.
+# that ends midway (a test that hangs) is not started again: it would begin with the same test. What
+# pytest makes of the tests is kept, whatever is set outside: each process would make it anew.
+PYTEST := PYTHONDONTWRITEBYTECODE= QT_QPA_PLATFORM=offscreen $(BIN)/pytest --numprocesses auto --maxprocesses 4
+FILES := $(PYTEST) --max-worker-restart 0 --dist loadfile
+
+# The window's tests and all others by processes of their own: together they hold twice the memory.
 test: setup
 	@$(BIN)/python -m compileall -q procc_annotator
-	QT_QPA_PLATFORM=offscreen $(BIN)/pytest --numprocesses auto --maxprocesses 4 --max-worker-restart 0 \
-	  --dist loadfile $(ARGS)
+ifdef ARGS
+	$(FILES) $(ARGS)
+else
+	$(FILES) tests/gui; window=$$?; $(FILES) tests --ignore tests/gui && exit $$window
+endif
 
 lint: setup
 	$(BIN)/ruff check .
@@ -66,8 +74,7 @@ check: lint
 SOAK := 40
 BUDGET := 600
 soak: setup
-	SOAK=$(SOAK) QT_QPA_PLATFORM=offscreen $(BIN)/pytest -m soak --budget $(BUDGET) \
-	  --numprocesses auto --maxprocesses 4 --maxschedchunk 1 $(ARGS)
+	SOAK=$(SOAK) $(PYTEST) -m soak --budget $(BUDGET) --maxschedchunk 1 $(ARGS)
 
 # As a user has it: the wheel from the sdist, an environment with nothing else, no checkout in sight.
 installed: setup

@@ -7,9 +7,9 @@
                                                     with "to": a text, or the forms by number
     python packaging/languages.py unsaid [ROOM ...] words in the code that no translation reaches
 
-A text is what stands in ``tr``, ``tr_count`` and ``word``, and what tables hold: the actions, the
-settings, the fields. A line that ends in ``# not shown`` holds words that nobody sees, or that are
-of no language: names of keys and of programs.
+A text is what stands in ``tr``, ``tr_count``, ``said`` and ``word``, and what tables hold: the
+actions, the settings, the fields. A line that ends in ``# not shown`` holds words that nobody sees,
+or that are of no language: names of keys and of programs.
 """
 
 from __future__ import annotations
@@ -45,7 +45,13 @@ _NOT_OF_WINDOW = tuple(
     )
 )
 
-_SAYING = {"tr": 1, "word": 1, "tr_count": 3}  # function -> how many of its arguments are texts
+_SAYING = {
+    "tr": 1,
+    "word": 1,
+    "tr_count": 3,
+    "said": 1,
+    "said_count": 3,
+}  # function -> how many of its arguments are texts
 # Calls whose words are names for programs.
 _SILENT = {"setObjectName", "setStyleSheet", "setProperty", "getattr", "setattr", "findChild",
            "TypeVar", "QRegularExpression", "compile", "NewType"}  # fmt: skip
@@ -109,7 +115,7 @@ def _text_of(call: ast.Call, place: str) -> Text | None:
     name, args = _name(call), call.args
     if any(isinstance(arg, ast.JoinedStr) for arg in args[: _SAYING[name]]):
         raise SystemExit(f"{place}: an f-string has no translation; name its values instead")
-    if name == "tr_count":
+    if name in ("tr_count", "said_count"):
         one, several = _constant(args[1]), _constant(args[2])
         return Text(several, "", one, (place,)) if one and several else None
     source = _constant(args[0])

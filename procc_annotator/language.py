@@ -7,7 +7,7 @@ is not needed to say something: the window hands over how texts are looked up.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Protocol
@@ -45,12 +45,13 @@ def tr(text: str, /, about: str = "", **values: object) -> str:
     Args:
         text: the English words, with ``{name}`` (or ``{name:.1f}``) where a value stands. They are
             the key of the translation: written out where this is called, or marked by ``word``
-            where they stand in a table.
+            where they stand in a table. Or what ``said`` made elsewhere.
         about: tells two meanings of the same English words apart ("left": a side, or remaining).
         values: what stands in the places; without any, braces are braces.
     """
-    said = _found(text, about, -1)
-    return said.format(**values) if values else said
+    if isinstance(text, Said):
+        return text.spoken()
+    return _filled(_found(text, about, -1), values)
 
 
 def tr_count(count: int, one: str, several: str, /, **values: object) -> str:
@@ -61,16 +62,70 @@ def tr_count(count: int, one: str, several: str, /, **values: object) -> str:
         one, several: the English forms; ``several`` is the key of the translation.
         values: what stands in other places.
     """
-    said = _found(several, "", count)
-    if said == several and count == 1:
-        said = one
-    return said.format(n=count, **values)
+    found = _found(several, "", count)
+    if found == several and count == 1:
+        found = one
+    return _filled(found, {"n": count, **values})
 
 
 def word(text: str, about: str = "") -> str:
     """Mark a text of a table: it is collected for translation, and said by ``tr`` when it is
     shown."""
     return text
+
+
+class Said(str):
+    """English words for files and commands, that know what they are made of: ``tr`` says them, and
+    what stands in their places, in the language of the window."""
+
+    _made_of: tuple[str, str, str, int, Mapping[str, object]]  # with one form, and how many
+
+    def spoken(self) -> str:
+        """The words in the language of the window."""
+        text, about, one, count, values = self._made_of
+        if count < 0:
+            return tr(text, about, **values)
+        return tr_count(count, one, text, **values)
+
+    def __reduce__(self) -> tuple[Callable[..., Said], tuple[object, ...]]:
+        return _said, (str(self), *self._made_of)
+
+
+def said(text: str, /, about: str = "", **values: object) -> Said:
+    """Words made where nobody knows who reads them: as ``tr``, but English until ``tr`` says them.
+
+    Args:
+        text, about: as of ``tr``; or a title, which is said if the tables have it.
+        values: may be made by this, too.
+    """
+    return _said(text.format(**values) if values else text, text, about, "", -1, values)
+
+
+def said_count(count: int, one: str, several: str, /, **values: object) -> Said:
+    """The same for ``tr_count``."""
+    english = (one if count == 1 else several).format(n=count, **values)
+    return _said(english, several, "", one, count, values)
+
+
+def said_joined(between: str, words: Sequence[str]) -> Said:
+    """Phrases that stand on their own, one after the other."""
+    places = {f"w{i}": phrase for i, phrase in enumerate(words)}
+    return said(between.join(f"{{{name}}}" for name in places), **places)
+
+
+def said_all(names: Sequence[str]) -> Said:
+    """Names as a sentence names them: "one", "one and two", "one, two and three"; at least one."""
+    if len(names) == 1:
+        return said_joined("", names)
+    return said("{names} and {last}", names=said_joined(", ", names[:-1]), last=names[-1])
+
+
+def _said(
+    english: str, text: str, about: str, one: str, count: int, values: Mapping[str, object]
+) -> Said:
+    words = Said(english)
+    words._made_of = text, about, one, count, values
+    return words
 
 
 @contextmanager
@@ -104,6 +159,13 @@ def kept(say: Callable[[], str]) -> Kept:
 def spoken(words: str) -> str:
     """What is kept in English, as the window says it: what ``kept`` made, or ``word`` marked."""
     return words.spoken if isinstance(words, Kept) else tr(words)
+
+
+def _filled(text: str, values: Mapping[str, object]) -> str:
+    if not values:
+        return text
+    spoken_values = {k: v.spoken() if isinstance(v, Said) else v for k, v in values.items()}
+    return text.format(**spoken_values)
 
 
 def _found(text: str, about: str, count: int) -> str:

@@ -17,6 +17,8 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, settings
 
+import procc_annotator.gui  # noqa: F401  (before pytest-qt: or the source of all modules is read)
+
 if TYPE_CHECKING:
     from procc_annotator.annotation import FrameAnnotation
     from procc_annotator.fit.labels.finding import Finding

@@ -165,6 +165,8 @@ def _agree_all(
         names = [f"{name}.json" for name in run.names]
         outputs.check_replaces_nothing(consensus, names, overwrite=False)
     agreed = agree_all(run, clusters, consensus=consensus, progress=with_progress)
+    for path in files:  # before the tables: whoever reads them may stop after the first
+        write_agreed(agreed, run, path)
     console = stdout_console()
     for sheet in sheets_of(agreed):
         console.print(sheet)
@@ -173,8 +175,6 @@ def _agree_all(
     console.print(floor_line(agreed))
     if consensus is not None:
         typer.echo(f"written: {consensus}")
-    for path in files:
-        write_agreed(agreed, run, path)
     for letter, alone in zip(ascii_uppercase, run.alone, strict=False):
         if alone:
             typer.echo(f"note: only in {letter}, not compared: {listed(alone, 'frame')}", err=True)

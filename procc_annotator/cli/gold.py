@@ -100,13 +100,14 @@ def gold(
                 f"{listed(unanswered, 'gold frame')} without an annotation in {answers.path}"
             )
         against = _compared(answers, sources, annotators, marked, terms, clustering)
+    for path in files:  # before the tables: whoever reads them may stop after the first
+        write_gold(against, path)
     for sheet in gold_sheets(against):
         stdout_console().print(sheet)
     for name, found in zip(against.names, against.found, strict=True):
         if found is None:
             typer.echo(f"note: {name} has annotated none of the gold frames", err=True)
     for path in files:
-        write_gold(against, path)
         typer.echo(f"written: {path}")
     raise typer.Exit(report_unreadable(list(against.errors)))
 

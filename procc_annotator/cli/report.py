@@ -208,7 +208,7 @@ def report(
     parts = (*(check_by(grouped, read_tags) if grouped else ()), *derived)
     chance = chance_options.chance_terms(
         read_tags, {name: place[0]}, cluster, parts, interval_method, draws, seed,
-        power=power, click_noise=click_noise,
+        shots=shots, power=power, click_noise=click_noise,
     )  # fmt: skip
     if recipe is not None:
         outputs.check_output_folder(recipe)

@@ -37,10 +37,11 @@ from procc_annotator.fit.solving.strong_lens import (
     refine_strong,
 )
 from procc_annotator.fit.solving.surroundings import surroundings_of
+from procc_annotator.language import said, said_joined
 
 # So many deviations from 0 the radial coefficient is out of question: no need to fit without it.
 _CLEARLY = 4.0
-_CUT_OUT = (
+_CUT_OUT = said(
     "the principal point is far from the centre of the picture, which seems cut out of a larger one"
 )
 
@@ -216,21 +217,32 @@ def _reason(chosen: str, fits: dict[str, FoundCamera], frame: PictureFrame) -> s
         return _CUT_OUT
     mean = {model: f"{_mean_px(found) / frame.scale:.2f}" for model, found in fits.items()}
     if chosen == "P":
-        return (
-            f"without lens distortion the points are {mean['P']} px off, with it {mean['R']} px:"
-            " not clearly better"
+        return said(
+            "without lens distortion the points are {without} px off, with it {with_it} px: not"
+            " clearly better",
+            without=mean["P"],
+            with_it=mean["R"],
         )
     if chosen == "R+":
-        return (
-            f"aspect ratio and principal point bring the points from {mean['R']} to"
-            f" {mean['R+']} px, more than three parameters would by chance"
+        return said(
+            "aspect ratio and principal point bring the points from {before} to {after} px, more"
+            " than three parameters would by chance",
+            before=mean["R"],
+            after=mean["R+"],
         )
     bent = (
-        f"lens distortion brings the points from {mean['P']} to {mean['R']} px"
+        said(
+            "lens distortion brings the points from {before} to {after} px",
+            before=mean["P"],
+            after=mean["R"],
+        )
         if "P" in mean
-        else f"the points show lens distortion clearly and are {mean['R']} px off"
+        else said("the points show lens distortion clearly and are {px} px off", px=mean["R"])
     )
-    return f"{bent}; with aspect ratio and principal point {mean['R+']} px: not clearly better"
+    further = said(
+        "with aspect ratio and principal point {px} px: not clearly better", px=mean["R+"]
+    )
+    return said_joined("; ", (bent, further))
 
 
 def _mean_px(found: FoundCamera) -> float:

@@ -8,6 +8,7 @@ import numpy as np
 
 from procc_annotator.fit.result import FitResult, PosedCamera
 from procc_annotator.fit.solving.models import PAN, ROLL, TILT
+from procc_annotator.language import said, said_joined, word
 
 # Standard deviations beyond which a camera is hardly determined: about twice what the worst of the
 # 186 frames of World Cup 2014 have (model R: 0.4 degrees, 5.3 m of some 70 m, 5.5 % of the focal
@@ -16,10 +17,13 @@ MOST_ANGLE_DEGREES = 1.0
 MOST_POSITION = 0.15  # of the way to the centre of the field
 MOST_FOCAL = 0.1
 _LOOKING_DOWN = 0.35  # sine of the tilt
-LIMITS = (
-    f"pan, tilt or roll ± more than {MOST_ANGLE_DEGREES:g}°, position ± more than"
-    f" {100 * MOST_POSITION:g} % of the way to the field's centre, or focal"
-    f" length ± more than {100 * MOST_FOCAL:g} %, or clicks that are the same from the other end"
+LIMITS = said(
+    "pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the"
+    " field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the"
+    " other end",
+    degrees=MOST_ANGLE_DEGREES,
+    way=100 * MOST_POSITION,
+    focal=100 * MOST_FOCAL,
 )
 
 
@@ -33,21 +37,25 @@ def hardly_determined(fit: FitResult) -> str:
     if known is None or not isinstance(camera, PosedCamera):
         return ""
     pan, roll = _pan_and_roll(fit)
-    angles = {"pan": pan, "tilt": known.tilt_rad, "roll": roll}
+    angles = (
+        (word("pan ± {degrees:.1f}°"), pan),
+        (word("tilt ± {degrees:.1f}°"), known.tilt_rad),
+        (word("roll ± {degrees:.1f}°"), roll),
+    )
     words = [
-        f"{name} ± {math.degrees(sd):.1f}°"
-        for name, sd in angles.items()
+        said(text, degrees=math.degrees(sd))
+        for text, sd in angles
         if not math.degrees(sd) <= MOST_ANGLE_DEGREES
     ]
     away = math.hypot(*known.position_m)
     if not away <= MOST_POSITION * math.hypot(*camera.position_world):
-        words.append(f"position ± {away:.0f} m")
+        words.append(said("position ± {metres:.0f} m", metres=away))
     share = known.focal_px / camera.focal_px[0]
     if not share <= MOST_FOCAL:
-        words.append(f"focal length ± {100 * share:.0f} %")
+        words.append(said("focal length ± {percent:.0f} %", percent=100 * share))
     if fit.other_end:
-        words.append("the same from the other end")
-    return ", ".join(words)
+        words.append(said("the same from the other end"))
+    return said_joined(", ", words) if words else ""
 
 
 def _pan_and_roll(fit: FitResult) -> tuple[float, float]:

@@ -15,6 +15,7 @@ from procc_annotator.fit.solving.models import MODELS
 from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
+from procc_annotator.language import said
 
 DEFAULT_SIZE = (960, 540)
 AUTO = "auto"
@@ -76,7 +77,9 @@ def fit_camera(
 
 def pixels_words(point: Point) -> str:
     """What is wrong with an annotation in pixels, of which this is a point."""
-    return f"coordinates look like pixels, expected 0 to 1 (x = {point.u:g}, y = {point.v:g})"
+    return said(
+        "coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})", x=point.u, y=point.v
+    )
 
 
 def check_model(model: object) -> None:

@@ -48,6 +48,7 @@ from procc_annotator.fit.solving.search import (
 )
 from procc_annotator.fit.solving.strong_lens import fit_strong, refine_strong
 from procc_annotator.fit.solving.surroundings import surroundings_of
+from procc_annotator.language import said
 
 # Farther off than this on the median element, a camera explains nothing.
 _HOPELESS_PX = 2 * OUTLIER_PX
@@ -178,9 +179,10 @@ def _objection(found: FoundCamera, field: Field) -> str | None:
     means = found.seen.mean_of_element(found.distances)
     middle = float(np.median(means))
     if not middle <= _HOPELESS_PX:
-        return (
-            f"no camera explains these elements together: the best one misses half of them by more"
-            f" than {middle:.0f} px (are the labels right?)"
+        return said(
+            "no camera explains these elements together: the best one misses half of them by more"
+            " than {px:.0f} px (are the labels right?)",
+            px=middle,
         )
     return None
 

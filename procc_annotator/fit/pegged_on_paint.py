@@ -16,6 +16,7 @@ from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import CENTRE, vector_from_camera
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.image.pixels import PixelArray
+from procc_annotator.language import said
 
 # Somebody who drags lines to where they belong saw them about right; a camera stands where it was
 # found to stand, to a metre or two.
@@ -71,12 +72,14 @@ def _refined(
     found = refine_on_paint(picture, field, camera, belief=Belief(vector, information))
     refined = found.fit.camera
     if not isinstance(refined, PinholeCamera):
-        return None, found.fit.failure or "there is too little paint"
+        return None, found.fit.failure or said("there is too little paint")
     if found.coverage < _LEAST_COVERAGE:
-        return None, f"only {found.coverage:.0%} of the lines in sight are on paint"
+        return None, said(
+            "only {share:.0%} of the lines in sight are on paint", share=found.coverage
+        )
     for off, peg in zip(misses(refined, pegs).tolist(), pegs, strict=True):
         if not off <= max(_MOST_SDS * peg.sd_px, _LEAST_PX * frame.size[0]):
-            return None, "the paint nearby would take a peg from its place"
+            return None, said("the paint nearby would take a peg from its place")
     return found, ""
 
 

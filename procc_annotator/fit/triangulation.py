@@ -24,6 +24,7 @@ from procc_annotator.field.geometry import Covariance, Vector
 from procc_annotator.field.values import FARTHEST_M
 from procc_annotator.fit.click_noise import noise_of
 from procc_annotator.fit.solving.observations import FloatArray
+from procc_annotator.language import said
 
 BoolArray = NDArray[np.bool_]
 CameraCovariance = Callable[[FloatArray], FloatArray]
@@ -191,10 +192,16 @@ def agreement_of_views(
 def _too_few(views: Sequence[View], usable: Sequence[View]) -> str:
     ground = sum(projects_only_ground(view.camera) for view in views)
     if len(views) < 2:
-        return "clicked in one view only" if views else "clicked in no view that has a camera"
+        if views:
+            return said("clicked in one view only")
+        return said("clicked in no view that has a camera")
     if ground and len(views) - ground < 2:
-        return "cameras that know only the ground (homographies) tell no place in space"
-    return f"{len(views) - len(usable)} of {len(views)} clicks lie where the camera shows nothing"
+        return said("cameras that know only the ground (homographies) tell no place in space")
+    return said(
+        "{count} of {total} clicks lie where the camera shows nothing",
+        count=len(views) - len(usable),
+        total=len(views),
+    )
 
 
 class _Search:
@@ -229,13 +236,18 @@ class _Search:
         agreeing = int((away[used, 0] < self._gate(away[:, 0])).sum())
         if agreeing < least:
             far = " and ".join(f"{px:.1f}" for _, px in residuals[:4])
+            more = " ..." if len(names) > 4 else ""
             return Triangulated(
                 residuals_px=residuals,
-                failure=f"the views do not agree: {far}{' ...' if len(names) > 4 else ''} px off"
-                " (is it the same place in all of them, and are the cameras right?)",
+                failure=said(
+                    "the views do not agree: {far} px off (is it the same place in all of them, and"
+                    " are the cameras right?)",
+                    far=far + more,
+                ),
             )
         if float(np.abs(place).max()) > FARTHEST_M:
-            return Triangulated(failure=f"would be farther than {FARTHEST_M:g} m from the field")
+            far_off = said("would be farther than {metres:g} m from the field", metres=FARTHEST_M)
+            return Triangulated(failure=far_off)
         slopes = np.array([projection_slopes(v.camera, place[None])[1][0] for v in self.views])
         angle = _largest_angle(
             [SightLine(place, np.linalg.svd(s)[2][2], False) for s in slopes[used]]
@@ -283,7 +295,8 @@ class _Search:
     def _behind(self, starts: FloatArray) -> str:
         _, away, _ = self._residuals(starts)
         hidden = [v.name for v, row in zip(self.views, away, strict=True) if np.isnan(row).any()]
-        return f"the lines of sight meet behind the camera of {', '.join(hidden[:3])}"
+        names = ", ".join(hidden[:3])
+        return said("the lines of sight meet behind the camera of {names}", names=names)
 
     def _agreeing(self, place: FloatArray) -> BoolArray:
         """(n,) whether each view agrees with a place; the nearest two have a say anyhow."""
@@ -393,7 +406,9 @@ def _largest_angle(lines: Sequence[SightLine]) -> float:
 
 
 def _parallel(angle_degrees: float) -> str:
-    return (
-        f"the views look at it from nearly the same direction ({angle_degrees:.2f} degrees apart,"
-        f" at least {LEAST_ANGLE_DEGREES:g} are needed)"
+    return said(
+        "the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least"
+        " {least:g} are needed)",
+        degrees=angle_degrees,
+        least=LEAST_ANGLE_DEGREES,
     )

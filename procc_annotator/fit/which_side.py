@@ -15,7 +15,7 @@ from procc_annotator.fit.result import FitResult, PosedCamera
 from procc_annotator.fit.solving.models import CENTRE
 from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.fit.together.sides import on_other_side
-from procc_annotator.words import count_of
+from procc_annotator.language import said, said_count
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,16 +98,20 @@ def other_side_finding(
     pairs = tuple((name, turn.name_of(name)) for name in names if turn.name_of(name) != name)
     if not pairs:
         return None
-    remedy = Remedy(RemedyKind.RELABEL, "turn the labels by half a turn", pairs)
+    remedy = Remedy(RemedyKind.RELABEL, said("turn the labels by half a turn"), pairs)
     if found.opposite:
         severity = Severity.ERROR if found.stand.is_sure else Severity.WARNING
-        frames = count_of(found.opposite, "frame")
         return Finding(
             Rule.OTHER_SIDE,
             severity,
             tuple(names),
-            "the camera stands on the other side of the field from the rest; with its labels"
-            f" turned by half a turn it stands where that of {frames} does",
+            said_count(
+                found.opposite,
+                "the camera stands on the other side of the field from the rest; with its labels"
+                " turned by half a turn it stands where that of {n} frame does",
+                "the camera stands on the other side of the field from the rest; with its labels"
+                " turned by half a turn it stands where that of {n} frames does",
+            ),
             (remedy,),
             model=found.stand.model,
         )
@@ -115,9 +119,13 @@ def other_side_finding(
         Rule.OTHER_SIDE,
         Severity.HINT,
         tuple(names),
-        "the camera stands on a side of the field where hardly any other of"
-        f" {count_of(found.frames, 'frame')} does: a camera of its own, or labels turned by half a"
-        " turn",
+        said_count(
+            found.frames,
+            "the camera stands on a side of the field where hardly any other of {n} frame does: a"
+            " camera of its own, or labels turned by half a turn",
+            "the camera stands on a side of the field where hardly any other of {n} frames does: a"
+            " camera of its own, or labels turned by half a turn",
+        ),
         (LOOK, remedy),
         model=found.stand.model,
     )

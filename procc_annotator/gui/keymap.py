@@ -15,6 +15,7 @@ from procc_annotator.language import tr, word
 
 NATIVE = QKeySequence.SequenceFormat.NativeText
 _PORTABLE = QKeySequence.SequenceFormat.PortableText
+_LONG = 6  # letters, as "Shift+" has
 _HELD = word("what is held down in the picture")
 
 
@@ -72,6 +73,7 @@ PRESETS: Mapping[str, Keymap] = {
             "switch_mode": ("Home",),  # not shown
             "snapping": ("End",),  # not shown
             "copy_previous": ("Ins",),  # not shown
+            "insert_point": ("Ctrl+Ins",),  # not shown
             "confirm_all": ("Shift+Ins",),
         }
     ),
@@ -107,6 +109,13 @@ def chords_of(text: str) -> tuple[str, ...]:
     """The chords of a sequence in Qt's own words; () for keys that Qt does not know."""
     written = QKeySequence(text).toString(_PORTABLE)
     return tuple(written.split(", ")) if written else ()
+
+
+def short_text(keys: str) -> str:
+    """Keys as people write them, for where room is scarce: with the sign of Shift, where a language
+    has a long name for it."""
+    shift = QKeySequence("Shift+A").toString(NATIVE).removesuffix("A")
+    return keys.replace(shift, "⇧") if len(shift) > _LONG else keys
 
 
 def clashes(keymap: Keymap, elements: Sequence[Element] = ()) -> dict[str, str]:

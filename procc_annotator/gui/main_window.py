@@ -78,6 +78,7 @@ from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.desk_switch import DeskSwitch
 from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.drawer import Drawer
+from procc_annotator.gui.window.finding_tips import FindingTips
 from procc_annotator.gui.window.focus_ring import FocusRing
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
@@ -144,6 +145,7 @@ class MainWindow(QMainWindow):
             self.settings,
         )
         self.keys_back = KeysBack(self.canvas)
+        self.finding_tips = FindingTips(self.document, self.canvas)
         self.coach = Coach(self.document, self.canvas, self.actions_, self.settings)
         self.bars.heightChanged.connect(self.coach.set_covered)
         self.focus_ring = FocusRing(self)
@@ -285,6 +287,7 @@ class MainWindow(QMainWindow):
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
         document.store.watch(lambda state: state.notices, self.message_bar.keep)
+        self.message_bar.remedy_wanted.connect(lambda name: self.actions_[name].trigger())
         document.store.changed.connect(self._hear)  # a watch would miss lines said together
         self.welcome.open_folder.connect(self.opening.open_folder)
         self.welcome.open_picture.connect(self.opening.open_picture)
@@ -373,6 +376,8 @@ class MainWindow(QMainWindow):
         conflict = document.saver.conflict(document.frame_index)
         if told.level == "info":
             self.status.tell(told.text)
+        elif told.text == document.state.why_broken:
+            self.status.tell(tr("not editable: the bar over the picture says why"))
         elif told.key != UNSAVED:
             # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
             # everything).

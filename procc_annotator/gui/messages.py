@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.gui.theme import alarm_colours
-from procc_annotator.language import tr, tr_count
+from procc_annotator.language import tr, tr_count, word
 
 
 def as_sentence(text: str) -> str:
@@ -57,12 +57,23 @@ class Bar(QWidget):
             self.setStyleSheet(style)
 
 
+_USUAL_REMEDY = word("Choose another place…")
+_REMEDIES = {"save": word("Save again")}
+
+
 class MessageBar(Bar):
     """The last error or warning, until it is dismissed, its cause is gone, or work has gone on: it
     is seen on the frame it came up on and on the next one."""
 
+    remedy_wanted = Signal(str)  # the action that may help
+
     def __init__(self) -> None:
         super().__init__("messageBar")
+        self._remedy = ""
+        self.remedy = QPushButton(tr(_USUAL_REMEDY))
+        self.remedy.setObjectName("messageRemedy")
+        self.remedy.clicked.connect(lambda: self.remedy_wanted.emit(self._remedy))
+        self.row.addWidget(self.remedy)
         close = QToolButton()
         close.setText("✕")
         close.setAutoRaise(True)
@@ -76,6 +87,7 @@ class MessageBar(Bar):
     def tell(self, told: Told, *, above: Iterable[Notice] = ()) -> None:
         """Show one line, under those that are still so."""
         self._show_lines([*above, told])
+        self._offer(told.remedy)
         self._fresh = True
         self.show()
 
@@ -85,11 +97,18 @@ class MessageBar(Bar):
         left = [line for line in self._lines if line.key in held]
         if len(left) < len(self._lines):
             self._show_lines(left)
+            self._offer(getattr(left[-1], "remedy", "") if left else "")
             self.setVisible(bool(left) and not self.isHidden())
 
     def _show_lines(self, lines: list[Told | Notice]) -> None:
         self._lines = lines
         self.label.setText("\n".join(line.text for line in lines))
+
+    def _offer(self, remedy: str) -> None:
+        """A button of what helps: the advice in the text need not be looked for in the menus."""
+        self._remedy = remedy
+        self.remedy.setText(tr(_REMEDIES.get(remedy, _USUAL_REMEDY)))
+        self.remedy.setVisible(bool(remedy))
 
     def grow_old(self) -> None:
         """Another frame is on screen; what was told before the last one was is put away."""

@@ -54,6 +54,7 @@ def write(
     *,
     owner: QObject | None = None,
     progress: Callable[[int, int], None] | None = None,
+    again: str = "",
 ) -> None:
     """Write in the background, and say what came of it.
 
@@ -63,11 +64,12 @@ def write(
         said: in words, what came of it.
         owner: nothing is said once it is gone; the document unless given.
         progress: receives how many of how many are done.
+        again: the action that asks for another place.
     """
     run_in_background(
         work,
         on_result=lambda result: document.say(said(result)),
-        on_error=lambda text: document.say(text, "error"),
+        on_error=lambda text: document.say(text, "error", again),
         on_progress=progress,
         owner=document if owner is None else owner,
     )

@@ -8,12 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.field.model import Field
+from procc_annotator.language import tr, word
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.polylines import BoolArray, Polylines
 from procc_annotator.metric.project import unclipped
 from procc_annotator.metric.score import ElementScore, FrameScore, Status
 
 _MOST_DIGITS = 6
+_AGREES = word(
+    "{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau > {px}."
+)
+_TOO_FAR = word("{element} is too far: point {number} is {px} px off; it passes at tau > {px}.")
 _SEVERITY: dict[Status, int] = {"too_far": 0, "missed": 1, "not_annotated": 2, "tp": 3}
 
 
@@ -84,22 +89,21 @@ def worst_elements_first(explanations: Iterable[ScoreExplanation]) -> tuple[Scor
 def _sentence(judged: ElementScore, tau: float, measurement: Measurement, field: Field) -> str:
     who = _who(judged, field)
     if judged.status == "not_annotated":
-        return f"{who} is not annotated, but the camera shows it: a false positive."
+        return tr(
+            "{element} is not annotated, but the camera shows it: a false positive.", element=who
+        )
     if judged.status == "missed":
-        return f"{who} is missed: {_why_missed(judged, measurement, field)}."
+        return tr(_why_missed(judged, measurement, field), element=who)
     number = (judged.deciding_point or 0) + 1
     if judged.max_distance is None:
-        return (
-            f"{who} is too far: point {number} has no distance, because the projection has"
-            " coinciding samples there; it passes at no tau."
+        return tr(
+            "{element} is too far: point {number} has no distance, because the projection has"
+            " coinciding samples there; it passes at no tau.",
+            element=who,
+            number=number,
         )
-    distance = px_text(judged.max_distance, tau)
-    if judged.status == "tp":
-        return (
-            f"{who} agrees: its farthest point, {number}, is {distance} px off;"
-            f" it passes at tau > {distance}."
-        )
-    return f"{who} is too far: point {number} is {distance} px off; it passes at tau > {distance}."
+    said = _AGREES if judged.status == "tp" else _TOO_FAR
+    return tr(said, element=who, number=number, px=px_text(judged.max_distance, tau))
 
 
 def _farthest_beyond(score: FrameScore, measurement: Measurement) -> dict[str, float]:
@@ -134,26 +138,35 @@ def _leaving(lines: Polylines, size: tuple[int, int]) -> BoolArray:
 def _cut_off(farthest: float | None, tau: float) -> str:
     if farthest is None or not farthest < tau:
         return ""
-    return (
-        f" As it goes on beyond the picture it is at most {px_text(farthest, tau)} px off, but"
-        " soccernet measures to what is in the picture alone."
+    return " " + tr(
+        "As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what"
+        " is in the picture alone.",
+        px=px_text(farthest, tau),
     )
 
 
 def _who(judged: ElementScore, field: Field) -> str:
-    title = field.title_of(judged.annotated_name)
+    title = tr(field.title_of(judged.annotated_name))
     if judged.name == judged.annotated_name:
         return title
-    return f"{title} (judged as {field.title_of(judged.name)}, labels mirrored)"
+    other = tr(field.title_of(judged.name))
+    return tr("{title} (judged as {other}, labels mirrored)", title=title, other=other)
 
 
 def _why_missed(judged: ElementScore, measurement: Measurement, field: Field) -> str:
     element = field.element(judged.name)
     if element is None:
-        return "it is annotated, but the field has no such element to project"
+        return word(
+            "{element} is missed: it is annotated, but the field has no such element to project."
+        )
     if measurement.projected.ground_only and not element.on_ground:
-        return "it is annotated, but it leaves the ground, and the camera knows only the ground"
-    return "it is annotated, but the camera does not show it in the picture"
+        return word(
+            "{element} is missed: it is annotated, but it leaves the ground, and the camera knows"
+            " only the ground."
+        )
+    return word(
+        "{element} is missed: it is annotated, but the camera does not show it in the picture."
+    )
 
 
 def px_text(distance: float, tau: float) -> str:

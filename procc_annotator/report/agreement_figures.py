@@ -37,7 +37,8 @@ def sure_values(found: SureAgreement, tau: float) -> tuple[Value, ...]:
 
 def intervals_described(draws: Draws, clusters: Clusters) -> str:
     """What the intervals of an agreement rest on, in words."""
-    return f"{100 * draws.level:g} % intervals (t, jackknife of clusters); {clusters.described}"
+    said = f"{100 * draws.level:g} % intervals (t, jackknife of clusters); {clusters.described}"
+    return f"{said}. {clusters.caution.rstrip('.')}" if clusters.caution else said
 
 
 def floor_words(floor: SureAgreement) -> str:
@@ -93,12 +94,17 @@ def needed_sheet(found: SureAgreement, described: str, known: str) -> Sheet:
     ):
         if not value:
             continue
+        if interval is not None and interval.high >= (overall.largest or 0.0):
+            interval = None  # it ends because the distances do
         rows += [
             (title, None, found.frames, _half(interval, 1.0), share * value,
              found.frames_for(interval, share * value))
             for share in _SHARES
         ]  # fmt: skip
-    note = f"Frames of the same kind, in clusters like these. {known}."
+    note = (
+        "Frames of the same kind, in clusters like these. No answer where an interval ends with the"
+        f" largest distance: how far it would reach is not known. {known}."
+    )
     return Sheet("power", "Frames needed", columns, tuple(rows), described, (note,))
 
 

@@ -4,6 +4,563 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>der Bildhauptpunkt liegt weit von der Bildmitte, das Bild scheint aus einem größeren ausgeschnitten</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>mit Seitenverhältnis und Bildhauptpunkt {px} px: nicht deutlich besser</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>ohne Linsenverzeichnung liegen die Punkte {without} px daneben, mit ihr {with_it} px: nicht deutlich besser</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>Seitenverhältnis und Bildhauptpunkt bringen die Punkte von {before} auf {after} px, mehr als drei Parameter zufällig brächten</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>die Linsenverzeichnung bringt die Punkte von {before} auf {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>die Punkte zeigen deutliche Linsenverzeichnung und liegen {px} px daneben</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Schwenk, Neigung oder Rollen ± mehr als {degrees:g}°, Position ± mehr als {way:g} % des Wegs zur Feldmitte, oder Brennweite ± mehr als {focal:g} %, oder Klicks, die vom anderen Ende gleich sind</translation>
+  </message>
+  <message>
+   <source>pan ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Schwenk ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>tilt ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Neigung ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>roll ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Rollen ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Position ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>Brennweite ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>vom anderen Ende gleich</translation>
+  </message>
+  <message>
+   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
+   <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
+   <translation>Koordinaten sehen nach Pixeln aus, erwartet ist 0 bis 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>{lines:.0f} % der sichtbaren Linien liegen auf Farbe, was {paint:.0f} % der Farbe am Boden erklärt</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>eine andere Kamera, die andere Linien zeigt, passt fast ebenso gut zum Bild</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>es fehlen Linien, die zu sehen sein müssten</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>es gibt Farbe, wo das Feld keine hat</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>dort stehen kaum Kameras</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>zu wenige Linien sind zu sehen, um es zu sagen</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>die sichtbaren Linien lassen die Kamera offen: {what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>keine Kamera passt zur Farbe in diesem Bild: bei der besten {shares}</translation>
+  </message>
+  <message>
+   <source>look at it</source>
+   <extracomment>[procc_annotator/fit/labels/finding.py]</extracomment>
+   <translation>ansehen</translation>
+  </message>
+  <message>
+   <source>all labels fit with far and near exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>alle Klassen passen, wenn fern und nah vertauscht sind</translation>
+  </message>
+  <message>
+   <source>all labels fit with left and right exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>alle Klassen passen, wenn links und rechts vertauscht sind</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>Punkt {number} ansehen</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, die anderen Punkte höchstens {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>Elemente liegen im Mittel {after:.1f} px daneben; so, wie sie sind, passt keine Kamera</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>Elemente liegen im Mittel {after:.1f} px daneben, so wie sie sind {before:.1f} px</translation>
+  </message>
+  <message>
+   <source>{a} and {b} fit with each other's label</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{a} und {b} passen mit der Klasse des jeweils anderen</translation>
+  </message>
+  <message>
+   <source>{titles} fit with each other's labels</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{titles} passen mit den Klassen der jeweils anderen</translation>
+  </message>
+  <message>
+   <source>relabel {steps}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>umbenennen: {steps}</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>Punkt {number} entfernen</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, der andere Punkt höchstens {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} liegt bis zu {px:.0f} px von dort, wo die Kamera der anderen es zeigt</translation>
+  </message>
+  <message>
+   <source>{title} is nowhere near where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} liegt weit weg von dort, wo die Kamera der anderen es zeigt</translation>
+  </message>
+  <message>
+   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>ohne {titles} fallen die anderen von {before:.1f} auf {after:.1f} px</translation>
+  </message>
+  <message>
+   <source>swap {a} and {b}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{a} und {b} tauschen</translation>
+  </message>
+  <message>
+   <source>{a} to {b}</source>
+   <comment>labels</comment>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{a} in {b}</translation>
+  </message>
+  <message>
+   <source>it lies where {title} should be</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>es liegt, wo {title} sein müsste</translation>
+  </message>
+  <message>
+   <source>the others are {px:.1f} px off with and without it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>die anderen liegen mit und ohne es {px:.1f} px daneben</translation>
+  </message>
+  <message>
+   <source>more than its own place is uncertain</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>mehr, als sein eigener Ort unsicher ist</translation>
+  </message>
+  <message>
+   <source>relabel to {title}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>in {title} umbenennen</translation>
+  </message>
+  <message>
+   <source>it lies on {title}, which is annotated as well</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>es liegt auf {title}, das ebenfalls annotiert ist</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} liegt bis zu {px:.0f} px von dort, wo die Kamera es zeigt; zu wenige Elemente passen, um zu sagen, welche falsch sind</translation>
+  </message>
+  <message>
+   <source>no camera fits these labels together</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>keine Kamera passt zu diesen Klassen zusammen</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
+   <translation>fern und nah im ganzen Bild tauschen</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
+   <translation>links und rechts im ganzen Bild tauschen</translation>
+  </message>
+  <message>
+   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
+   <extracomment>[procc_annotator/fit/labels/overlap.py]</extracomment>
+   <translation>{a} und {b} liegen aufeinander, weniger als {px:.0f} px auseinander: eine Linie unter zwei Namen?</translation>
+  </message>
+  <message>
+   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>{title} ist auf dem Feld gerade, seine Punkte liegen bis zu {px:.0f} px neben einer Geraden, mehr als ein Objektiv sie biegt</translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points, a line takes two</source>
+   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} hat {n} Punkt, eine Linie braucht zwei</numerusform>
+    <numerusform>{title} hat {n} Punkte, eine Linie braucht zwei</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; a curve takes at least {least}</source>
+   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} hat {n} Punkt; eine Kurve braucht mindestens {least}</numerusform>
+    <numerusform>{title} hat {n} Punkte; eine Kurve braucht mindestens {least}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
+   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} hat {n} Punkt; weniger als {least} bestimmen keine Ellipse</numerusform>
+    <numerusform>{title} hat {n} Punkte; weniger als {least} bestimmen keine Ellipse</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>{title} ist ein einzelner Ort, hat aber {count} Punkte, die bis zu {px:.0f} px auseinanderliegen</translation>
+  </message>
+  <message>
+   <source>the points of {title} go back and forth instead of along it</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>die Punkte von {title} gehen hin und her statt daran entlang</translation>
+  </message>
+  <message>
+   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>die Punkte von {title} gehen mehrmals über denselben Abschnitt: ihr Weg ist {times:.1f}-mal so lang wie nötig</translation>
+  </message>
+  <message>
+   <source>its corner</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>seiner Ecke</translation>
+  </message>
+  <message>
+   <source>the picture's edge</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>dem Bildrand</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>{title} endet {px:.0f} px vor {what}</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>{title} endet {px:.0f} px vor {what}, und am anderen Ende {px_2:.0f} px vor {what_2}</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>alles liegt verkehrt herum: fern und nah sind vertauscht</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: left and right, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>alles liegt verkehrt herum: links und rechts sind vertauscht</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>alles liegt verkehrt herum: fern und nah, oder links und rechts, sind vertauscht</translation>
+  </message>
+  <message>
+   <source>{title} is on the wrong side of {others}</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{title} liegt auf der falschen Seite von {others}</translation>
+  </message>
+  <message>
+   <source>{titles} lie on each other's side of the elements around them</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{titles} liegen auf der Seite des jeweils anderen</translation>
+  </message>
+  <message>
+   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{titles} können nicht so herum zueinander liegen, gleich bei welcher Kamera</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r}, did you mean {title}?</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>keine solche Klasse: {name!r}, ist {title} gemeint?</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>keine solche Klasse: {name!r} passt zu keiner Kamera und zählt als verfehlt, wo bewertet wird</translation>
+  </message>
+  <message>
+   <source>That is annotated already</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>Das ist schon annotiert</translation>
+  </message>
+  <message>
+   <source>put its points along the paint</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>seine Punkte auf die Farbe setzen</translation>
+  </message>
+  <message>
+   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>{title} ist zwischen seinen Klicks gerade, seine Farbe verläuft bis zu {px:.0f} px daneben: begradigen (R)</translation>
+  </message>
+  <message>
+   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>ein Ende von {title} liegt etwa {px:.0f} px neben seiner Farbe, die auf dem Weg dorthin zu sehen ist: diesen Punkt darauf setzen</translation>
+  </message>
+  <message>
+   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>keine Farbe unter {title} auf {percent:.0f} % davon, höchstens {px:.0f} px am Stück</translation>
+  </message>
+  <message>
+   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>keine Farbe unter {title} gegen eines seiner Enden, unter dem ganzen Rest schon</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
+   <translation>keine Kamera erklärt diese Elemente zusammen: die beste verfehlt die Hälfte davon um mehr als {px:.0f} px (sind die Klassen richtig?)</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py, procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>nur {share:.0%} der sichtbaren Linien liegen auf Farbe</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>es gibt zu wenig Farbe</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>die Farbe in der Nähe nähme einem Pflock seinen Platz</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element, {needed} nötig</numerusform>
+    <numerusform>{n} Elemente, {needed} nötig</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{points} Punkte auf {n} Element, nötig sind je zwei verschiedene auf {needed}</numerusform>
+    <numerusform>{points} Punkte auf {n} Elementen, nötig sind je zwei verschiedene auf {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element am Boden, {needed} nötig</numerusform>
+    <numerusform>{n} Elemente am Boden, {needed} nötig</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>alle Punkte liegen an einer Stelle des Bildes</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>alle Punkte liegen auf einer Linie des Bildes</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: die Anpassung kam nicht zur Ruhe</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: auf dem Boden</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: {metres:.1f} m unter dem Boden</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: nur {metres:.1f} m über dem Boden</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: {metres:.0f} m von der Feldmitte</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: um {degrees:.0f} Grad gerollt</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>keine plausible Pose: Brennweite {px:.0f} px bei 960 px Breite</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>zu wenig Farbe in Sicht</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>zu wenig davon gefunden, was zu sehen sein müsste</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>die gefundene Farbe würde die Kamera zu weit verschieben</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>selbst mit bekannter Position: {why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>{count} Positionen, und nichts sagt, welche die seine ist</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>{count} von {total} Klicks liegen, wo die Kamera nichts zeigt</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>die Ansichten sehen es aus fast derselben Richtung ({degrees:.2f} Grad auseinander, nötig sind mindestens {least:g})</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>in keiner Ansicht geklickt, die eine Kamera hat</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>Kameras, die nur den Boden kennen (Homographien), bestimmen keinen Ort im Raum</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>die Sichtlinien treffen sich hinter der Kamera von {names}</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>nur in einer Ansicht geklickt</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>läge weiter als {metres:g} m vom Feld entfernt</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>die Ansichten stimmen nicht überein: {far} px daneben (ist es in allen derselbe Ort, und sind die Kameras richtig?)</translation>
+  </message>
+  <message>
+   <source>turn the labels by half a turn</source>
+   <extracomment>[procc_annotator/fit/which_side.py]</extracomment>
+   <translation>die Klassen um eine halbe Drehung drehen</translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
+   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/fit/which_side.py]</extracomment>
+   <translation>
+    <numerusform>die Kamera steht auf einer Seite des Feldes, auf der kaum eine andere von {n} Bild steht: eine eigene Kamera, oder um eine halbe Drehung gedrehte Klassen</numerusform>
+    <numerusform>die Kamera steht auf einer Seite des Feldes, auf der kaum eine andere von {n} Bildern steht: eine eigene Kamera, oder um eine halbe Drehung gedrehte Klassen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
+   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/fit/which_side.py]</extracomment>
+   <translation>
+    <numerusform>die Kamera steht auf der anderen Seite des Feldes als die übrigen; mit um eine halbe Drehung gedrehten Klassen steht sie, wo die von {n} Bild steht</numerusform>
+    <numerusform>die Kamera steht auf der anderen Seite des Feldes als die übrigen; mit um eine halbe Drehung gedrehten Klassen steht sie, wo die von {n} Bildern stehen</numerusform>
+   </translation>
+  </message>
+  <message>
    <source>File</source>
    <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Datei</translation>
@@ -15,17 +572,17 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/context_menu.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
    <translation>Bild</translation>
   </message>
   <message>
    <source>Element</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/elements.py]</extracomment>
    <translation>Element</translation>
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, the menus]</extracomment>
    <translation>Ansicht</translation>
   </message>
   <message>
@@ -103,7 +660,7 @@
   </message>
   <message>
    <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/poses.py]</extracomment>
    <translation>verschieben</translation>
   </message>
   <message>
@@ -183,7 +740,7 @@
   </message>
   <message>
    <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/residuals.py]</extracomment>
    <translation>Pfeiltasten</translation>
   </message>
   <message>
@@ -392,13 +949,28 @@
    <translation>Bereiche</translation>
   </message>
   <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
+   <translation>nicht zu bearbeiten: die Leiste über dem Bild sagt, warum</translation>
+  </message>
+  <message>
+   <source>Choose another place…</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Anderen Ort wählen…</translation>
+  </message>
+  <message>
+   <source>Save again</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Noch einmal speichern</translation>
+  </message>
+  <message>
    <source>{what} is there already, and says something else.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} gibt es schon, und es steht etwas anderes darin.</translation>
   </message>
   <message>
    <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/judged/fit.py]</extracomment>
    <translation>{text}.</translation>
   </message>
   <message>
@@ -408,7 +980,7 @@
   </message>
   <message>
    <source>Delete</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Löschen</translation>
   </message>
   <message>
@@ -470,6 +1042,2813 @@
    <translation>Dieses Bild lässt sich nicht bearbeiten. {problem}</translation>
   </message>
   <message>
+   <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Öffnen Sie den Ordner eines zweiten Annotators (Menü Datei), um die Klicks beider zu vergleichen.</translation>
+  </message>
+  <message>
+   <source>Apart: the two share (almost) no stretch of this element, which is no agreement. Was its class swapped with a neighbour's?</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Getrennt: beide haben (fast) keinen Abschnitt dieses Elements gemeinsam, das ist keine Übereinstimmung. Wurde seine Klasse mit einer Nachbarklasse vertauscht?</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} clicks compared</source>
+   <extracomment>{n:,} click compared / {n:,} clicks compared [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Klick verglichen</numerusform>
+    <numerusform>{n:,} Klicks verglichen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{part} of {total}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>{part} von {total}</translation>
+  </message>
+  <message>
+   <source>apart</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>getrennt</translation>
+  </message>
+  <message numerus="yes">
+   <source>{compared}, {n} left out: beyond the ends of what the other clicked</source>
+   <extracomment>{compared}, {n} left out: beyond the ends of what the other clicked / {compared}, {n} left out: beyond the ends of what the other clicked [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>
+    <numerusform>{compared}, {n} ausgelassen: jenseits der Enden dessen, was der andere klickte</numerusform>
+    <numerusform>{compared}, {n} ausgelassen: jenseits der Enden dessen, was der andere klickte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Distances by element</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Abstände je Element</translation>
+  </message>
+  <message>
+   <source>Close the second annotator</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Den zweiten Annotator schließen</translation>
+  </message>
+  <message>
+   <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>JaC der Übereinstimmung bei {tau:g} px: {jac:.3f}</translation>
+  </message>
+  <message>
+   <source>Measuring the set…</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Der Satz wird gemessen…</translation>
+  </message>
+  <message>
+   <source>No element is annotated by both in any frame.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>In keinem Bild haben beide ein Element annotiert.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames unreadable, not compared</source>
+   <extracomment>{n:,} frame unreadable, not compared / {n:,} frames unreadable, not compared [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild unlesbar, nicht verglichen</numerusform>
+    <numerusform>{n:,} Bilder unlesbar, nicht verglichen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Median</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Median</translation>
+  </message>
+  <message>
+   <source>Points</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Punkte</translation>
+  </message>
+  <message>
+   <source>The second annotator's file for this frame is unreadable: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Die Datei des zweiten Annotators zu diesem Bild ist unlesbar: {error}</translation>
+  </message>
+  <message>
+   <source>The second annotator has nothing for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Der zweite Annotator hat nichts zu diesem Bild.</translation>
+  </message>
+  <message>
+   <source>One of the two seems to label the field turned by 180 degrees.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Einer der beiden scheint das um 180 Grad gedrehte Feld zu benennen.</translation>
+  </message>
+  <message>
+   <source>Apart: {elements}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Getrennt: {elements}</translation>
+  </message>
+  <message>
+   <source>Only here: {elements}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Nur hier: {elements}</translation>
+  </message>
+  <message>
+   <source>Only there: {elements}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Nur dort: {elements}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} clicks beyond the other's ends, left out</source>
+   <extracomment>{n:,} click beyond the other's ends, left out / {n:,} clicks beyond the other's ends, left out [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Klick jenseits der Enden des anderen, ausgelassen</numerusform>
+    <numerusform>{n:,} Klicks jenseits der Enden des anderen, ausgelassen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Nothing to measure noise by: all elements annotated by both are apart.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Nichts, woran das Rauschen zu messen wäre: alle von beiden annotierten Elemente liegen getrennt.</translation>
+  </message>
+  <message numerus="yes">
+   <source>Human noise over {n:,} frames: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height})</source>
+   <extracomment>Human noise over {n:,} frame: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height}) / Human noise over {n:,} frames: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height}) [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>
+    <numerusform>Menschliches Rauschen über {n:,} Bild: Median {median:.2f} px, 95 % innerhalb {p95:.2f} px (bei {width}x{height})</numerusform>
+    <numerusform>Menschliches Rauschen über {n:,} Bilder: Median {median:.2f} px, 95 % innerhalb {p95:.2f} px (bei {width}x{height})</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>and {n} more</source>
+   <extracomment>and {n} more / and {n} more [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>
+    <numerusform>und {n} weiteres</numerusform>
+    <numerusform>und {n} weitere</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>Quelle zum Vergleichen</translation>
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>Wird der aktiven Quelle gegenübergestellt: Komma, geteilte Ansicht, Abweichung</translation>
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>Vergleichen mit</translation>
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>{share:.0f} % innerhalb {far:g} m, auf {covered:.0f} % des Bildes</translation>
+  </message>
+  <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>min</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>Median</translation>
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>max</translation>
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>Zwischen den beiden Punkten am Boden, die ein Pixel meint</translation>
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>Von einem Pixel dorthin, wo die verglichene Kamera seinen Bodenpunkt zeigt</translation>
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>am Boden, m</translation>
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation>im Bild, px</translation>
+  </message>
+  <message>
+   <source>soccernet (official)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the setting protocol]</extracomment>
+   <translation>soccernet (offiziell)</translation>
+  </message>
+  <message>
+   <source>procc (paper)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>procc (Veröffentlichung)</translation>
+  </message>
+  <message>
+   <source>count as missed</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>als verfehlt zählen</translation>
+  </message>
+  <message>
+   <source>are left out</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>werden ausgelassen</translation>
+  </message>
+  <message>
+   <source>Cameras ({endings});;All files (*)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Kameras ({endings});;Alle Dateien (*)</translation>
+  </message>
+  <message>
+   <source>No cameras loaded.
+Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Keine Kameras geladen.
+Laden Sie einen Ordner mit SoccerNet-Kameradateien oder Homographien, um sie an Ihren Klicks gemessen zu sehen.</translation>
+  </message>
+  <message>
+   <source>Load folder…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Ordner laden…</translation>
+  </message>
+  <message>
+   <source>A folder with one camera file a frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Ein Ordner mit einer Kameradatei je Bild</translation>
+  </message>
+  <message>
+   <source>Load file…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Datei laden…</translation>
+  </message>
+  <message>
+   <source>A zip archive of cameras, or the camera of one frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Ein Zip-Archiv mit Kameras, oder die Kamera eines Bildes</translation>
+  </message>
+  <message>
+   <source>How the files loaded next are read</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Wie die als Nächstes geladenen Dateien gelesen werden</translation>
+  </message>
+  <message>
+   <source>soccernet: the official evaluation with its quirks
+procc: the paper's definition, closed circles and fine curves</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>soccernet: die offizielle Auswertung mit ihren Eigenheiten
+procc: die Definition der Veröffentlichung, geschlossene Kreise und feine Kurven</translation>
+  </message>
+  <message>
+   <source>A homography knows the ground only: how posts and crossbars count for it</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Eine Homographie kennt nur den Boden: wie Pfosten und Latten für sie zählen</translation>
+  </message>
+  <message>
+   <source>Read as</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Gelesen als</translation>
+  </message>
+  <message>
+   <source>Protocol</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the menus, the setting protocol]</extracomment>
+   <translation>Protokoll</translation>
+  </message>
+  <message>
+   <source>Off the ground</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Über dem Boden</translation>
+  </message>
+  <message>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>Einen Ordner mit Kameras laden</translation>
+  </message>
+  <message>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>Kameras laden</translation>
+  </message>
+  <message>
+   <source>This frame: {notice}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Dieses Bild: {notice}</translation>
+  </message>
+  <message>
+   <source>⚠ This frame's camera cannot be used: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>⚠ Die Kamera dieses Bildes ist nicht zu gebrauchen: {error}</translation>
+  </message>
+  <message>
+   <source>Blind: the projection is hidden until this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation>Blind: die Projektion bleibt verborgen, bis dieses Bild abgegeben ist.</translation>
+  </message>
+  <message>
+   <source>Frames of this dataset that have a camera (completeness)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>Bilder dieses Datensatzes, die eine Kamera haben (Vollständigkeit)</translation>
+  </message>
+  <message>
+   <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
+procc-annotator calibrate fits and scores the whole set</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>In diesem Fenster besuchte Bilder, deren Klicks eine Kamera ergaben; ihr JaC gilt den Klicks, aus denen die Anpassung entstand.
+procc-annotator calibrate passt den ganzen Satz an und bewertet ihn</translation>
+  </message>
+  <message>
+   <source>Frames of this dataset that were followed through their shot and have a camera.
+procc-annotator track follows a whole video and writes its cameras</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>Bilder dieses Datensatzes, die durch ihre Einstellung verfolgt wurden und eine Kamera haben.
+procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild</numerusform>
+    <numerusform>{n:,} Bilder</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Mean JaC at {tau:.1f} px over {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>Mittlerer JaC bei {tau:.1f} px über {frames}</translation>
+  </message>
+  <message>
+   <source>Unreadable (filter camera:unreadable): {names}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>Unlesbar (Filter camera:unreadable): {names}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{matched} of {total}, {n} unreadable</source>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>
+    <numerusform>{matched} von {total}, {n} unlesbar</numerusform>
+    <numerusform>{matched} von {total}, {n} unlesbar</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>keine Kamera</translation>
+  </message>
+  <message>
+   <source>Judge nothing, draw no camera</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>Nichts beurteilen, keine Kamera zeichnen</translation>
+  </message>
+  <message>
+   <source>{frames} so far</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>{frames} bisher</translation>
+  </message>
+  <message numerus="yes">
+   <source>{mean}; {n:,} cameras cannot be read and take no part</source>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>
+    <numerusform>{mean}; {n:,} Kamera ist unlesbar und nimmt nicht teil</numerusform>
+    <numerusform>{mean}; {n:,} Kameras sind unlesbar und nehmen nicht teil</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{model} (ground)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>{model} (Boden)</translation>
+  </message>
+  <message>
+   <source>{model} here, several models</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>{model} hier, mehrere Modelle</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames followed</source>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild verfolgt</numerusform>
+    <numerusform>{n:,} Bilder verfolgt</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames fitted</source>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild angepasst</numerusform>
+    <numerusform>{n:,} Bilder angepasst</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ({share})</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>{n} von {total} ({share})</translation>
+  </message>
+  <message numerus="yes">
+   <source>{names} and {n:,} more</source>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>
+    <numerusform>{names} und {n:,} weitere</numerusform>
+    <numerusform>{names} und {n:,} weitere</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>cannot be used here: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>hier nicht zu gebrauchen: {error}</translation>
+  </message>
+  <message>
+   <source>no camera for this frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>keine Kamera für dieses Bild</translation>
+  </message>
+  <message>
+   <source>Blind mode hides how the sources do</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>Der Blindmodus verbirgt, wie gut die Quellen sind</translation>
+  </message>
+  <message>
+   <source>No frame has both annotated elements and a camera of this source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>Kein Bild hat zugleich annotierte Elemente und eine Kamera dieser Quelle</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} cameras</source>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Kamera</numerusform>
+    <numerusform>{n:,} Kameras</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>several models</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation>mehrere Modelle</translation>
+  </message>
+  <message>
+   <source>Yellow</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Gelb</translation>
+  </message>
+  <message>
+   <source>Violet</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Violett</translation>
+  </message>
+  <message>
+   <source>Blue</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Blau</translation>
+  </message>
+  <message>
+   <source>Mint</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Mint</translation>
+  </message>
+  <message>
+   <source>Navy</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Marineblau</translation>
+  </message>
+  <message>
+   <source>Cyan</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Cyan</translation>
+  </message>
+  <message>
+   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Die laufende Anpassung ausschalten (Strg+T schaltet sie wieder ein)</translation>
+  </message>
+  <message>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Aus der Liste entfernen; die Dateien bleiben</translation>
+  </message>
+  <message>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Das Verfolgte vergessen (T folgt der Einstellung erneut)</translation>
+  </message>
+  <message>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Name der Quelle</translation>
+  </message>
+  <message>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Als Drahtgitter zeichnen, während eine andere Quelle beurteilt wird</translation>
+  </message>
+  <message>
+   <source>Judge against {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>{name} beurteilen</translation>
+  </message>
+  <message>
+   <source>Remove {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>{name} entfernen</translation>
+  </message>
+  <message>
+   <source>Draw {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>{name} zeichnen</translation>
+  </message>
+  <message>
+   <source>Colour of {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Farbe von {name}</translation>
+  </message>
+  <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Andere…</translation>
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Farbe der Quelle</translation>
+  </message>
+  <message>
+   <source>Double-click or F2 gives it another name</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation>Doppelklick oder F2 gibt ihr einen anderen Namen</translation>
+  </message>
+  <message>
+   <source>Without geometry</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Ohne Geometrie</translation>
+  </message>
+  <message>
+   <source>Unknown to the field (unknown classes)</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>Dem Feld unbekannt (unbekannte Klassen)</translation>
+  </message>
+  <message>
+   <source>Find an element</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>Element suchen</translation>
+  </message>
+  <message>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Elemente</translation>
+  </message>
+  <message>
+   <source>Annotated points</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>Annotierte Punkte</translation>
+  </message>
+  <message>
+   <source>{title}
+Class in files: {name}</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>{title}
+Klasse in Dateien: {name}</translation>
+  </message>
+  <message>
+   <source>No element matches “{query}”.
+Esc clears the search.</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>Kein Element passt zu „{query}“.
+Esc leert die Suche.</translation>
+  </message>
+  <message>
+   <source>Key</source>
+   <comment>keyboard</comment>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>Taste</translation>
+  </message>
+  <message>
+   <source>Pts</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation>Pkt.</translation>
+  </message>
+  <message>
+   <source>Status</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/score_table.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Status</translation>
+  </message>
+  <message>
+   <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <translation>Es als Nächstes zu annotieren bringt am meisten: die Projektion ist dann auf {after:.1f} px statt {before:.1f} px bekannt</translation>
+  </message>
+  <message>
+   <source>Field map</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/panel.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Feldkarte</translation>
+  </message>
+  <message>
+   <source>The arrows choose elements</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <translation>Die Pfeiltasten wählen Elemente</translation>
+  </message>
+  <message>
+   <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <translation>Als Nächstes: {title}, {before:.1f} → {after:.1f} px</translation>
+  </message>
+  <message>
+   <source>Click an element to choose its class</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <translation>Ein Element anklicken, um seine Klasse zu wählen</translation>
+  </message>
+  <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation>Befunde</translation>
+  </message>
+  <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation>Welche Befunde aufgeführt sind</translation>
+  </message>
+  <message>
+   <source>Check the whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
+   <translation>Ganzen Satz prüfen</translation>
+  </message>
+  <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
+   <translation>In jedem annotierten Bild nach falschen Klassen suchen</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation>Geprüfte Bilder</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Exportieren…</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation>Die Befunde aller geprüften Bilder als CSV schreiben</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} more are not listed: switch the signs above on.</source>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} weiterer ist nicht aufgeführt: schalten Sie die Zeichen oben ein.</numerusform>
+    <numerusform>{n:,} weitere sind nicht aufgeführt: schalten Sie die Zeichen oben ein.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Do not show it again until the points of its elements change</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
+   <translation>Ihn nicht mehr zeigen, bis sich die Punkte seiner Elemente ändern</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} errors</source>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Fehler</numerusform>
+    <numerusform>{n:,} Fehler</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} warnings</source>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Warnung</numerusform>
+    <numerusform>{n:,} Warnungen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} hints</source>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Hinweis</numerusform>
+    <numerusform>{n:,} Hinweise</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Dieses Bild</translation>
+  </message>
+  <message>
+   <source>Whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Ganzer Satz</translation>
+  </message>
+  <message>
+   <source>{findings}; click to list them or not</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation>{findings}; klicken, um sie aufzuführen oder nicht</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} hier übergangen. &lt;a href="restore"&gt;Wieder zeigen&lt;/a&gt;</numerusform>
+    <numerusform>{n:,} hier übergangen. &lt;a href="restore"&gt;Wieder zeigen&lt;/a&gt;</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
+   <translation>Diesen Befund übergehen</translation>
+  </message>
+  <message>
+   <source>Error</source>
+   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <translation>Fehler</translation>
+  </message>
+  <message>
+   <source>Warning</source>
+   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <translation>Warnung</translation>
+  </message>
+  <message>
+   <source>Hint</source>
+   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <translation>Hinweis</translation>
+  </message>
+  <message>
+   <source>Nothing found in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>In diesem Bild wurde nichts gefunden.</translation>
+  </message>
+  <message numerus="yes">
+   <source>Nothing found in {n:,} frames.</source>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>In {n:,} Bild nichts gefunden.</numerusform>
+    <numerusform>In {n:,} Bildern nichts gefunden.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>No frames.
+Open a folder of pictures to check their labels.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>Keine Bilder.
+Öffnen Sie einen Ordner mit Bildern, um ihre Klassen zu prüfen.</translation>
+  </message>
+  <message>
+   <source>Nothing is annotated in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>In diesem Bild ist nichts annotiert.</translation>
+  </message>
+  <message>
+   <source>Nothing found by the rules that need no camera.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>Die Regeln, die keine Kamera brauchen, fanden nichts.</translation>
+  </message>
+  <message numerus="yes">
+   <source>Nothing found but {n:,} ignored findings.</source>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>Nichts gefunden außer {n:,} übergangenem Befund.</numerusform>
+    <numerusform>Nichts gefunden außer {n:,} übergangenen Befunden.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>Blind: Befunde, die eine Kamera brauchen, warten, bis dieses Bild abgegeben ist (Strg+Eingabe).</translation>
+  </message>
+  <message>
+   <source>The live fit is off: only the rules that need no camera are looked at.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>Die laufende Anpassung ist aus: nur Regeln, die keine Kamera brauchen, werden geprüft.</translation>
+  </message>
+  <message>
+   <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>Noch passt keine Kamera ({why}): nur Regeln, die keine brauchen, werden geprüft.</translation>
+  </message>
+  <message>
+   <source>Blind: only committed frames are checked with a camera.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>Blind: nur abgegebene Bilder werden mit einer Kamera geprüft.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild lässt sich nicht prüfen, etwa {name}: {why}</numerusform>
+    <numerusform>{n:,} Bilder lassen sich nicht prüfen, etwa {name}: {why}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>The set is not checked yet; {n:,} frames looked at so far.</source>
+   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>Der Satz ist noch nicht geprüft; bisher {n:,} Bild angesehen.</numerusform>
+    <numerusform>Der Satz ist noch nicht geprüft; bisher {n:,} Bilder angesehen.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Checking this frame…</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>Dieses Bild wird geprüft…</translation>
+  </message>
+  <message>
+   <source>Checking the set…</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>Der Satz wird geprüft…</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} open</source>
+   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>
+    <numerusform>{n} offen</numerusform>
+    <numerusform>{n} offen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} elements</source>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Element</numerusform>
+    <numerusform>{n:,} Elemente</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>⚠ unreadable</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>⚠ unlesbar</translation>
+  </message>
+  <message>
+   <source>⚠ camera</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>⚠ Kamera</translation>
+  </message>
+  <message>
+   <source>not annotated</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>nicht annotiert</translation>
+  </message>
+  <message>
+   <source>● not saved</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation>● nicht gespeichert</translation>
+  </message>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/panel.py]</extracomment>
+   <translation>{shown:,} von {frames}</translation>
+  </message>
+  <message>
+   <source>all done</source>
+   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py]</extracomment>
+   <translation>alle fertig</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} done</source>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} fertig</numerusform>
+    <numerusform>{n:,} fertig</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the picture cannot be read</source>
+   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>das Bild ist unlesbar</translation>
+  </message>
+  <message>
+   <source>mean JaC {jac:.3f}</source>
+   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>mittlerer JaC {jac:.3f}</translation>
+  </message>
+  <message>
+   <source>folded</source>
+   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>eingeklappt</translation>
+  </message>
+  <message>
+   <source>unfolded</source>
+   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation>aufgeklappt</translation>
+  </message>
+  <message>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
+   <translation>Bilder filtern</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/panel.py, procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Bilder</translation>
+  </message>
+  <message>
+   <source>No frames.
+Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
+   <translation>Keine Bilder.
+Öffnen Sie einen Ordner mit Bildern (jpg, png, bmp, webp), oder ziehen Sie einen hierher.</translation>
+  </message>
+  <message>
+   <source>Nothing matches “{query}”.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
+   <translation>Nichts passt zu „{query}“.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} folders</source>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/panel.py]</extracomment>
+   <translation>
+    <numerusform>{frames} in {n:,} Ordner</numerusform>
+    <numerusform>{frames} in {n:,} Ordnern</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>automatisch gewählt</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>H: Homographie des Bodens</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>P: Lochkamera</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>R: Lochkamera, Linsenverzeichnung</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>R+: R, Seitenverhältnis, Bildhauptpunkt</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>R2: R+, zweiter radialer Koeffizient</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>F: Fischauge</translation>
+  </message>
+  <message>
+   <source>{model}. Chosen: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>{model}. Gewählt: {why}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
+   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>
+    <numerusform>{passing} von {n:,} annotierten Element innerhalb {px:g} px</numerusform>
+    <numerusform>{passing} von {n:,} annotierten Elementen innerhalb {px:g} px</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{counted}; {n} in sight not annotated yet</source>
+   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>
+    <numerusform>{counted}; {n} sichtbares noch nicht annotiert</numerusform>
+    <numerusform>{counted}; {n} sichtbare noch nicht annotiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Sichtbare Elemente, die nicht annotiert sind, zählen gegen den JaC</translation>
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Kaum bestimmt: {limits}</translation>
+  </message>
+  <message>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Was angepasst wird. Automatisch: das einfachste Modell, das die Klicks hergeben</translation>
+  </message>
+  <message>
+   <source>Model</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Modell</translation>
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Mittlerer Abstand der Punkte, die mitreden durften, px des Bildes</translation>
+  </message>
+  <message>
+   <source>Residuals by element</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Residuen je Element</translation>
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Als Kamera des Bildes speichern</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see the camera its clicks give.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Öffnen Sie einen Ordner mit Bildern, um die Kamera zu sehen, die ihre Klicks ergeben.</translation>
+  </message>
+  <message>
+   <source>The live fit is off (Ctrl+T).</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Die laufende Anpassung ist aus (Strg+T).</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Verborgen: im Blindmodus erscheint die Anpassung, sobald dieses Bild abgegeben ist.</translation>
+  </message>
+  <message>
+   <source>No camera yet: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Noch keine Kamera: {why}.</translation>
+  </message>
+  <message>
+   <source>Fitting the clicks…</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Klicks werden angepasst…</translation>
+  </message>
+  <message>
+   <source>No fit.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Keine Anpassung.</translation>
+  </message>
+  <message>
+   <source>JaC at {tau:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>JaC bei {tau:.1f} px</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>&lt;b&gt;Kaum bestimmt&lt;/b&gt;: {what}</translation>
+  </message>
+  <message>
+   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>JaC: {terms}; Residuen: px des Bildes, {width}x{height}</translation>
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>Standardabweichung, wie die Anpassung sie schätzt</translation>
+  </message>
+  <message>
+   <source>mean residual</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation>mittleres Residuum</translation>
+  </message>
+  <message>
+   <source>Mean</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Mittel</translation>
+  </message>
+  <message>
+   <source>Largest</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Größtes</translation>
+  </message>
+  <message>
+   <source>Worst first; a click shows the worst point</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Schlechteste zuerst; ein Klick zeigt den schlechtesten Punkt</translation>
+  </message>
+  <message>
+   <source>Mean distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Mittlerer Abstand seiner Punkte zum angepassten Element, px des Bildes</translation>
+  </message>
+  <message>
+   <source>Largest distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Größter Abstand seiner Punkte zum angepassten Element, px des Bildes</translation>
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>✕ ausgelassen: {title}</translation>
+  </message>
+  <message>
+   <source>{title}: mean {mean} px, largest {largest} px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>{title}: Mittel {mean} px, größtes {largest} px</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py, the action pan]</extracomment>
+   <translation>Verschieben</translation>
+  </message>
+  <message>
+   <source>Tilt</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Neigung</translation>
+  </message>
+  <message>
+   <source>Roll</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Rollen</translation>
+  </message>
+  <message>
+   <source>Focal length</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Brennweite</translation>
+  </message>
+  <message>
+   <source>Along (x)</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Längs (x)</translation>
+  </message>
+  <message>
+   <source>Across (y)</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Quer (y)</translation>
+  </message>
+  <message>
+   <source>Height (−z)</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Höhe (−z)</translation>
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Für einen Irrtum gehalten: hatte bei der Anpassung nicht mitzureden</translation>
+  </message>
+  <message>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>tau (px)</translation>
+  </message>
+  <message>
+   <source>Point</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation>Punkt</translation>
+  </message>
+  <message>
+   <source>Worst</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation>Größter</translation>
+  </message>
+  <message>
+   <source>Passes at</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation>Besteht ab</translation>
+  </message>
+  <message>
+   <source>Click a row to see the point that decides</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation>Eine Zeile anklicken, um den entscheidenden Punkt zu sehen</translation>
+  </message>
+  <message>
+   <source>How the element counts at tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation>Wie das Element bei tau zählt</translation>
+  </message>
+  <message>
+   <source>The point that decides, counted from 1</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation>Der entscheidende Punkt, gezählt ab 1</translation>
+  </message>
+  <message>
+   <source>Largest distance of its points to the projection, px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation>Größter Abstand seiner Punkte zur Projektion, px</translation>
+  </message>
+  <message>
+   <source>The smallest tau of the slider at which it passes, px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation>Das kleinste tau des Schiebers, bei dem es besteht, px</translation>
+  </message>
+  <message>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation>Bewertung je Element</translation>
+  </message>
+  <message>
+   <source>Counts as {class_name}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation>Zählt als {class_name}</translation>
+  </message>
+  <message>
+   <source>Choose an element to read why it counts as it does.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Ein Element wählen, um zu lesen, warum es so zählt.</translation>
+  </message>
+  <message>
+   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>die Kamera ist die Anpassung an eben diese Klicks: dieser JaC bewertet keine Methode</translation>
+  </message>
+  <message>
+   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Gespiegelte Klassen zählen hier: das um 180° gedrehte Feld passt mindestens so gut.</translation>
+  </message>
+  <message>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>menschliches Rauschen {median:.2f} px, 95 % innerhalb {p95:.2f} px</translation>
+  </message>
+  <message>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>menschliches Rauschen {median:.2f} px, 95 % innerhalb {p95:.2f} px – mehr als tau</translation>
+  </message>
+  <message>
+   <source>Precision</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Precision</translation>
+  </message>
+  <message>
+   <source>Recall</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Recall</translation>
+  </message>
+  <message>
+   <source>Mean error</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Mittlerer Fehler</translation>
+  </message>
+  <message>
+   <source>Mean reprojection error of all points, px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Mittlerer Reprojektionsfehler aller Punkte, px</translation>
+  </message>
+  <message>
+   <source>Median reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Median des Reprojektionsfehlers, px</translation>
+  </message>
+  <message>
+   <source>Max</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Max.</translation>
+  </message>
+  <message>
+   <source>Largest reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Größter Reprojektionsfehler, px</translation>
+  </message>
+  <message>
+   <source>{name} has no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>{name} hat keine Kamera für dieses Bild.</translation>
+  </message>
+  <message>
+   <source>points: {kinds}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Punkte: {kinds}</translation>
+  </message>
+  <message>
+   <source>Scores and their plot</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Bewertungen und ihr Diagramm</translation>
+  </message>
+  <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>JaC über tau</translation>
+  </message>
+  <message>
+   <source>Copy this explanation</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Diese Erklärung kopieren</translation>
+  </message>
+  <message>
+   <source>Copy all explanations</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Alle Erklärungen kopieren</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see scores.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Öffnen Sie einen Ordner mit Bildern, um Bewertungen zu sehen.</translation>
+  </message>
+  <message>
+   <source>No camera to judge.
+Load cameras to see how well they agree with your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Keine Kamera zu beurteilen.
+Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows the score once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Verborgen: im Blindmodus erscheint die Bewertung, sobald dieses Bild abgegeben ist.</translation>
+  </message>
+  <message>
+   <source>JaC –: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>JaC –: {why}.</translation>
+  </message>
+  <message>
+   <source>This frame's camera cannot be used:
+{error}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Die Kamera dieses Bildes ist nicht zu gebrauchen:
+{error}</translation>
+  </message>
+  <message>
+   <source>No fit to judge: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Keine Anpassung zu beurteilen: {why}.</translation>
+  </message>
+  <message>
+   <source>Elements whose points all are closer than tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Elemente, deren Punkte alle näher als tau sind</translation>
+  </message>
+  <message>
+   <source>Elements too far, or projected and not annotated</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Elemente zu weit weg, oder projiziert und nicht annotiert</translation>
+  </message>
+  <message>
+   <source>Annotated elements that the camera does not project</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Annotierte Elemente, die die Kamera nicht projiziert</translation>
+  </message>
+  <message>
+   <source>Camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation>Kamera</translation>
+  </message>
+  <message>
+   <source>Annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation>Annotation</translation>
+  </message>
+  <message>
+   <source>Fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation>In Ordnung</translation>
+  </message>
+  <message>
+   <source>The active camera is wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation>Die aktive Kamera ist in diesem Bild falsch</translation>
+  </message>
+  <message>
+   <source>The clicks are wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation>Die Klicks sind in diesem Bild falsch</translation>
+  </message>
+  <message>
+   <source>Camera and clicks are right in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation>Kamera und Klicks sind in diesem Bild richtig</translation>
+  </message>
+  <message>
+   <source>Fault</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation>Fehler</translation>
+  </message>
+  <message>
+   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation>Woran die Bewertung dieses Bildes liegt; wird beim Datensatz aufbewahrt</translation>
+  </message>
+  <message>
+   <source>Verdict: {verdict}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation>Urteil: {verdict}</translation>
+  </message>
+  <message>
+   <source>{verdict}; once more takes it back ({key})</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation>{verdict}; noch einmal nimmt es zurück ({key})</translation>
+  </message>
+  <message>
+   <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Keine Landmarken. Eine Landmarke ist ein Ort dieses Stadions, den das Feld nicht hat: ein Sitz, die Ecke einer Bande, ein Flutlicht. Benennen Sie unten eine, und klicken Sie sie in zwei kalibrierten Ansichten.</translation>
+  </message>
+  <message>
+   <source>Find its place from the views it is clicked in; cameras are those of the active source, else fits to the clicks</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Ihren Ort aus den Ansichten bestimmen, in denen sie geklickt ist; die Kameras sind die der aktiven Quelle, sonst Anpassungen an die Klicks</translation>
+  </message>
+  <message>
+   <source>Other views of this instant</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Andere Ansichten dieses Augenblicks</translation>
+  </message>
+  <message>
+   <source>No other views</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Keine anderen Ansichten</translation>
+  </message>
+  <message>
+   <source>Its place cannot be brought back with undo. Clicks on it stay in the annotations.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Ihr Ort lässt sich nicht rückgängig zurückholen. Klicks darauf bleiben in den Annotationen.</translation>
+  </message>
+  <message>
+   <source>Landmark</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Landmarke</translation>
+  </message>
+  <message>
+   <source>Views</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Ansichten</translation>
+  </message>
+  <message>
+   <source>Triangulated from {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Trianguliert aus {frames}</translation>
+  </message>
+  <message>
+   <source>{title} is clicked in no frame yet: click it in two calibrated views to have it triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>{title} ist noch in keinem Bild geklickt: klicken Sie sie in zwei kalibrierten Ansichten, damit sie trianguliert wird.</translation>
+  </message>
+  <message>
+   <source>Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Hier geklickt, aber noch keine Landmarken: {names}. Schreiben Sie einen Namen neben Hinzufügen, damit sie trianguliert werden.</translation>
+  </message>
+  <message>
+   <source>Its place is not known yet</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Ihr Ort ist noch nicht bekannt</translation>
+  </message>
+  <message>
+   <source>Surveyed</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Vermessen</translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Landmarken</translation>
+  </message>
+  <message>
+   <source>New landmark</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Neue Landmarke</translation>
+  </message>
+  <message>
+   <source>Add</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Hinzufügen</translation>
+  </message>
+  <message>
+   <source>Have a new landmark, to be clicked (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Eine neue Landmarke anlegen, zum Klicken (Eingabe)</translation>
+  </message>
+  <message>
+   <source>What people call it</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Wie man sie nennt</translation>
+  </message>
+  <message>
+   <source>x, y, z in metres, z down</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>x, y, z in Metern, z nach unten</translation>
+  </message>
+  <message>
+   <source>Set</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Setzen</translation>
+  </message>
+  <message>
+   <source>The place was measured: it stays as it is from now on (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Der Ort wurde vermessen: er bleibt ab jetzt, wie er ist (Eingabe)</translation>
+  </message>
+  <message>
+   <source>Triangulate</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Triangulieren</translation>
+  </message>
+  <message>
+   <source>Forget this landmark; clicks on it stay in the annotations</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Diese Landmarke vergessen; Klicks darauf bleiben in den Annotationen</translation>
+  </message>
+  <message>
+   <source>Other views of this instant: go to one with a click</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Andere Ansichten dieses Augenblicks: mit einem Klick hingehen</translation>
+  </message>
+  <message>
+   <source>Standard deviation in the direction where it is largest</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Standardabweichung in der Richtung, in der sie am größten ist</translation>
+  </message>
+  <message>
+   <source>{name} is being triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>{name} wird trianguliert.</translation>
+  </message>
+  <message>
+   <source>{why}. Delete the landmark and name it again to have it triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>{why}. Löschen Sie die Landmarke und benennen Sie sie neu, damit sie trianguliert wird.</translation>
+  </message>
+  <message>
+   <source>Looking for the frames in which {title} is clicked…</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Suche nach Bildern, in denen {title} geklickt ist…</translation>
+  </message>
+  <message>
+   <source>{title} is clicked in {frame} alone: click it in another calibrated view to have it triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>{title} ist nur in {frame} geklickt: klicken Sie sie in einer weiteren kalibrierten Ansicht, damit sie trianguliert wird.</translation>
+  </message>
+  <message>
+   <source>Choose a landmark in the list to have it triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Eine Landmarke in der Liste wählen, damit sie trianguliert wird.</translation>
+  </message>
+  <message>
+   <source>Only a landmark that has a name can be triangulated: write one beside Add.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Nur eine Landmarke mit Namen lässt sich triangulieren: schreiben Sie einen neben Hinzufügen.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{names} and {n} more</source>
+   <extracomment>{names} and {n} more / {names} and {n} more [procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>
+    <numerusform>{names} und {n} weitere</numerusform>
+    <numerusform>{names} und {n} weitere</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Title</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Titel</translation>
+  </message>
+  <message>
+   <source>Place</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Ort</translation>
+  </message>
+  <message>
+   <source>Not clicked in any frame yet</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Noch in keinem Bild geklickt</translation>
+  </message>
+  <message>
+   <source>Triangulating…</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Wird trianguliert…</translation>
+  </message>
+  <message>
+   <source>a landmark needs a name: write one beside Add</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>eine Landmarke braucht einen Namen: schreiben Sie einen neben Hinzufügen</translation>
+  </message>
+  <message>
+   <source>deleted the landmark {title}; clicks on it stay in the annotations</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>Landmarke {title} gelöscht; Klicks darauf bleiben in den Annotationen</translation>
+  </message>
+  <message>
+   <source>the landmark {title}</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation>die Landmarke {title}</translation>
+  </message>
+  <message>
+   <source>Share</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Anteil</translation>
+  </message>
+  <message>
+   <source>Median time</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Median der Zeit</translation>
+  </message>
+  <message>
+   <source>Total time</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Gesamtzeit</translation>
+  </message>
+  <message>
+   <source>Where the frame is in its life</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Wo das Bild in seinem Werdegang steht</translation>
+  </message>
+  <message>
+   <source>How many frames have this status</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Wie viele Bilder diesen Status haben</translation>
+  </message>
+  <message>
+   <source>Of all frames</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Von allen Bildern</translation>
+  </message>
+  <message>
+   <source>Of the frames that somebody worked on</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Von den Bildern, an denen gearbeitet wurde</translation>
+  </message>
+  <message>
+   <source>Of all frames with this status</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Von allen Bildern mit diesem Status</translation>
+  </message>
+  <message>
+   <source>Class</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, the action colour_class, the setting colour_by]</extracomment>
+   <translation>Klasse</translation>
+  </message>
+  <message>
+   <source>An element of the field, or another class that occurs</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Ein Element des Feldes, oder eine andere vorkommende Klasse</translation>
+  </message>
+  <message>
+   <source>How many frames it is annotated in</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>In wie vielen Bildern es annotiert ist</translation>
+  </message>
+  <message>
+   <source>Its points in all frames</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Seine Punkte in allen Bildern</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points</source>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Punkt</numerusform>
+    <numerusform>{n:,} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Overview of the set</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Übersicht des Satzes</translation>
+  </message>
+  <message>
+   <source>Export CSV…</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>CSV exportieren…</translation>
+  </message>
+  <message>
+   <source>Write one row a frame to a table for a spreadsheet</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Eine Zeile je Bild in eine Tabelle für Tabellenprogramme schreiben</translation>
+  </message>
+  <message>
+   <source>Share of frames that are done or approved</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Anteil der fertigen oder freigegebenen Bilder</translation>
+  </message>
+  <message>
+   <source>Frames by status</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation>Bilder nach Status</translation>
+  </message>
+  <message>
+   <source>Frames and points by class</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Bilder und Punkte nach Klasse</translation>
+  </message>
+  <message numerus="yes">
+   <source>frames, {points}</source>
+   <extracomment>frame, {points} / frames, {points} [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>
+    <numerusform>Bild, {points}</numerusform>
+    <numerusform>Bilder, {points}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>done or approved</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>fertig oder freigegeben</translation>
+  </message>
+  <message>
+   <source>a frame (median)</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>je Bild (Median)</translation>
+  </message>
+  <message>
+   <source>median JaC of {n:,}</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Median-JaC von {n:,}</translation>
+  </message>
+  <message numerus="yes">
+   <source>of {n:,} comments open</source>
+   <extracomment>of {n:,} comment open / of {n:,} comments open [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>
+    <numerusform>von {n:,} Kommentar offen</numerusform>
+    <numerusform>von {n:,} Kommentaren offen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>In {n:,} frames</source>
+   <extracomment>In {n:,} frame / In {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>
+    <numerusform>In {n:,} Bild</numerusform>
+    <numerusform>In {n:,} Bildern</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Nothing to sum up: no frames are open.
+Open a folder of pictures first.</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Nichts zusammenzufassen: keine Bilder sind offen.
+Öffnen Sie zuerst einen Ordner mit Bildern.</translation>
+  </message>
+  <message>
+   <source>Points by origin: {origins}</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>Punkte nach Herkunft: {origins}</translation>
+  </message>
+  <message numerus="yes">
+   <source>on {n:,} frames</source>
+   <extracomment>on {n:,} frame / on {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>
+    <numerusform>an {n:,} Bild</numerusform>
+    <numerusform>an {n:,} Bildern</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no time taken yet</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation>noch keine Zeit erfasst</translation>
+  </message>
+  <message>
+   <source>Time per frame in hours</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation>Zeit je Bild in Stunden</translation>
+  </message>
+  <message>
+   <source>Time per frame in minutes</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation>Zeit je Bild in Minuten</translation>
+  </message>
+  <message>
+   <source>Time per frame in seconds</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation>Zeit je Bild in Sekunden</translation>
+  </message>
+  <message>
+   <source>No frames</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation>Keine Bilder</translation>
+  </message>
+  <message>
+   <source>Elements per frame</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation>Elemente je Bild</translation>
+  </message>
+  <message>
+   <source>Time per frame</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation>Zeit je Bild</translation>
+  </message>
+  <message>
+   <source>No time yet: it is taken while somebody works on a frame</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation>Noch keine Zeit: sie wird erfasst, während jemand an einem Bild arbeitet</translation>
+  </message>
+  <message>
+   <source>{caption}; last bar: longer</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation>{caption}; letzter Balken: länger</translation>
+  </message>
+  <message>
+   <source>{hours:,} h {minutes:02d} min</source>
+   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
+   <translation>{hours:,} h {minutes:02d} min</translation>
+  </message>
+  <message>
+   <source>{seconds:.1f} s</source>
+   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
+   <translation>{seconds:.1f} s</translation>
+  </message>
+  <message>
+   <source>{seconds} s</source>
+   <extracomment>[procc_annotator/gui/panels/overview/tables.py, procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{seconds} s</translation>
+  </message>
+  <message>
+   <source>{minutes} min {seconds:02d} s</source>
+   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
+   <translation>{minutes} min {seconds:02d} s</translation>
+  </message>
+  <message>
+   <source>Nobody has edited this frame here</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Hier hat noch niemand dieses Bild bearbeitet</translation>
+  </message>
+  <message>
+   <source>Begun, not done</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Begonnen, nicht fertig</translation>
+  </message>
+  <message>
+   <source>The annotator is done (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Der Annotator ist fertig (Strg+Eingabe)</translation>
+  </message>
+  <message>
+   <source>A reviewer found it right (Ctrl+Shift+A)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Ein Prüfer befand es für richtig (Strg+Umschalt+A)</translation>
+  </message>
+  <message>
+   <source>A reviewer sent it back (Ctrl+Shift+X)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Ein Prüfer gab es zurück (Strg+Umschalt+X)</translation>
+  </message>
+  <message>
+   <source>Committed in blind mode, and as it was then.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Im Blindmodus abgegeben, und noch wie damals.</translation>
+  </message>
+  <message>
+   <source>Edited after the cameras were shown.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Bearbeitet, nachdem die Kameras gezeigt wurden.</translation>
+  </message>
+  <message>
+   <source>Committed in blind mode by {author}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Im Blindmodus abgegeben von {author}</translation>
+  </message>
+  <message>
+   <source>{minutes}:{seconds:02d} min</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{minutes}:{seconds:02d} min</translation>
+  </message>
+  <message>
+   <source>Time worked on this frame; pauses over 30 s do not count</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>An diesem Bild gearbeitete Zeit; Pausen über 30 s zählen nicht</translation>
+  </message>
+  <message>
+   <source>How the points of this frame came to be</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Wie die Punkte dieses Bildes entstanden</translation>
+  </message>
+  <message>
+   <source>Comments</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Kommentare</translation>
+  </message>
+  <message>
+   <source>No comments on this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Keine Kommentare zu diesem Bild.</translation>
+  </message>
+  <message>
+   <source>Comment on this frame</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Kommentar zu diesem Bild</translation>
+  </message>
+  <message>
+   <source>Add the comment to the thread (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Den Kommentar anfügen (Eingabe)</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures first.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation>Öffnen Sie zuerst einen Ordner mit Bildern.</translation>
+  </message>
+  <message>
+   <source>Points: {kinds}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Punkte: {kinds}</translation>
+  </message>
+  <message>
+   <source>Points: none</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Punkte: keine</translation>
+  </message>
+  <message numerus="yes">
+   <source>to be confirmed (Shift+V): {n:,} copied elements</source>
+   <extracomment>to be confirmed (Shift+V): {n:,} copied element / to be confirmed (Shift+V): {n:,} copied elements [procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>
+    <numerusform>zu bestätigen (Umschalt+V): {n:,} kopiertes Element</numerusform>
+    <numerusform>zu bestätigen (Umschalt+V): {n:,} kopierte Elemente</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ticked: settled</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Angehakt: erledigt</translation>
+  </message>
+  <message>
+   <source>somebody</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/set_edits.py, procc_annotator/gui/state/state.py]</extracomment>
+   <translation>jemand</translation>
+  </message>
+  <message>
+   <source>annotated</source>
+   <extracomment>[procc_annotator/gui/panels/states.py, procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>annotiert</translation>
+  </message>
+  <message>
+   <source>unconfirmed</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>unbestätigt</translation>
+  </message>
+  <message>
+   <source>not visible</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>nicht sichtbar</translation>
+  </message>
+  <message>
+   <source>next</source>
+   <comment>element</comment>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>als Nächstes</translation>
+  </message>
+  <message>
+   <source>Not annotated in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>In diesem Bild nicht annotiert</translation>
+  </message>
+  <message>
+   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>Annotiert, aber nicht beurteilt: keine Kamera wird gezeigt, oder es nimmt an der Auswertung nicht teil</translation>
+  </message>
+  <message>
+   <source>Copied; it does not count until it is touched or confirmed</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>Kopiert; es zählt erst, wenn es berührt oder bestätigt ist</translation>
+  </message>
+  <message>
+   <source>Passes: all its points are closer than tau to the projection</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>Besteht: alle seine Punkte sind der Projektion näher als tau</translation>
+  </message>
+  <message>
+   <source>Too far: at least one point is tau or more away (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>Zu weit: mindestens ein Punkt ist tau oder mehr entfernt (falsch positiv)</translation>
+  </message>
+  <message>
+   <source>The camera projects it, it is not annotated (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>Die Kamera projiziert es, es ist nicht annotiert (falsch positiv)</translation>
+  </message>
+  <message>
+   <source>Annotated, the camera does not project it (false negative)</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>Annotiert, die Kamera projiziert es nicht (falsch negativ)</translation>
+  </message>
+  <message>
+   <source>Somebody said that it cannot be seen in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>Jemand sagte, dass es in diesem Bild nicht zu sehen ist</translation>
+  </message>
+  <message>
+   <source>To be annotated next, as on the field map and in the picture</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>Als Nächstes zu annotieren, wie auf der Feldkarte und im Bild</translation>
+  </message>
+  <message>
+   <source>{title} (unknown class)</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation>{title} (unbekannte Klasse)</translation>
+  </message>
+  <message>
+   <source>The picture cannot be shown</source>
+   <extracomment>[procc_annotator/gui/picture/annotation_preview.py]</extracomment>
+   <translation>Das Bild kann nicht gezeigt werden</translation>
+  </message>
+  <message>
+   <source>Blind: no camera is shown before Ctrl+Enter</source>
+   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
+   <translation>Blind: keine Kamera vor Strg+Eingabe</translation>
+  </message>
+  <message>
+   <source>Blind mode, this frame is committed</source>
+   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
+   <translation>Blindmodus, dieses Bild ist abgegeben</translation>
+  </message>
+  <message>
+   <source>no camera is known here that could be dragged</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>hier ist keine Kamera bekannt, die sich ziehen ließe</translation>
+  </message>
+  <message>
+   <source>taken back: the camera is as before it was dragged</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>zurückgenommen: die Kamera ist wie vor dem Ziehen</translation>
+  </message>
+  <message>
+   <source>blind mode: no camera is shown</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>Blindmodus: es wird keine Kamera gezeigt</translation>
+  </message>
+  <message>
+   <source>overlays are hidden (Ctrl+H)</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>Überlagerungen sind ausgeblendet (Strg+H)</translation>
+  </message>
+  <message>
+   <source>a homography cannot be turned: choose another model (panel Fit)</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>eine Homographie lässt sich nicht drehen: wählen Sie ein anderes Modell (Bereich Anpassung)</translation>
+  </message>
+  <message>
+   <source>release leaves it here</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>Loslassen lässt es hier</translation>
+  </message>
+  <message>
+   <source>Esc puts it back</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interact/hints.py]</extracomment>
+   <translation>Esc legt es zurück</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs hold the camera</source>
+   <extracomment>{n} peg hold the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>
+    <numerusform>{n} Pflock hält die Kamera</numerusform>
+    <numerusform>{n} Pflöcke halten die Kamera</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>CAMERA</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>KAMERA</translation>
+  </message>
+  <message numerus="yes">
+   <source>peg taken away: {n} pegs left</source>
+   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>
+    <numerusform>Pflock weggenommen: {n} Pflock bleibt</numerusform>
+    <numerusform>Pflock weggenommen: {n} Pflöcke bleiben</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>peg taken away: the camera is as it was found</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>Pflock weggenommen: die Kamera ist, wie sie gefunden wurde</translation>
+  </message>
+  <message>
+   <source>peg</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>Pflock</translation>
+  </message>
+  <message>
+   <source>press on a line of the wireframe</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>auf eine Linie des Drahtgitters drücken</translation>
+  </message>
+  <message>
+   <source>drag moves this peg</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>Ziehen bewegt diesen Pflock</translation>
+  </message>
+  <message>
+   <source>click takes it away</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>Klick nimmt ihn weg</translation>
+  </message>
+  <message>
+   <source>drag a place of the wireframe to where it belongs</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>eine Stelle des Drahtgitters dorthin ziehen, wo sie hingehört</translation>
+  </message>
+  <message>
+   <source>drag {title} to where it belongs: the camera follows</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>{title} dorthin ziehen, wo es hingehört: die Kamera folgt</translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation>Strg+Z nimmt es zurück</translation>
+  </message>
+  <message>
+   <source>PAN</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
+   <translation>VERSCHIEBEN</translation>
+  </message>
+  <message>
+   <source>drag moves the picture</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
+   <translation>Ziehen bewegt das Bild</translation>
+  </message>
+  <message>
+   <source>click and Enter do nothing</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick und Eingabe tun nichts</translation>
+  </message>
+  <message>
+   <source>Esc takes the tool again</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
+   <translation>Esc nimmt wieder das Werkzeug</translation>
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>Bild</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
+   <translation>laden Sie einen zweiten Kamerasatz, um zwischen beiden zu blinken (Strg+L)</translation>
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>Kamera unlesbar</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>hier keine Kamera</translation>
+  </message>
+  <message>
+   <source>{titles}: changed elsewhere, look again first</source>
+   <extracomment>[procc_annotator/gui/picture/editor.py]</extracomment>
+   <translation>{titles}: anderswo geändert, sehen Sie erst noch einmal hin</translation>
+  </message>
+  <message>
+   <source>{title} has no points in this frame: choose the element to delete</source>
+   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation>{title} hat in diesem Bild keine Punkte: wählen Sie das zu löschende Element</translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points on {frame}</source>
+   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation>
+    <numerusform>{title} mit {n} Punkt auf {frame} beendet</numerusform>
+    <numerusform>{title} mit {n} Punkten auf {frame} beendet</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>choose the element to delete first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation>wählen Sie zuerst das zu löschende Element: Feldkarte, Liste oder Taste</translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} points of {title}</source>
+   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt von {title} verworfen</numerusform>
+    <numerusform>{n} Punkte von {title} verworfen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points</source>
+   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation>
+    <numerusform>{title} mit {n} Punkt beendet</numerusform>
+    <numerusform>{title} mit {n} Punkten beendet</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs</source>
+   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>
+    <numerusform>{n} Pflock</numerusform>
+    <numerusform>{n} Pflöcke</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>Kamera gezogen, {pegs}, an der Farbe genau gemacht: {share:.0%} ihrer Linien</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, not made exact: {why}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>Kamera gezogen, {pegs}, nicht genau gemacht: {why}</translation>
+  </message>
+  <message>
+   <source>Camera found, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>Kamera gefunden, unsicher: {why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>Kamera gezogen, {pegs}</translation>
+  </message>
+  <message>
+   <source>Camera of the track: Shift+Enter accepts its elements</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>Kamera der Spur: Umschalt+Eingabe nimmt ihre Elemente an</translation>
+  </message>
+  <message>
+   <source>Looking for the camera in the picture …</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>Die Kamera wird im Bild gesucht …</translation>
+  </message>
+  <message>
+   <source>No camera found: {why}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>Keine Kamera gefunden: {why}</translation>
+  </message>
+  <message>
+   <source>Camera found, sure: {why}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>Kamera gefunden, sicher: {why}</translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}: its lines are looked for …</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>Kamera gezogen, {pegs}: ihre Linien werden gesucht …</translation>
+  </message>
+  <message>
+   <source>Camera of the track, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation>Kamera der Spur, unsicher: {why}</translation>
+  </message>
+  <message>
+   <source>{title}  ±{sd:.1f} px  unsure</source>
+   <extracomment>[procc_annotator/gui/picture/ghost_layer.py]</extracomment>
+   <translation>{title}  ±{sd:.1f} px  unsicher</translation>
+  </message>
+  <message>
+   <source>next: {title}</source>
+   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interact/hints.py]</extracomment>
+   <translation>als Nächstes: {title}</translation>
+  </message>
+  <message>
+   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>Fadenkreuz: die Pfeiltasten bewegen es (Umschalt 0.1 px, Strg 10 px, Strg+Umschalt 100 px), Leertaste klickt, Esc legt es weg</translation>
+  </message>
+  <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>zeigen Sie zuerst auf eine Linie: mit der Maus oder mit den Pfeiltasten</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>hier ist keine Linie, auf die ein Punkt passt</translation>
+  </message>
+  <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Helligkeit</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Kontrast</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Gamma</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Linien verstärken</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Abgenutzte und beschattete Linien hervorholen</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Zurücksetzen</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Das Bild zeigen, wie es ist</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Nur was Sie sehen, ändert sich, nie die Datei</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Alle Werte verschieben</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Werte um das mittlere Grau spreizen</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation>Nach rechts werden dunkle Teile heller</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera is</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation>Wie gut die angepasste Kamera ist</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation>Meter am Boden, 1 σ</translation>
+  </message>
+  <message>
+   <source>How good the fitted camera ({model}) is</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation>Wie gut die angepasste Kamera ({model}) ist</translation>
+  </message>
+  <message>
+   <source>{metres:g} m, asked of offside technology</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation>{metres:g} m, von Abseitstechnik verlangt</translation>
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd, median {median:.2f}</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation>Meter am Boden, 1 σ, Median {median:.2f}</translation>
+  </message>
+  <message>
+   <source>metres on the ground</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation>Meter am Boden</translation>
+  </message>
+  <message>
+   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation>{metres:g} m: {percent:.0f} % des sichtbaren Feldes</translation>
+  </message>
+  <message>
+   <source>Drag to move the divider (arrow keys do it too)</source>
+   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
+   <translation>Ziehen verschiebt die Trennlinie (Pfeiltasten auch)</translation>
+  </message>
+  <message>
+   <source>Divider of the split view</source>
+   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
+   <translation>Trennlinie der geteilten Ansicht</translation>
+  </message>
+  <message>
+   <source>JaC over tau, differences</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>JaC über tau, Differenzen</translation>
+  </message>
+  <message>
+   <source>No frame that two of the shown sources have is scored yet.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>Noch kein Bild bewertet, das zwei der gezeigten Quellen haben.</translation>
+  </message>
+  <message>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>JaC über die Bilder</translation>
+  </message>
+  <message>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>Noch keine Bewertungen. Sie werden Bild für Bild im Hintergrund berechnet.</translation>
+  </message>
+  <message>
+   <source>{name} less each other source, on the frames both have. Beyond chance where the 95 % band lies beside 0; {drawn}.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>{name} weniger jede andere Quelle, auf den Bildern, die beide haben. Jenseits des Zufalls, wo das 95-%-Band neben 0 liegt; {drawn}.</translation>
+  </message>
+  <message>
+   <source>One source alone has nothing to be compared with.
+Load or show another one.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>Eine Quelle allein hat nichts zu vergleichen.
+Laden oder zeigen Sie eine weitere.</translation>
+  </message>
+  <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>{name} (Bild {n})</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>Keine Bewertung dieses Bildes: es ist nicht annotiert, oder keine gezeigte Quelle hat eine Kamera.</translation>
+  </message>
+  <message>
+   <source>JaC, difference</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>JaC, Differenz</translation>
+  </message>
+  <message>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>Bild</translation>
+  </message>
+  <message>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>Jede Kurve ist das Mittel der Bilder, für die die Quelle eine Kamera hat.</translation>
+  </message>
+  <message>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>Schattiert: 95-%-Bänder, {drawn}.</translation>
+  </message>
+  <message>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>tau {px:.1f} px</translation>
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Fehler als Histogramm</translation>
+  </message>
+  <message>
+   <source>Errors, by image radius</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Fehler nach Bildradius</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Punkt ohne Abstand ausgelassen.</numerusform>
+    <numerusform>{n:,} Punkte ohne Abstand ausgelassen.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Dots: {painted:,} of {n:,} points, the largest errors among them.</source>
+   <extracomment>Dots: {painted:,} of {n:,} point, the largest errors among them. / Dots: {painted:,} of {n:,} points, the largest errors among them. [procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>
+    <numerusform>Gezeigt: {painted:,} von {n:,} Punkt, darunter die größten Fehler.</numerusform>
+    <numerusform>Gezeigt: {painted:,} von {n:,} Punkten, darunter die größten Fehler.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Reprojektionsfehler (px)</translation>
+  </message>
+  <message>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Punkte</translation>
+  </message>
+  <message>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Der letzte Balken fasst alle größeren Fehler.</translation>
+  </message>
+  <message>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>{px:g} px oder mehr</translation>
+  </message>
+  <message>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>{name} {part:,} von {total:,}</translation>
+  </message>
+  <message>
+   <source>distance from the centre (corner = 1)</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Abstand von der Mitte (Ecke = 1)</translation>
+  </message>
+  <message>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Kein Punkt von {element} in diesem Bild.</translation>
+  </message>
+  <message>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Bisher kein Punkt von {element}.</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Kein annotierter Punkt in diesem Bild, den eine gezeigte Quelle projiziert.</translation>
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Bisher kein annotierter Punkt, den eine gezeigte Quelle projiziert.</translation>
+  </message>
+  <message>
+   <source>Lines: running median of all points.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation>Linien: gleitender Median aller Punkte.</translation>
+  </message>
+  <message>
+   <source>Sources: {names}</source>
+   <extracomment>[procc_annotator/gui/plots/legend.py]</extracomment>
+   <translation>Quellen: {names}</translation>
+  </message>
+  <message>
+   <source>({n:,} of {total:,})</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>({n:,} von {total:,})</translation>
+  </message>
+  <message>
+   <source>All elements</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Alle Elemente</translation>
+  </message>
+  <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Sichern</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Das Diagramm und seine Zahlen kopieren oder speichern</translation>
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Das Diagramm kopieren oder speichern</translation>
+  </message>
+  <message>
+   <source>Plot</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Diagramm</translation>
+  </message>
+  <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Das gezeigte Bild auftragen, oder alle bisher bewerteten</translation>
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Nur die Punkte eines Elements auftragen</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures to see plots.</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Öffnen Sie einen Ordner mit Bildern, um Diagramme zu sehen.</translation>
+  </message>
+  <message>
+   <source>This plot could not be computed: {error}.</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Dieses Diagramm konnte nicht berechnet werden: {error}.</translation>
+  </message>
+  <message>
+   <source>({n:,} committed)</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>({n:,} abgegeben)</translation>
+  </message>
+  <message>
+   <source>Copy picture</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Bild kopieren</translation>
+  </message>
+  <message>
+   <source>Copy numbers</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Zahlen kopieren</translation>
+  </message>
+  <message>
+   <source>Save picture…</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Bild speichern…</translation>
+  </message>
+  <message>
+   <source>Save numbers…</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Zahlen speichern…</translation>
+  </message>
+  <message>
+   <source>Computing…</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Wird berechnet…</translation>
+  </message>
+  <message>
+   <source>(hidden)</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>(verborgen)</translation>
+  </message>
+  <message>
+   <source>(no score)</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>(ohne Bewertung)</translation>
+  </message>
+  <message>
+   <source>Pan, tilt, roll, zoom over the frames</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>Schwenk, Neigung, Rollen, Zoom über die Bilder</translation>
+  </message>
+  <message>
+   <source>Position over the frames</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>Position über die Bilder</translation>
+  </message>
+  <message>
+   <source>tilt</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>Neigung</translation>
+  </message>
+  <message>
+   <source>roll</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>Rollen</translation>
+  </message>
+  <message>
+   <source>focal</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>Brennweite</translation>
+  </message>
+  <message>
+   <source>height</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>Höhe</translation>
+  </message>
+  <message>
+   <source>No poses yet. They are gathered in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>Noch keine Posen. Sie werden Bild für Bild im Hintergrund gesammelt.</translation>
+  </message>
+  <message>
+   <source>The shown sources are of models without a pose (homographies, projections alone).</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>Die gezeigten Quellen haben Modelle ohne Pose (Homographien, bloße Projektionen).</translation>
+  </message>
+  <message numerus="yes">
+   <source>{name}: {n:,} jumps (rings).</source>
+   <extracomment>{name}: {n:,} jump (rings). / {name}: {n:,} jumps (rings). [procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>
+    <numerusform>{name}: {n:,} Sprung (Ring).</numerusform>
+    <numerusform>{name}: {n:,} Sprünge (Ringe).</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{name}: its model has no pose.</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>{name}: sein Modell hat keine Pose.</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
+   <translation>Verborgen: der Blindmodus zeigt nur abgegebene Bilder, und keines davon ist in diesem Diagramm.</translation>
+  </message>
+  <message>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
+   <translation>Verborgen: im Blindmodus erscheint dieses Diagramm, sobald dieses Bild abgegeben ist.</translation>
+  </message>
+  <message>
+   <source>Shots are told by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
+   <translation>Einstellungen sind an den Namen erkannt, denn {error}.</translation>
+  </message>
+  <message>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>Residuen über dem Bild</translation>
+  </message>
+  <message>
+   <source>Residuals, by direction</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>Residuen nach Richtung</translation>
+  </message>
+  <message>
+   <source>{px:.2f} px right</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>{px:.2f} px nach rechts</translation>
+  </message>
+  <message>
+   <source>{px:.2f} px left</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>{px:.2f} px nach links</translation>
+  </message>
+  <message>
+   <source>{px:.2f} px down</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>{px:.2f} px nach unten</translation>
+  </message>
+  <message>
+   <source>{px:.2f} px up</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>{px:.2f} px nach oben</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>Pfeile länger gezeichnet</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>Wie viel länger als in Wirklichkeit Pfeile gezeichnet sind</translation>
+  </message>
+  <message>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>automatisch</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>Pfeile {factor}-mal so lang wie in Wirklichkeit: vom Klick zur Projektion.</translation>
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>Pfeile {factor}-mal so lang wie in Wirklichkeit: das mediane Residuum jedes Bildteils mit 5 Punkten oder mehr.</translation>
+  </message>
+  <message>
+   <source>to the right (px)</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>nach rechts (px)</translation>
+  </message>
+  <message>
+   <source>down (px)</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>nach unten (px)</translation>
+  </message>
+  <message>
+   <source>Median of clicks to projection: {ways}.</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>Median von Klick zu Projektion: {ways}.</translation>
+  </message>
+  <message>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation>Noch zu wenige Punkte: fünf in einem Bildteil ergeben einen Pfeil.</translation>
+  </message>
+  <message>
+   <source>No three frames in a row have a camera that goes from one to the next.</source>
+   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
+   <translation>Nirgends haben drei Bilder hintereinander eine Kamera, die von einem zum nächsten geht.</translation>
+  </message>
+  <message>
+   <source>Jitter over the frames</source>
+   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
+   <translation>Zittern über die Bilder</translation>
+  </message>
+  <message>
+   <source>How far each frame is from steady motion between its neighbours.</source>
+   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
+   <translation>Wie weit jedes Bild von gleichmäßiger Bewegung zwischen seinen Nachbarn abweicht.</translation>
+  </message>
+  <message>
+   <source>jitter (px)</source>
+   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
+   <translation>Zittern (px)</translation>
+  </message>
+  <message>
+   <source>Picture (*.png);;Vector graphics (*.svg)</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation>Bild (*.png);;Vektorgrafik (*.svg)</translation>
+  </message>
+  <message>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py, procc_annotator/gui/tasks/files/overview_command.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>Tabelle (*.csv)</translation>
+  </message>
+  <message>
+   <source>the plotted numbers are on the clipboard</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation>die Zahlen des Diagramms sind in der Zwischenablage</translation>
+  </message>
+  <message>
+   <source>Save the plot</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation>Diagramm speichern</translation>
+  </message>
+  <message>
+   <source>wrote {path}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation>{path} geschrieben, soweit bewertet</translation>
+  </message>
+  <message>
+   <source>wrote {path}</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation>{path} geschrieben</translation>
+  </message>
+  <message>
+   <source>the plot is on the clipboard as a picture</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation>das Diagramm ist als Bild in der Zwischenablage</translation>
+  </message>
+  <message>
+   <source>there is nothing plotted to take along</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation>es gibt kein Diagramm zum Mitnehmen</translation>
+  </message>
+  <message>
+   <source>{frames}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation>{frames}, soweit bewertet</translation>
+  </message>
+  <message>
    <source>Fit and ghosts</source>
    <extracomment>[procc_annotator/gui/settings.py, the setting fit_model, the setting ghost_support]</extracomment>
    <translation>Anpassung und Geister</translation>
@@ -480,14 +3859,2550 @@
    <translation>Annotieren</translation>
   </message>
   <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py, the setting evidence]</extracomment>
-   <translation>Bild</translation>
+   <source>{who} unlocked this dataset from blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>{who} hat am {day} den Blindmodus dieses Datensatzes aufgehoben</translation>
   </message>
   <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>keine Kamera</translation>
+   <source>{reason}: there is no live fit in it</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>{reason}: darin gibt es keine laufende Anpassung</translation>
+  </message>
+  <message>
+   <source>Somebody</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>Jemand</translation>
+  </message>
+  <message>
+   <source>{who} locked this dataset to blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>{who} hat diesen Datensatz am {day} auf Blindmodus festgelegt</translation>
+  </message>
+  <message>
+   <source>This dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>Dieser Datensatz ist auf Blindmodus festgelegt</translation>
+  </message>
+  <message>
+   <source>{reason}: menu Frame unlocks it, which is recorded</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>{reason}: das Menü Bild hebt es auf, was vermerkt wird</translation>
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py, procc_annotator/gui/state/editing.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>öffnen Sie zuerst einen Ordner mit Bildern</translation>
+  </message>
+  <message>
+   <source>this dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>dieser Datensatz ist auf Blindmodus festgelegt</translation>
+  </message>
+  <message>
+   <source>this dataset is not locked to blind mode any more</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation>dieser Datensatz ist nicht mehr auf Blindmodus festgelegt</translation>
+  </message>
+  <message>
+   <source>expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix</source>
+   <extracomment>[procc_annotator/gui/state/camera_sources.py]</extracomment>
+   <translation>erwartet sind Dateien wie camera_00037.json, 00037.npy oder 00037.homographyMatrix</translation>
+  </message>
+  <message>
+   <source>load one of its folders: {names}</source>
+   <extracomment>[procc_annotator/gui/state/camera_sources.py]</extracomment>
+   <translation>laden Sie einen ihrer Ordner: {names}</translation>
+  </message>
+  <message>
+   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation>{names} sagen nur, wo die Elemente liegen, keine Kamera: es gibt keinen Boden zum Vergleichen.</translation>
+  </message>
+  <message>
+   <source>{names}: no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation>{names}: keine Kamera für dieses Bild.</translation>
+  </message>
+  <message>
+   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation>{name} sagt nur, wo die Elemente liegen, keine Kamera: es gibt keinen Boden zum Vergleichen.</translation>
+  </message>
+  <message>
+   <source>{a} and {b}</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation>{a} und {b}</translation>
+  </message>
+  <message>
+   <source>The two see no part of the field in common in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation>Beide sehen in diesem Bild keinen gemeinsamen Teil des Feldes.</translation>
+  </message>
+  <message>
+   <source>Both cameras are the same in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation>Beide Kameras sind in diesem Bild gleich.</translation>
+  </message>
+  <message>
+   <source>Blind: hidden until this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation>Blind: verborgen, bis dieses Bild abgegeben ist.</translation>
+  </message>
+  <message>
+   <source>No source is judged: choose one first.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation>Keine Quelle wird beurteilt: wählen Sie zuerst eine.</translation>
+  </message>
+  <message>
+   <source>Two sources of cameras are needed: load another one.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation>Zwei Kameraquellen sind nötig: laden Sie eine weitere.</translation>
+  </message>
+  <message>
+   <source>blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked after that is no blind work</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>blind: hier ist nichts annotiert; noch einmal Strg+Eingabe zeigt die Kameras, und was danach geklickt wird, ist keine blinde Arbeit</translation>
+  </message>
+  <message>
+   <source>{frame} is done</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>{frame} ist fertig</translation>
+  </message>
+  <message>
+   <source>nothing to undo on this frame</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>in diesem Bild ist nichts rückgängig zu machen</translation>
+  </message>
+  <message>
+   <source>undo once more takes that away</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>noch einmal Rückgängig nimmt das weg</translation>
+  </message>
+  <message>
+   <source>{frame} was changed elsewhere and read again: {so}</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>{frame} wurde anderswo geändert und neu gelesen: {so}</translation>
+  </message>
+  <message>
+   <source>unconfirmed elements do not count: {count}</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>unbestätigte Elemente zählen nicht: {count}</translation>
+  </message>
+  <message>
+   <source>undone: {step}</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>rückgängig: {step}</translation>
+  </message>
+  <message>
+   <source>redone: {step}</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>wiederholt: {step}</translation>
+  </message>
+  <message>
+   <source>{frame} was changed elsewhere: read again</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>{frame} wurde anderswo geändert: neu gelesen</translation>
+  </message>
+  <message>
+   <source>nothing is undone</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>nichts wird rückgängig gemacht</translation>
+  </message>
+  <message>
+   <source>nothing is redone</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>nichts wird wiederholt</translation>
+  </message>
+  <message>
+   <source>nothing to redo on this frame</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation>in diesem Bild ist nichts zu wiederholen</translation>
+  </message>
+  <message>
+   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
+   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
+   <translation>{file} sagt, was das Feld dieses Datensatzes ist: um ein anderes zu wählen, legen Sie die Datei weg und öffnen Sie den Datensatz neu</translation>
+  </message>
+  <message>
+   <source>field: {field}</source>
+   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
+   <translation>Feld: {field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on: {field}</source>
+   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
+   <translation>das Feld dieses Datensatzes ab jetzt: {field}</translation>
+  </message>
+  <message>
+   <source>this dataset's field from now on, {reach}: {field}</source>
+   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
+   <translation>das Feld dieses Datensatzes ab jetzt, {reach}: {field}</translation>
+  </message>
+  <message>
+   <source>no other field knows the classes here better</source>
+   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
+   <translation>kein anderes Feld kennt die Klassen hier besser</translation>
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
+   <translation>jedes Bild nach diesem ist annotiert</translation>
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
+   <translation>jedes Bild vor diesem ist annotiert</translation>
+  </message>
+  <message>
+   <source>{title}: its line could not be looked for: {why}</source>
+   <extracomment>[procc_annotator/gui/state/ghosts.py]</extracomment>
+   <translation>{title}: seine Linie konnte nicht gesucht werden: {why}</translation>
+  </message>
+  <message>
+   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
+   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
+   <translation>{title} liegt bei {place} m, ± {deviations}, aus {views} Ansichten</translation>
+  </message>
+  <message>
+   <source>{title} was deleted meanwhile: its place was not kept</source>
+   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
+   <translation>{title} wurde inzwischen gelöscht: der Ort wurde nicht behalten</translation>
+  </message>
+  <message>
+   <source>left out: {names}</source>
+   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
+   <translation>ausgelassen: {names}</translation>
+  </message>
+  <message>
+   <source>the dataset's landmarks stay as they were: {why}</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>die Landmarken des Datensatzes bleiben, wie sie waren: {why}</translation>
+  </message>
+  <message>
+   <source>the dataset's landmarks are not used: {why}</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>die Landmarken des Datensatzes werden nicht verwendet: {why}</translation>
+  </message>
+  <message>
+   <source>the dataset's landmarks can be used again</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation>die Landmarken des Datensatzes sind wieder verwendbar</translation>
+  </message>
+  <message>
+   <source>the live fit is off</source>
+   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
+   <translation>die laufende Anpassung ist aus</translation>
+  </message>
+  <message>
+   <source>the fit failed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
+   <translation>die Anpassung misslang: {why}</translation>
+  </message>
+  <message>
+   <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
+   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <translation>{folder} ist nicht beschreibbar: nichts, was hier annotiert wird, lässt sich speichern</translation>
+  </message>
+  <message>
+   <source>not everything is saved yet: the other dataset was not opened</source>
+   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <translation>noch ist nicht alles gespeichert: der andere Datensatz wurde nicht geöffnet</translation>
+  </message>
+  <message>
+   <source>not everything is saved yet: the video was not opened</source>
+   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <translation>noch ist nicht alles gespeichert: das Video wurde nicht geöffnet</translation>
+  </message>
+  <message>
+   <source>nothing is open</source>
+   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <translation>nichts ist geöffnet</translation>
+  </message>
+  <message>
+   <source>the field of this dataset: {field}</source>
+   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <translation>das Feld dieses Datensatzes: {field}</translation>
+  </message>
+  <message>
+   <source>cameras of {name} changed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
+   <translation>Kameras von {name} geändert: {why}</translation>
+  </message>
+  <message>
+   <source>cameras of {name} changed on disk: read again</source>
+   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
+   <translation>Kameras von {name} auf der Platte geändert: neu gelesen</translation>
+  </message>
+  <message>
+   <source>the painted width cannot be drawn: {why}</source>
+   <extracomment>[procc_annotator/gui/state/painted_width.py]</extracomment>
+   <translation>die Linienbreite lässt sich nicht zeichnen: {why}</translation>
+  </message>
+  <message>
+   <source>{frame} was {status} and is in progress again</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{frame} war {status} und ist wieder in Arbeit</translation>
+  </message>
+  <message>
+   <source>for you alone: the dataset's folder cannot be written</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>nur für Sie: der Ordner des Datensatzes ist nicht beschreibbar</translation>
+  </message>
+  <message>
+   <source>{frame} is {status} again</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{frame} ist wieder {status}</translation>
+  </message>
+  <message>
+   <source>{frame} was {status} and is in progress again: edited after the cameras were shown, it is no blind work any more</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{frame} war {status} und ist wieder in Arbeit: nach dem Zeigen der Kameras bearbeitet, ist es keine blinde Arbeit mehr</translation>
+  </message>
+  <message>
+   <source>in this window only: nothing can be written</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>nur in diesem Fenster: nichts lässt sich schreiben</translation>
+  </message>
+  <message>
+   <source>not saved: {why}</source>
+   <extracomment>[procc_annotator/gui/state/saving.py]</extracomment>
+   <translation>nicht gespeichert: {why}</translation>
+  </message>
+  <message numerus="yes">
+   <source>no class of this field: {n} labels ({names})</source>
+   <extracomment>no class of this field: {n} label ({names}) / no class of this field: {n} labels ({names}) [procc_annotator/gui/state/second.py]</extracomment>
+   <translation>
+    <numerusform>keine Klasse dieses Feldes: {n} Label ({names})</numerusform>
+    <numerusform>keine Klassen dieses Feldes: {n} Labels ({names})</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{path}: holds no annotation (*.json)</source>
+   <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
+   <translation>{path}: enthält keine Annotation (*.json)</translation>
+  </message>
+  <message>
+   <source>second annotator: {why}</source>
+   <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
+   <translation>zweiter Annotator: {why}</translation>
+  </message>
+  <message>
+   <source>it holds the same already</source>
+   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
+   <translation>es enthält bereits dasselbe</translation>
+  </message>
+  <message>
+   <source>it is annotated already</source>
+   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
+   <translation>es ist schon annotiert</translation>
+  </message>
+  <message>
+   <source>{who} is editing it</source>
+   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
+   <translation>{who} bearbeitet es</translation>
+  </message>
+  <message>
+   <source>it cannot be edited</source>
+   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
+   <translation>es lässt sich nicht bearbeiten</translation>
+  </message>
+  <message>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
+   <translation>{path}: keine Kameras darin ({what_to_do})</translation>
+  </message>
+  <message>
+   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
+   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
+   <translation>{path}: keine Kamera heißt wie ein Bild (Kameras heißen wie {camera!r}, Bilder wie {frame!r})</translation>
+  </message>
+  <message>
+   <source>{who} is editing it; it opens by itself once they leave it</source>
+   <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
+   <translation>{who} bearbeitet es; es öffnet sich von selbst, sobald es verlassen wird</translation>
+  </message>
+  <message>
+   <source>nothing annotated yet</source>
+   <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
+   <translation>noch nichts annotiert</translation>
+  </message>
+  <message>
+   <source>{who} on {machine}</source>
+   <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
+   <translation>{who} an {machine}</translation>
+  </message>
+  <message>
+   <source>annotation cannot be read</source>
+   <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
+   <translation>Annotation ist unlesbar</translation>
+  </message>
+  <message>
+   <source>The fitted camera sees no part of the field.</source>
+   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation>Die angepasste Kamera sieht keinen Teil des Feldes.</translation>
+  </message>
+  <message>
+   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
+   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation>Die laufende Anpassung ist aus, daher keine Karte der Unsicherheit (Strg+T schaltet sie ein).</translation>
+  </message>
+  <message>
+   <source>There is no fit of this frame, so no uncertainty map.</source>
+   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation>Zu diesem Bild gibt es keine Anpassung, daher keine Karte der Unsicherheit.</translation>
+  </message>
+  <message>
+   <source>No camera yet, so no uncertainty map: {why}.</source>
+   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation>Noch keine Kamera, daher keine Karte der Unsicherheit: {why}.</translation>
+  </message>
+  <message>
+   <source>Frames as small pictures</source>
+   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
+   <translation>Bilder in klein</translation>
+  </message>
+  <message>
+   <source>The arrows go along, Enter shows the frame</source>
+   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
+   <translation>Die Pfeiltasten gehen entlang, Eingabe zeigt das Bild</translation>
+  </message>
+  <message>
+   <source>Frames of the shot</source>
+   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
+   <translation>Bilder der Einstellung</translation>
+  </message>
+  <message>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
+   <translation>Die Pfeiltasten gehen von Bild zu Bild, mit Umschalt markieren sie einen Abschnitt, Esc vergisst ihn</translation>
+  </message>
+  <message>
+   <source>anchor</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>Anker</translation>
+  </message>
+  <message>
+   <source>followed</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>verfolgt</translation>
+  </message>
+  <message>
+   <source>bridged</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>überbrückt</translation>
+  </message>
+  <message>
+   <source>lost</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>verloren</translation>
+  </message>
+  <message>
+   <source>frame {number} of {first}–{last}</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>Bild {number} von {first}–{last}</translation>
+  </message>
+  <message>
+   <source>{state}, {share:.0%} of the lines on paint</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>{state}, {share:.0%} der Linien auf Farbe</translation>
+  </message>
+  <message>
+   <source>names count by {step}</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>Namen zählen in Schritten von {step}</translation>
+  </message>
+  <message>
+   <source>its camera was dragged</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>ihre Kamera wurde gezogen</translation>
+  </message>
+  <message>
+   <source>blind: its camera is hidden</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>blind: die Kamera ist verborgen</translation>
+  </message>
+  <message>
+   <source>{found}, {far:.1f} px from it</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>{found}, {far:.1f} px davon entfernt</translation>
+  </message>
+  <message>
+   <source>doubtful: {why}</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation>zweifelhaft: {why}</translation>
+  </message>
+  <message>
+   <source>nothing changed: regular already, or no painted line was found there</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>nichts geändert: schon regelmäßig, oder dort fand sich keine gemalte Linie</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{what} von {frame} kopiert, entlang der Spur; Umschalt+V bestätigt alle</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{what} von {frame} kopiert, mit der Kamera verschoben; Umschalt+V bestätigt alle</translation>
+  </message>
+  <message>
+   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{what} von {frame} kopiert, wie sie waren: keine Bewegung gefunden; Umschalt+V bestätigt alle</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is regularised</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>zurückgenommen: nichts wird begradigt</translation>
+  </message>
+  <message>
+   <source>taken back: nothing is copied</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>zurückgenommen: nichts wird kopiert</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was regularised</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>das Bild wurde verlassen: nichts wurde begradigt</translation>
+  </message>
+  <message>
+   <source>the frame was left: nothing was copied</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>das Bild wurde verlassen: nichts wurde kopiert</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points unconfirmed by paint</source>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt nicht durch Farbe bestätigt</numerusform>
+    <numerusform>{n} Punkte nicht durch Farbe bestätigt</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>choose an annotated element first</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>wählen Sie zuerst ein annotiertes Element</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements</source>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element</numerusform>
+    <numerusform>{n} Elemente</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{what} begradigt: {n} Punkt</numerusform>
+    <numerusform>{what} begradigt: {n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} has corners or is one place: it stays as it is</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{element} hat Ecken oder ist ein einzelner Ort: es bleibt, wie es ist</translation>
+  </message>
+  <message>
+   <source>no element of the field is annotated here</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>hier ist kein Element des Feldes annotiert</translation>
+  </message>
+  <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{what} begradigen</translation>
+  </message>
+  <message>
+   <source>no frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation>kein Bild vor diesem ist annotiert</translation>
+  </message>
+  <message>
+   <source>{frame} has no element that is missing here</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{frame} hat kein Element, das hier fehlt</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>von {frame} kopieren</translation>
+  </message>
+  <message>
+   <source>{element} becomes {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>{element} wird {other}</translation>
+  </message>
+  <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>{element} und {other} tauschen</translation>
+  </message>
+  <message>
+   <source>duplicate {element} as {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>{element} als {other} kopieren</translation>
+  </message>
+  <message>
+   <source>merge {element} into {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>{element} mit {other} vereinen</translation>
+  </message>
+  <message>
+   <source>{element} is its own symmetric element</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>{element} ist seine eigene symmetrische Klasse</translation>
+  </message>
+  <message numerus="yes">
+   <source>{elements} are annotated already</source>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{elements} ist schon annotiert</numerusform>
+    <numerusform>{elements} sind schon annotiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} lies where {other} is: drag it to its place</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>{element} liegt, wo {other} ist: ziehen Sie es an seinen Platz</translation>
+  </message>
+  <message>
+   <source>reverse {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>{element} umkehren</translation>
+  </message>
+  <message>
+   <source>choose the point to split at first (edit mode)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>wählen Sie zuerst den Punkt, an dem geteilt werden soll (beim Bearbeiten)</translation>
+  </message>
+  <message>
+   <source>split {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>{element} teilen</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirmed {n} elements</source>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element bestätigt</numerusform>
+    <numerusform>{n} Elemente bestätigt</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nothing is unconfirmed on this frame</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>in diesem Bild ist nichts unbestätigt</translation>
+  </message>
+  <message>
+   <source>no end is that near to a corner or the picture's edge</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>kein Ende liegt so nahe an einer Ecke oder am Bildrand</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>Lücken schließen</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element bestätigen</numerusform>
+    <numerusform>{n} Elemente bestätigen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} unbestätigtes Element verwerfen</numerusform>
+    <numerusform>{n} unbestätigte Elemente verwerfen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} unconfirmed elements</source>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} unbestätigtes Element verworfen</numerusform>
+    <numerusform>{n} unbestätigte Elemente verworfen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>an element is split at a point between its ends, into a class that is free</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>ein Element wird an einem Punkt zwischen seinen Enden geteilt, in eine freie Klasse</translation>
+  </message>
+  <message>
+   <source>{element} was changed elsewhere: look at it again</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>{element} wurde anderswo geändert: sehen Sie noch einmal hin</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt</numerusform>
+    <numerusform>{n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{accepted}: {points}, Linie zu {share:.0%} zu sehen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} Ende von {elements} ist nicht zu sehen: die Punkte hören davor auf</numerusform>
+    <numerusform>{n} Enden von {elements} sind nicht zu sehen: die Punkte hören davor auf</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>die Kamera ist inzwischen eine andere</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} Geist</numerusform>
+    <numerusform>{n} Geister</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>gelassen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}</translation>
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} angenommen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} Ende ist nicht zu sehen: die Punkte hören davor auf</numerusform>
+    <numerusform>{n} Enden sind nicht zu sehen: die Punkte hören davor auf</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>das Bild wurde inzwischen bearbeitet</translation>
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>die Suche nach der Linie auf {frame} dauerte zu lange</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} ist nicht angenommen: {why}</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>Alle Geister annehmen</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>Wie viel der Linie eines Geistes zu sehen sein muss, damit er mit allen anderen angenommen wird (%):</translation>
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{element}: keine gemalte Linie gefunden; klicken Sie es von Hand, oder sagen Sie, dass es hier nicht sichtbar ist (.)</translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>die Kamera wird angepasst: nehmen Sie ihre Geister gleich an</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}; Tab geht sie durch</translation>
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{n} von {total} Geistern</translation>
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} auf {frame} angenommen</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} annehmen</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen: es gibt kein Bild, um ihre Linien zu suchen</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen: {why}</translation>
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} ist nicht angenommen</translation>
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>der Geist ist angenommen: nehmen Sie die Geister der neuen Anpassung an</translation>
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>das Gezeichnete ist beendet: nehmen Sie die Geister der neuen Anpassung an</translation>
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>kein Geist angenommen</translation>
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{element} ist angenommen, sobald seine Punkte gefunden sind</translation>
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>gehen Sie zuerst zu einem Geist (Tab) oder wählen Sie ein Element</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>das war der erste Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
+    <numerusform>das war der erste Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente, oder folgen Sie der Einstellung (T)</translation>
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>
+    <numerusform>das war der letzte Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
+    <numerusform>das war der letzte Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>die Kamera wird angepasst: Geister kommen gleich</translation>
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: die Kamera wird im Bild gesucht</translation>
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: {why}</translation>
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: was sonst zu sehen ist, ist annotiert oder nicht gut genug bekannt</translation>
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: annotieren Sie drei oder vier Elemente, daraus folgt eine Kamera</translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente</translation>
+  </message>
+  <message>
+   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>keine Geister im Blindmodus, bis das Bild abgegeben ist (Strg+Eingabe)</translation>
+  </message>
+  <message>
+   <source>no ghosts: the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: die laufende Anpassung ist aus (Strg+T)</translation>
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: sie sind ausgeschaltet (Element &gt; Geister &gt; Geister zeigen)</translation>
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>Überlagerungen sind ausgeblendet: kein Geist ist zu sehen (Strg+H, oder X loslassen)</translation>
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>beenden Sie zuerst, was gezeichnet wird (Eingabe), oder brechen Sie es ab (Esc)</translation>
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>keine Geister: keine Kamera ließ sich anpassen</translation>
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>noch passt keine Kamera</translation>
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>es wird von Hand gezeichnet</translation>
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>{title} ist hier annotiert: löschen Sie es zuerst (Strg+Entf)</translation>
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>{title} ist hier nicht sichtbar; Strg+. nimmt es zurück</translation>
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>{title} ist hier vielleicht wieder sichtbar</translation>
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>kein Element dieses Bildes galt als nicht sichtbar</translation>
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>das war der letzte Geist</translation>
+  </message>
+  <message>
+   <source>taken back</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>zurückgenommen</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>gehen Sie zuerst zu einem Geist (Tab)</translation>
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>{off}; wählen Sie zuerst ein Element</translation>
+  </message>
+  <message>
+   <source>Name of the line</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>Name der Linie</translation>
+  </message>
+  <message>
+   <source>What is this line?</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>Welche Linie ist das?</translation>
+  </message>
+  <message>
+   <source>Leave it unnamed</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>Unbenannt lassen</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Bewertungen weichen dann von denen des Nennfeldes ({nominal}) ab, das offizielle Auswertungen nehmen; sie nennen die Maße, mit denen sie berechnet sind.</translation>
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Eigene Maße (stadiums.csv): {frames} von {stadiums}. Was hier eingegeben wird, gilt für alle anderen, und für das, was Stadien offenlassen.</translation>
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Bewertungen weichen dann von denen offizieller Auswertungen ab, die Linien dort nehmen, wo die Regeln sie messen; sie sagen es.</translation>
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Die Regeln messen viele Linien an einer Kante ihrer Farbe. Klicks liegen auf deren Mitte, die halbe Linienbreite daneben: wählen Sie das, wo es darauf ankommt, etwa in Hallen und nahe der Kamera.</translation>
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Nur Länge und Breite werden aus Bildern bestimmt, und die Regeln legen die dieses Feldes fest</translation>
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>wo die Regeln messen</translation>
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>in der Mitte der Farbe</translation>
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Feldmaße: {field}</translation>
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Aus diesem Satz schätzen</translation>
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Für diesen Datensatz behalten</translation>
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Nennmaße</translation>
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Das Feld, wie offizielle Auswertungen es nehmen</translation>
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Nennmaß {nominal:g} m, die Regeln erlauben {minimum:g} bis {maximum:g} m</translation>
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>&lt;b&gt;nicht {number:g} m: die Regeln erlauben {minimum:g} bis {maximum:g} m&lt;/b&gt;</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} Bild</numerusform>
+    <numerusform>{n} Bilder</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} Stadion</numerusform>
+    <numerusform>{n} Stadien</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation>Klicks liegen:</translation>
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation>Das Feld behalten und zu diesen Klassen nichts mehr sagen</translation>
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation>Der Datensatz merkt es sich und wird nicht noch einmal gefragt</translation>
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation>Nein, {field}</translation>
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation>Das Feld dieses Datensatzes</translation>
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation>Feldbeschreibungen (*.toml)</translation>
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation>Ist das {field}? Die hier annotierten Klassen sind die von {field}</translation>
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation>{why}, aber {file} im Ordner des Datensatzes entscheidet</translation>
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation>Ja, {field}</translation>
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation>Zu {field} wechseln</translation>
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation>{problem}; das Feld blieb, wie es war: {field}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, aus {n} Bild.</numerusform>
+    <numerusform>{dimension}: {value:.2f} ± {sd:.2f} m, aus {n} Bildern.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation>
+    <numerusform>Aus der Kamera von {n} Bild; ± ist eine Standardabweichung.</numerusform>
+    <numerusform>Aus den Kameras von {n} Bildern; ± ist eine Standardabweichung.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation>{remark}; es blieb, wie es war.</translation>
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation>Blind: nicht abgegebene Bilder nahmen nicht teil ({n}).</translation>
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation>Unlesbare Bilder nahmen nicht teil: {n}.</translation>
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation>die Regeln legen jedes Maß des Feldes {field} fest</translation>
+  </message>
+  <message>
+   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation>Blind: der Satz wird angesehen, sobald ein Bild davon abgegeben ist (Strg+Eingabe).</translation>
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>Bilder eines Augenblicks aus verschiedenen Kameras bilden eine Gruppe. Ihre Namen sagen, welche, nach einem Muster: &lt;b&gt;{instant}&lt;/b&gt; steht dafür, wann ein Bild entstand, &lt;b&gt;{view}&lt;/b&gt; für die Kamera, alles andere für sich selbst. Ein regulärer Ausdruck mit &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; und &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; tut es auch.</translation>
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>Kein passendes Muster für diese Namen gefunden: schreiben Sie eines.</translation>
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>Augenblick</translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{frames} in {n:,} Gruppe von {least} bis {most}</numerusform>
+    <numerusform>{frames} in {n:,} Gruppen von {least} bis {most}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{frames} in {n:,} Gruppe</numerusform>
+    <numerusform>{frames} in {n:,} Gruppen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>Gruppen von Bildern</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Augenblick mit nur einem Bild</numerusform>
+    <numerusform>{n:,} Augenblicke mit nur einem Bild</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Name passt nicht (zuletzt in der Tabelle)</numerusform>
+    <numerusform>{n:,} Namen passen nicht (zuletzt in der Tabelle)</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>Dieser Name passt nicht zum Muster: das Bild steht allein</translation>
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>Ansichten gruppieren</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>Muster der Bildnamen</translation>
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>{file} schreiben</translation>
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation>Diese Gruppen im Ordner des Datensatzes behalten</translation>
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
+   <translation>Was jetzt darin steht, geht verloren, samt allem anderen.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{frames} aus {n:,} Augenblick</numerusform>
+    <numerusform>{frames} aus {n:,} Augenblicken</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild, nicht gruppiert.</numerusform>
+    <numerusform>{n:,} Bilder, keines gruppiert.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
+   <translation>{file} gibt es schon: {sizes}.</translation>
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
+   <translation>{file} gruppiert ab jetzt {sizes}</translation>
+  </message>
+  <message>
+   <source>What came of it</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Was daraus wurde</translation>
+  </message>
+  <message>
+   <source>Import annotations</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Annotationen importieren</translation>
+  </message>
+  <message>
+   <source>Import</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>Importieren</translation>
+  </message>
+  <message>
+   <source>Annotations to import</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Zu importierende Annotationen</translation>
+  </message>
+  <message>
+   <source>Look into the files</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>In die Dateien sehen</translation>
+  </message>
+  <message>
+   <source>Only frames where nothing is annotated yet</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Nur Bilder, in denen noch nichts annotiert ist</translation>
+  </message>
+  <message>
+   <source>Replace what is annotated in the others, too</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Auch in den anderen ersetzen, was annotiert ist</translation>
+  </message>
+  <message>
+   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Was da war, bleibt unter den früheren Fassungen des Bildes, und Rückgängig holt es zurück</translation>
+  </message>
+  <message>
+   <source>Annotations</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Annotationen</translation>
+  </message>
+  <message>
+   <source>Format</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Format</translation>
+  </message>
+  <message>
+   <source>Import into</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Importieren in</translation>
+  </message>
+  <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Bilder werden nach dem Namen der Bilddatei zugeordnet.</translation>
+  </message>
+  <message>
+   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Annotationen (*.json *.xml *.zip);;Alle Dateien (*)</translation>
+  </message>
+  <message>
+   <source>Export as</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Exportieren als</translation>
+  </message>
+  <message>
+   <source>One zip archive instead of a folder</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Ein Zip-Archiv statt eines Ordners</translation>
+  </message>
+  <message>
+   <source>Replace files that are there</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Vorhandene Dateien ersetzen</translation>
+  </message>
+  <message>
+   <source>Keep elements that SoccerNet has no class for</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Elemente behalten, für die SoccerNet keine Klasse hat</translation>
+  </message>
+  <message>
+   <source>Width of the lines</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Breite der Linien</translation>
+  </message>
+  <message>
+   <source>Copy the pictures as well</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Auch die Bilder kopieren</translation>
+  </message>
+  <message>
+   <source>Export to a folder</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>In einen Ordner exportieren</translation>
+  </message>
+  <message>
+   <source>Keeps {holds}.
+Loses {loses}.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Behält {holds}.
+Verliert {loses}.</translation>
+  </message>
+  <message>
+   <source>Cancel</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/video_opening.py, the action cancel]</extracomment>
+   <translation>Abbrechen</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Schließen</translation>
+  </message>
+  <message>
+   <source>A folder, a zip archive, or one file</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Ein Ordner, ein Zip-Archiv oder eine Datei</translation>
+  </message>
+  <message>
+   <source>File…</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Datei…</translation>
+  </message>
+  <message>
+   <source>Folder…</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Ordner…</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation>Zip-Archiv (*.zip)</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} annotations</source>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Annotation</numerusform>
+    <numerusform>{n:,} Annotationen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>JaC of {n:,} frames</source>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>JaC von {n:,} Bild</numerusform>
+    <numerusform>JaC von {n:,} Bildern</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>{source} entsteht aus den Klicks, an denen es gemessen würde: beurteilen Sie die zu bewertenden Kameras (procc-annotator calibrate passt einen Satz an und bewertet ihn)</translation>
+  </message>
+  <message>
+   <source>{annotations} and {scores}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>{annotations} und {scores}</translation>
+  </message>
+  <message>
+   <source>nothing: no frame is annotated</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>nichts: kein Bild ist annotiert</translation>
+  </message>
+  <message>
+   <source>Zip archive (*.zip);;Folder (*)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>Zip-Archiv (*.zip);;Ordner (*)</translation>
+  </message>
+  <message>
+   <source>Table (*.csv);;JSON (*.json)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>Tabelle (*.csv);;JSON (*.json)</translation>
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>laden Sie zuerst Kameras: es gibt nichts zu bewerten</translation>
+  </message>
+  <message>
+   <source>blind: no frame is committed yet, so there is no JaC to show</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>blind: noch ist kein Bild abgegeben, also gibt es keinen JaC zu zeigen</translation>
+  </message>
+  <message>
+   <source>exported {what} to {path}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>{what} nach {path} exportiert</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the export has the last saved state</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>nicht alles ließ sich speichern: der Export hat den zuletzt gespeicherten Stand</translation>
+  </message>
+  <message numerus="yes">
+   <source>blind mode leaves out {n:,} frames not committed yet</source>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>der Blindmodus lässt {n:,} noch nicht abgegebenes Bild aus</numerusform>
+    <numerusform>der Blindmodus lässt {n:,} noch nicht abgegebene Bilder aus</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} files could not be read: {problem}</source>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Datei war unlesbar: {problem}</numerusform>
+    <numerusform>{n:,} Dateien waren unlesbar: {problem}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Export</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>Exportieren</translation>
+  </message>
+  <message>
+   <source>exporting {done} / {total}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation>exportiert {done} / {total}</translation>
+  </message>
+  <message>
+   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation>{frames}, {elements} und {points} nach {path} geschrieben ({format}).</translation>
+  </message>
+  <message>
+   <source>Not everything could be saved: what is on disk goes.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation>Nicht alles ließ sich speichern: es gilt, was auf der Platte ist.</translation>
+  </message>
+  <message>
+   <source>export: cancelled; files that were written already are still there</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation>Export: abgebrochen; schon geschriebene Dateien sind noch da</translation>
+  </message>
+  <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation>Nichts geschrieben: kein Bild ist annotiert, oder keines ließ sich schreiben.</translation>
+  </message>
+  <message>
+   <source>Cancelled; files that were written already are still there.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation>Abgebrochen; schon geschriebene Dateien sind noch da.</translation>
+  </message>
+  <message>
+   <source>Not written</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation>Nicht geschrieben</translation>
+  </message>
+  <message>
+   <source>What the format cannot hold</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation>Was das Format nicht fassen kann</translation>
+  </message>
+  <message>
+   <source>the fit of {frame} is saved as {path}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation>die Anpassung von {frame} ist als {path} gespeichert</translation>
+  </message>
+  <message>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation>keine Kamera zu speichern: die Anpassung ist noch nicht da</translation>
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation>die laufende Anpassung ist aus (Strg+T)</translation>
+  </message>
+  <message>
+   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation>blind: die Anpassung ist verborgen, bis dieses Bild abgegeben ist (Strg+Eingabe)</translation>
+  </message>
+  <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation>keine Kamera zu speichern: {why}</translation>
+  </message>
+  <message>
+   <source>the fit is worked out again: save it in a moment</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation>die Anpassung wird neu berechnet: speichern Sie sie gleich</translation>
+  </message>
+  <message>
+   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation>{frame}: das Bild ist unlesbar, so dass die Pixel der Kamera zu keiner Größe gehören; nicht gespeichert</translation>
+  </message>
+  <message>
+   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation>als {path} gespeichert, aber die geladenen Kameras ließen sich nicht neu lesen: {problem}</translation>
+  </message>
+  <message>
+   <source>{saved}; it is hardly determined: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation>{saved}; kaum bestimmt: {why}</translation>
+  </message>
+  <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Importieren…</translation>
+  </message>
+  <message>
+   <source>Take these annotations in; their files stay as they are</source>
+   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
+   <translation>Diese Annotationen übernehmen; ihre Dateien bleiben, wie sie sind</translation>
+  </message>
+  <message>
+   <source>Leave them, and say nothing more of them</source>
+   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
+   <translation>Sie lassen und nichts mehr davon sagen</translation>
+  </message>
+  <message>
+   <source>Annotations of another program lie in this dataset: {format}.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
+   <translation>In diesem Datensatz liegen Annotationen eines anderen Programms: {format}.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported ({format}).</source>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{edited} von {n:,} Bild importiert ({format}).</numerusform>
+    <numerusform>{edited} von {n:,} Bildern importiert ({format}).</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Cancelled: {n:,} frames were not looked at.</source>
+   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>Abgebrochen: {n:,} Bild wurde nicht angesehen.</numerusform>
+    <numerusform>Abgebrochen: {n:,} Bilder wurden nicht angesehen.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are annotated already and left unchanged.</source>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild ist schon annotiert und blieb unverändert.</numerusform>
+    <numerusform>{n:,} Bilder sind schon annotiert und blieben unverändert.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames hold the same already.</source>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild enthält bereits dasselbe.</numerusform>
+    <numerusform>{n:,} Bilder enthalten bereits dasselbe.</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported</source>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>
+    <numerusform>{edited} von {n:,} Bild importiert</numerusform>
+    <numerusform>{edited} von {n:,} Bildern importiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Cancelled; nothing was imported.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>Abgebrochen; nichts wurde importiert.</translation>
+  </message>
+  <message>
+   <source>Left as they were</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>Gelassen, wie sie waren</translation>
+  </message>
+  <message>
+   <source>Could not be read</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>Nicht lesbar</translation>
+  </message>
+  <message>
+   <source>Without a picture here ({n})</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>Ohne Bild hier ({n})</translation>
+  </message>
+  <message>
+   <source>Changed or left out</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>Geändert oder ausgelassen</translation>
+  </message>
+  <message>
+   <source>it could not be saved: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>es ließ sich nicht speichern: {why}</translation>
+  </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>Importieren</translation>
+  </message>
+  <message>
+   <source>? (stays as it is, an unknown class)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>? (bleibt, wie es ist, eine unbekannte Klasse)</translation>
+  </message>
+  <message>
+   <source>Leave out</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <translation>Auslassen</translation>
+  </message>
+  <message>
+   <source>Label</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>Label</translation>
+  </message>
+  <message>
+   <source>Shapes</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>Formen</translation>
+  </message>
+  <message>
+   <source>Stands for</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>Steht für</translation>
+  </message>
+  <message>
+   <source>Why</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>Warum</translation>
+  </message>
+  <message>
+   <source>sure</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>sicher</translation>
+  </message>
+  <message>
+   <source>likely</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>wahrscheinlich</translation>
+  </message>
+  <message>
+   <source>to be said</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>zu sagen</translation>
+  </message>
+  <message>
+   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>Diese Namen gleichen eher denen von {field}: wählen Sie zuerst dieses Feld (Datei &gt; Feld).</translation>
+  </message>
+  <message>
+   <source>Names of another program</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>Namen eines anderen Programms</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} Label ist keine Klasse von {field}. Sagen Sie, wofür es steht; der Vorschlag folgt aus seinen Wörtern und daraus, auf welchen Elementen seine Formen liegen.</numerusform>
+    <numerusform>{n} Labels sind keine Klassen von {field}. Sagen Sie, wofür sie stehen; die Vorschläge folgen aus ihren Wörtern und daraus, auf welchen Elementen ihre Formen liegen.</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Keep these names with the dataset ({file})</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>Diese Namen beim Datensatz behalten ({file})</translation>
+  </message>
+  <message>
+   <source>What {label} stands for</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>Wofür {label} steht</translation>
+  </message>
+  <message>
+   <source>Add these names to the dataset's {file}, written anew</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>Diese Namen in {file} des Datensatzes aufnehmen, neu geschrieben</translation>
+  </message>
+  <message>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>Bilder</translation>
+  </message>
+  <message>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>Videos</translation>
+  </message>
+  <message>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>das Beispiel kommt mit dem Quelltext, nicht hier</translation>
+  </message>
+  <message>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>Ihre eigene Kopie, in {folder}; laden Sie ihre Kameras aus dem Menü Kamera</translation>
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Kameras</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>Einen Ordner mit Bildern öffnen</translation>
+  </message>
+  <message>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>Ein Bild öffnen</translation>
+  </message>
+  <message>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>Video öffnen</translation>
+  </message>
+  <message>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>Den Ordner eines zweiten Annotators öffnen</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, ohne Legende</translation>
+  </message>
+  <message>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>{width} x {height} px, zu groß: wählen Sie einen kleineren Maßstab oder SVG</translation>
+  </message>
+  <message>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>PNG: Pixel, ohne Verlust</translation>
+  </message>
+  <message>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>JPEG: Pixel, klein</translation>
+  </message>
+  <message>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>SVG: Linien und Text bleiben scharf</translation>
+  </message>
+  <message>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>Bild (*{suffix})</translation>
+  </message>
+  <message>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>Bild mit Überlagerung speichern</translation>
+  </message>
+  <message>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>Px des Ergebnisses je Px des Bildes; Linien und Text wachsen mit</translation>
+  </message>
+  <message>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>Farben, Striche und Zeichen unter dem Bild erklären</translation>
+  </message>
+  <message>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Art</translation>
+  </message>
+  <message>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Maßstab</translation>
+  </message>
+  <message>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>Ergebnis</translation>
+  </message>
+  <message>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>&amp;Legende</translation>
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>das Bild mit Überlagerung {path} wird geschrieben …</translation>
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>öffnen Sie zuerst ein Bild</translation>
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>{path}: ist das Bild selbst, wählen Sie einen anderen Namen</translation>
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation>Bild mit Überlagerung nach {path} geschrieben</translation>
+  </message>
+  <message>
+   <source>Export the overview</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
+   <translation>Übersicht exportieren</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} frames to {path}</source>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild nach {path} exportiert</numerusform>
+    <numerusform>{n:,} Bilder nach {path} exportiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the set was being scored still: some frames have no JaC yet</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
+   <translation>der Satz wurde noch bewertet: einige Bilder haben noch keinen JaC</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
+   <translation>hier zuvor geöffnete Kameras sind nicht mehr da: {paths}</translation>
+  </message>
+  <message>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
+   <translation>hier zuvor geöffnete Kameras werden nicht wieder geöffnet: {why}</translation>
+  </message>
+  <message>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>Ein Bild alle</translation>
+  </message>
+  <message>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>Das erste Bild jeder Szene</translation>
+  </message>
+  <message>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>Sucht im ganzen Video nach Schnitten; das dauert eine Weile</translation>
+  </message>
+  <message>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>{file} wird gelesen</translation>
+  </message>
+  <message>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>In {file} werden Schnitte gesucht</translation>
+  </message>
+  <message>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>dieses Bild ist schon eine Bilddatei</translation>
+  </message>
+  <message>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>als {path} behalten</translation>
+  </message>
+  <message>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>Es wird nichts herausgeschrieben; „Dieses Videobild behalten“ schreibt ein Bild.</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
+   <translation>Das Aufheben zeigt allen, die ihn annotieren, Kameras, Geister und die Anpassung. Beim Datensatz wird vermerkt, dass {author} es tat, und wann.</translation>
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
+   <translation>Das Aufheben zeigt Ihnen Kameras, Geister und die Anpassung; für andere war er nicht festgelegt. Beim Datensatz wird vermerkt, dass {author} es tat, und wann.</translation>
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
+   <translation>Blindmodus aufheben</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
+   <translation>Aufheben und vermerken</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
+   <translation>Festgelegt lassen</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>Fehler</translation>
+  </message>
+  <message>
+   <source>warning</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>Warnung</translation>
+  </message>
+  <message>
+   <source>hint</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>Hinweis</translation>
+  </message>
+  <message>
+   <source>finding {place} of {total}, {severity}: {elements}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>Befund {place} von {total}, {severity}: {elements}</translation>
+  </message>
+  <message>
+   <source>no finding is as sure as the Check panel is set to show</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>kein Befund ist so sicher, wie der Bereich Prüfung eingestellt ist</translation>
+  </message>
+  <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element umbenannt</numerusform>
+    <numerusform>{n} Elemente umbenannt</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>checked {n:,} frames, camera model {model}: {found}</source>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild geprüft, Kameramodell {model}: {found}</numerusform>
+    <numerusform>{n:,} Bilder geprüft, Kameramodell {model}: {found}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} checked frames</source>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} geprüftes Bild</numerusform>
+    <numerusform>{n:,} geprüfte Bilder</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} und {other}</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing; check the whole set to look at all frames</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>die Klassenprüfung hat nichts gefunden; prüfen Sie den ganzen Satz, um alle Bilder anzusehen</translation>
+  </message>
+  <message>
+   <source>{done}; Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{done}; Strg+Z nimmt es zurück</translation>
+  </message>
+  <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>Punkt {n} von {element} entfernt</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} und {other} getauscht</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} in {other} umbenannt</translation>
+  </message>
+  <message>
+   <source>ignored until {elements} changes; the Check panel brings it back</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>übergangen, bis sich {elements} ändert; der Bereich Prüfung holt es zurück</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames cannot be checked</source>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild lässt sich nicht prüfen</numerusform>
+    <numerusform>{n:,} Bilder lassen sich nicht prüfen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Export findings</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>Befunde exportieren</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} findings in {frames} to {path}</source>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Befund in {frames} nach {path} exportiert</numerusform>
+    <numerusform>{n:,} Befunde in {frames} nach {path} exportiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>the label check has found nothing</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>die Klassenprüfung hat nichts gefunden</translation>
+  </message>
+  <message>
+   <source>the label check has found nothing in this frame</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>die Klassenprüfung hat in diesem Bild nichts gefunden</translation>
+  </message>
+  <message>
+   <source>the elements have changed since: checked again</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>die Elemente haben sich seither geändert: neu geprüft</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>Punkt von {element} entfernt</translation>
+  </message>
+  <message>
+   <source>go to a finding first (F10)</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>gehen Sie zuerst zu einem Befund (F10)</translation>
+  </message>
+  <message>
+   <source>stopped checking the set; what was found stays</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>die Prüfung des Satzes ist angehalten; was gefunden ist, bleibt</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>keine Abhilfe bekannt: {reason}</translation>
+  </message>
+  <message>
+   <source>nothing found</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>nichts gefunden</translation>
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
+   <translation>kein anderes Bild ist zurückgewiesen</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
+   <translation>{frame} ist {status}</translation>
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
+   <translation>jedes Bild nach diesem ist fertig oder freigegeben</translation>
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
+   <translation>jedes Bild vor diesem ist fertig oder freigegeben</translation>
+  </message>
+  <message>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>der Blindmodus lässt {n} zu nicht abgegebenen Bildern aus</translation>
+  </message>
+  <message>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>{frame}: kein Urteil über {source} mehr</translation>
+  </message>
+  <message>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>Notiz zum Urteil</translation>
+  </message>
+  <message>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>Was ist hier falsch:</translation>
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>Urteile exportieren</translation>
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>blind: kein abgegebenes Bild hat ein Urteil</translation>
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>noch hat kein Bild ein Urteil: geben Sie zuerst eines ab</translation>
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Urteil nach {path} exportiert</numerusform>
+    <numerusform>{n:,} Urteile nach {path} exportiert</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>a verdict is on a frame and a camera: load cameras first</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>ein Urteil gilt einem Bild und einer Kamera: laden Sie zuerst Kameras</translation>
+  </message>
+  <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>blind: die Kamera ist verborgen, bis dieses Bild abgegeben ist (Strg+Eingabe)</translation>
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>urteilen Sie zuerst über das Bild: Fehler der Kamera, Fehler der Annotation oder in Ordnung</translation>
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>nicht alles ließ sich speichern: die Zahlen gelten dem zuletzt gespeicherten Stand</translation>
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>{source} folgt den Klicks: ein Urteil gilt einer geladenen Kamera</translation>
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation>{source} entsteht hier: ein Urteil gilt einer geladenen Kamera</translation>
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>die frühere Fassung ist zurück; Rückgängig nimmt sie wieder weg</translation>
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>das Bild wurde anderswo geändert: sehen Sie es an, dann holen Sie es noch einmal zurück</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>eine frühere Fassung zurückholen</translation>
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>Es gibt keine frühere Fassung dieses Bildes.</translation>
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>Verglichen mit jetzt: {changes}. Verschieden: {elements}.</translation>
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>unlesbar</translation>
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>leer</translation>
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>wie jetzt</translation>
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>andere Elemente</translation>
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>Punkte verschoben</translation>
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>Das enthält das Bild jetzt.</translation>
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>Verglichen mit jetzt: dieselben Punkte in anderer Reihenfolge der Elemente.</translation>
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>Frühere Fassungen</translation>
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>Zurückholen</translation>
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>%d.%m.%Y, %H:%M:%S</translation>
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>{n} weitere</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>{place} von {total}, schlechteste zuerst: JaC {value:.3f}</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>{place} von {total}, schlechteste zuerst: größter Fehler {value:.1f} px</translation>
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>{place} von {total}, schlechteste zuerst: mediane Abweichung {value:.2f} m</translation>
+  </message>
+  <message>
+   <source>no JaC yet: load cameras first</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>noch kein JaC: laden Sie zuerst Kameras</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>kein bewertetes Bild, zu dem zu gehen wäre</translation>
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>{source} wird über den Satz mit {other} verglichen</translation>
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>zwei Quellen sind nötig, um zu sehen, wo sie abweichen: laden Sie mehr Kameras (Strg+L)</translation>
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>{source} und {other} lassen sich in keinem Bild am Boden vergleichen</translation>
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>Vergleich der Quellen angehalten</translation>
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>das ist das schlechteste; noch einmal geht weiter</translation>
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>kein anderes Bild ist bewertet</translation>
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>wieder vom schlechtesten an</translation>
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>kein bewertetes Bild, zu dem zu gehen wäre: der Blindmodus zeigt nur abgegebene Bilder</translation>
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>zwei Quellen werden schon verglichen</translation>
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation>{source} und {other} sind verglichen</translation>
+  </message>
+  <message>
+   <source>it is annotated by now</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>es ist inzwischen annotiert</translation>
+  </message>
+  <message>
+   <source>it was edited since</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>es wurde seither bearbeitet</translation>
+  </message>
+  <message>
+   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>kein Bild anzunehmen: folgen Sie zuerst der Einstellung (T); zweifelhafte und annotierte Bilder bleiben aus</translation>
+  </message>
+  <message>
+   <source>blind mode: nothing is accepted that was not clicked</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>Blindmodus: angenommen wird nichts, was nicht geklickt ist</translation>
+  </message>
+  <message>
+   <source>looking for paint along the track: {done} of {total} frames</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>Farbe entlang der Spur wird gesucht: {done} von {total} Bildern</translation>
+  </message>
+  <message numerus="yes">
+   <source>accepted {n:,} frames along the track</source>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild entlang der Spur angenommen</numerusform>
+    <numerusform>{n:,} Bilder entlang der Spur angenommen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes them back</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>Strg+Z nimmt sie zurück</translation>
+  </message>
+  <message numerus="yes">
+   <source>taken back: {n:,} frames accepted along the track</source>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>zurückgenommen: {n:,} entlang der Spur angenommenes Bild</numerusform>
+    <numerusform>zurückgenommen: {n:,} entlang der Spur angenommene Bilder</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames left: {why}</source>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild gelassen: {why}</numerusform>
+    <numerusform>{n:,} Bilder gelassen: {why}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for paint along the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>Farbe entlang der Spur wird gesucht</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>kein Bild angenommen: {why}</translation>
+  </message>
+  <message>
+   <source>nothing was accepted that could be taken back</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>nichts Angenommenes, das zurückzunehmen wäre</translation>
+  </message>
+  <message>
+   <source>taken back: no frame is accepted</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>zurückgenommen: kein Bild ist angenommen</translation>
+  </message>
+  <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>kein Bild angenommen: zu wenig ihrer Linien ist zu sehen</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>Spur annehmen</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>Spur zurücknehmen</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild verfolgt, davon {doubtful:,} zweifelhaft (Alt+Bild ab); Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
+    <numerusform>{n:,} Bilder verfolgt, davon {doubtful:,} zweifelhaft (Alt+Bild ab); Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>following: {done} of {total} frames  ·  T stops</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation>Verfolgung: {done} von {total} Bildern  ·  T hält an</translation>
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild verfolgt, sicher; Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
+    <numerusform>{n:,} Bilder verfolgt, alle sicher; Strg+Umschalt+Eingabe nimmt die sicheren an</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>looking for the ends of the shot …  T stops</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation>die Enden der Einstellung werden gesucht …  T hält an</translation>
+  </message>
+  <message>
+   <source>the shot could not be followed: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation>der Einstellung ließ sich nicht folgen: {why}</translation>
+  </message>
+  <message>
+   <source>only a video, or frames that follow one another, can be followed</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation>nur einem Video oder aufeinanderfolgenden Bildern lässt sich folgen</translation>
+  </message>
+  <message>
+   <source>blind mode: no shot is followed, its cameras would be seen</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation>Blindmodus: keiner Einstellung wird gefolgt, ihre Kameras wären zu sehen</translation>
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation>kein Bild der Einstellung hat eine sichere Kamera: annotieren Sie eines, dann folgen Sie ihr</translation>
+  </message>
+  <message>
+   <source>stopped; what was followed so far stays</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation>angehalten; das bisher Verfolgte bleibt</translation>
+  </message>
+  <message>
+   <source>stopped; nothing was followed</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation>angehalten; nichts wurde verfolgt</translation>
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation>kein Bild nach diesem ist annotiert</translation>
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation>kein Bild nach diesem ist zweifelhaft</translation>
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation>kein Bild vor diesem ist zweifelhaft</translation>
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation>Blindmodus: wie gut die Spur ist, bleibt verborgen</translation>
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation>noch wurde keiner Einstellung gefolgt (T)</translation>
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation>diese Bilder folgen nicht aufeinander</translation>
   </message>
   <message>
    <source>Jaccard index of this frame at tau</source>
@@ -518,16 +6433,6 @@
    <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
    <translation>&lt;b&gt;blind&lt;/b&gt;: abgeben, um den JaC zu sehen</translation>
-  </message>
-  <message>
-   <source>camera unreadable</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Kamera unlesbar</translation>
-  </message>
-  <message>
-   <source>no camera here</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>hier keine Kamera</translation>
   </message>
   <message>
    <source>Three steps to a frame</source>
@@ -632,11 +6537,6 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>laden Sie einen zweiten Kamerasatz zum Vergleichen (Strg+L)</translation>
   </message>
   <message>
-   <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Ohne Geometrie</translation>
-  </message>
-  <message>
    <source>Ghost of {title}</source>
    <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
    <translation>Geist von {title}</translation>
@@ -667,11 +6567,6 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Hier teilen: der Rest wird</translation>
   </message>
   <message>
-   <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
-   <translation>Diesen Befund übergehen</translation>
-  </message>
-  <message>
    <source>Not visible here: take back</source>
    <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
    <translation>Hier nicht sichtbar: zurücknehmen</translation>
@@ -695,14 +6590,6 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <source>{title}, unconfirmed</source>
    <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
    <translation>{title}, unbestätigt</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} Punkt</numerusform>
-    <numerusform>{n} Punkte</numerusform>
-   </translation>
   </message>
   <message>
    <source>Annotate</source>
@@ -728,26 +6615,6 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Arbeitsplätze</translation>
   </message>
   <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Bilder</translation>
-  </message>
-  <message>
-   <source>Field map</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Feldkarte</translation>
-  </message>
-  <message>
-   <source>Elements</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Elemente</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Kameras</translation>
-  </message>
-  <message>
    <source>Scores</source>
    <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
    <translation>Bewertung</translation>
@@ -763,13 +6630,8 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Prüfung</translation>
   </message>
   <message>
-   <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Landmarken</translation>
-  </message>
-  <message>
    <source>Plots</source>
-   <extracomment>[procc_annotator/gui/window/docks.py, the action plots]</extracomment>
+   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/drawer.py, the action plots]</extracomment>
    <translation>Diagramme</translation>
   </message>
   <message>
@@ -781,6 +6643,16 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <source>Agreement</source>
    <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
    <translation>Übereinstimmung</translation>
+  </message>
+  <message>
+   <source>Open the plots below the picture</source>
+   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
+   <translation>Diagramme unter dem Bild öffnen</translation>
+  </message>
+  <message>
+   <source>Shut the plots</source>
+   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
+   <translation>Diagramme schließen</translation>
   </message>
   <message>
    <source>Find words in this page</source>
@@ -883,11 +6755,6 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Alle Tasten auf einmal</translation>
   </message>
   <message>
-   <source>Add</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Hinzufügen</translation>
-  </message>
-  <message>
    <source>Only these</source>
    <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
    <translation>Nur diese</translation>
@@ -901,16 +6768,6 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <source>Usual keys</source>
    <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
    <translation>Übliche Tasten</translation>
-  </message>
-  <message>
-   <source>Export…</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Exportieren…</translation>
-  </message>
-  <message>
-   <source>Import…</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Importieren…</translation>
   </message>
   <message>
    <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
@@ -1222,9 +7079,633 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>unerwarteter Fehler ({what}); im Terminal steht mehr</translation>
   </message>
   <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/writing.py]</extracomment>
-   <translation>öffnen Sie zuerst einen Ordner mit Bildern</translation>
+   <source>passes</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
+   <translation>besteht</translation>
+  </message>
+  <message>
+   <source>too far</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
+   <translation>zu weit</translation>
+  </message>
+  <message>
+   <source>annotated, not projected</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation>annotiert, nicht projiziert</translation>
+  </message>
+  <message>
+   <source>projected, not annotated</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation>projiziert, nicht annotiert</translation>
+  </message>
+  <message>
+   <source>ghost of an unsure camera</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation>Geist einer unsicheren Kamera</translation>
+  </message>
+  <message>
+   <source>ghost: expected here</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation>Geist: hier erwartet</translation>
+  </message>
+  <message>
+   <source>annotated, in its class's colour</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation>annotiert, in der Farbe seiner Klasse</translation>
+  </message>
+  <message>
+   <source>copied, to be confirmed</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation>kopiert, zu bestätigen</translation>
+  </message>
+  <message>
+   <source>projection</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation>Projektion</translation>
+  </message>
+  <message>
+   <source>second annotator</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation>zweiter Annotator</translation>
+  </message>
+  <message>
+   <source>choose an element first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/interact/draw_tool.py]</extracomment>
+   <translation>wählen Sie zuerst ein Element: Feldkarte, Liste oder Taste</translation>
+  </message>
+  <message>
+   <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
+   <extracomment>[procc_annotator/interact/edit_tool.py]</extracomment>
+   <translation>{title} ist festgehalten, damit kein Ausrutscher es bewegt: ziehen Sie seine Punkte, oder lösen Sie die Elemente (Strg+P, Menü Element), um es im Ganzen zu ziehen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} to go</source>
+   <extracomment>{n} to go / {n} to go [procc_annotator/interact/hand.py]</extracomment>
+   <translation>
+    <numerusform>noch {n}</numerusform>
+    <numerusform>noch {n}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>click, Enter and Esc do nothing yet</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick, Eingabe und Esc tun noch nichts</translation>
+  </message>
+  <message>
+   <source>choose an element: field map, list, its key or /</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>ein Element wählen: Feldkarte, Liste, Taste oder /</translation>
+  </message>
+  <message>
+   <source>Backspace takes back the last point</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Rücktaste nimmt den letzten Punkt zurück</translation>
+  </message>
+  <message>
+   <source>click marks it and goes on to {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick markiert es und geht weiter zu {title}</translation>
+  </message>
+  <message>
+   <source>Enter does nothing</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe tut nichts</translation>
+  </message>
+  <message>
+   <source>release drops it here</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Loslassen legt es hier ab</translation>
+  </message>
+  <message>
+   <source>click or drag a point, drag on empty ground to choose several</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>einen Punkt klicken oder ziehen, auf freiem Grund ziehen, um mehrere zu wählen</translation>
+  </message>
+  <message>
+   <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Pfeiltasten rücken {step:g} px, mit Umschalt {fine:g} px, Strg {far:g} px</translation>
+  </message>
+  <message>
+   <source>Drop a folder of pictures here, or open one with Ctrl+O</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Einen Ordner mit Bildern hierher ziehen, oder mit Strg+O öffnen</translation>
+  </message>
+  <message>
+   <source>Ctrl+Enter commits the frame and shows the projection</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Strg+Eingabe gibt das Bild ab und zeigt die Projektion</translation>
+  </message>
+  <message>
+   <source>GHOST {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>GEIST {title}</translation>
+  </message>
+  <message>
+   <source>GHOST the next one comes</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>GEIST der nächste kommt</translation>
+  </message>
+  <message>
+   <source>Esc goes back</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Esc geht zurück</translation>
+  </message>
+  <message>
+   <source>Tab goes on</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Tab geht weiter</translation>
+  </message>
+  <message>
+   <source>GHOST the next one comes in a moment</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>GEIST der nächste kommt gleich</translation>
+  </message>
+  <message numerus="yes">
+   <source>Tab: next of {n} ghosts</source>
+   <extracomment>Tab: next of {n} ghost / Tab: next of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
+   <translation>
+    <numerusform>Tab: nächster von {n} Geist</numerusform>
+    <numerusform>Tab: nächster von {n} Geistern</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Tab: first of {n} ghosts</source>
+   <extracomment>Tab: first of {n} ghost / Tab: first of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
+   <translation>
+    <numerusform>Tab: erster von {n} Geist</numerusform>
+    <numerusform>Tab: erster von {n} Geistern</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Enter accepts it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe nimmt ihn an</translation>
+  </message>
+  <message>
+   <source>. not visible here</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>. hier nicht sichtbar</translation>
+  </message>
+  <message>
+   <source>Shift+Enter: all</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Umschalt+Eingabe: alle</translation>
+  </message>
+  <message>
+   <source>or choose its element first: field map, list, its key or /</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>oder zuerst sein Element wählen: Feldkarte, Liste, Taste oder /</translation>
+  </message>
+  <message>
+   <source>DRAW</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>ZEICHNEN</translation>
+  </message>
+  <message numerus="yes">
+   <source>DRAW a line, {n} points</source>
+   <extracomment>DRAW a line, {n} point / DRAW a line, {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation>
+    <numerusform>ZEICHNEN eine Linie, {n} Punkt</numerusform>
+    <numerusform>ZEICHNEN eine Linie, {n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Enter or double-click finishes and asks its name</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe oder Doppelklick beendet und fragt nach dem Namen</translation>
+  </message>
+  <message numerus="yes">
+   <source>DRAW {title}, {n} points</source>
+   <extracomment>DRAW {title}, {n} point / DRAW {title}, {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation>
+    <numerusform>ZEICHNEN {title}, {n} Punkt</numerusform>
+    <numerusform>ZEICHNEN {title}, {n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Enter or double-click finishes</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe oder Doppelklick beendet</translation>
+  </message>
+  <message>
+   <source>click adds the second point and finishes</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick setzt den zweiten Punkt und beendet</translation>
+  </message>
+  <message>
+   <source>click adds a point</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick setzt einen Punkt</translation>
+  </message>
+  <message>
+   <source>DRAW {title}, unconfirmed</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>ZEICHNEN {title}, unbestätigt</translation>
+  </message>
+  <message>
+   <source>DRAW {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>ZEICHNEN {title}</translation>
+  </message>
+  <message>
+   <source>Enter does nothing yet</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe tut noch nichts</translation>
+  </message>
+  <message>
+   <source>Enter confirms it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe bestätigt es</translation>
+  </message>
+  <message numerus="yes">
+   <source>click continues it after its {n} points</source>
+   <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation>
+    <numerusform>Klick setzt es nach seinem {n} Punkt fort</numerusform>
+    <numerusform>Klick setzt es nach seinen {n} Punkten fort</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>click begins it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick beginnt es</translation>
+  </message>
+  <message>
+   <source>click moves it here and goes on to {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick verschiebt es hierher und geht weiter zu {title}</translation>
+  </message>
+  <message>
+   <source>Enter confirms {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe bestätigt {title}</translation>
+  </message>
+  <message numerus="yes">
+   <source>Esc lets go of {n} points</source>
+   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation>
+    <numerusform>Esc lässt den Punkt los</numerusform>
+    <numerusform>Esc lässt {n} Punkte los</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>EDIT</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>BEARBEITEN</translation>
+  </message>
+  <message>
+   <source>release chooses all points inside</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Loslassen wählt alle Punkte darin</translation>
+  </message>
+  <message>
+   <source>EDIT point {number} of {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>BEARBEITEN Punkt {number} von {title}</translation>
+  </message>
+  <message>
+   <source>release selects the element, which is pinned</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Loslassen wählt das Element, das festgehalten ist</translation>
+  </message>
+  <message>
+   <source>EDIT the element</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>BEARBEITEN das Element</translation>
+  </message>
+  <message>
+   <source>drag moves point {number} of {title}, Alt+Shift+click removes it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Ziehen bewegt Punkt {number} von {title}, Alt+Umschalt+Klick entfernt ihn</translation>
+  </message>
+  <message>
+   <source>click selects {title}, Alt+click inserts a point</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick wählt {title}, Alt+Klick fügt einen Punkt ein</translation>
+  </message>
+  <message>
+   <source>click does nothing: there are no points to edit, draw an element first</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick tut nichts: es gibt keine Punkte zu bearbeiten, zeichnen Sie zuerst ein Element</translation>
+  </message>
+  <message>
+   <source>click a point to drag it, beside it to let go</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>einen Punkt klicken, um ihn zu ziehen, daneben, um loszulassen</translation>
+  </message>
+  <message numerus="yes">
+   <source>Delete removes {n} points</source>
+   <extracomment>Delete removes the point / Delete removes {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation>
+    <numerusform>Entf entfernt den Punkt</numerusform>
+    <numerusform>Entf entfernt {n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>click begins it by hand</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick beginnt es von Hand</translation>
+  </message>
+  <message>
+   <source>BLIND</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>BLIND</translation>
+  </message>
+  <message numerus="yes">
+   <source>Enter accepts {n} points</source>
+   <extracomment>Enter accepts {n} point / Enter accepts {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation>
+    <numerusform>Eingabe nimmt {n} Punkt an</numerusform>
+    <numerusform>Eingabe nimmt {n} Punkte an</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Enter does nothing: no line is found along it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe tut nichts: keine Linie wird darauf gefunden</translation>
+  </message>
+  <message>
+   <source>click begins a line that is named after</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick beginnt eine Linie, die danach benannt wird</translation>
+  </message>
+  <message>
+   <source>an element's key names it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>die Taste eines Elements benennt sie</translation>
+  </message>
+  <message>
+   <source>Enter or double-click finishes and goes on to {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe oder Doppelklick beendet und geht weiter zu {title}</translation>
+  </message>
+  <message>
+   <source>Esc cancels</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Esc bricht ab</translation>
+  </message>
+  <message>
+   <source>Esc deselects</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Esc hebt die Auswahl auf</translation>
+  </message>
+  <message>
+   <source>click moves it here</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick verschiebt es hierher</translation>
+  </message>
+  <message>
+   <source>click marks it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick markiert es</translation>
+  </message>
+  <message>
+   <source>hold Ctrl to click beside the line</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Strg halten, um neben die Linie zu klicken</translation>
+  </message>
+  <message>
+   <source>Delete removes {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Entf entfernt {title}</translation>
+  </message>
+  <message>
+   <source>EDIT choosing points</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>BEARBEITEN Punkte wählen</translation>
+  </message>
+  <message numerus="yes">
+   <source>EDIT {n} points</source>
+   <extracomment>EDIT {n} point / EDIT {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation>
+    <numerusform>BEARBEITEN {n} Punkt</numerusform>
+    <numerusform>BEARBEITEN {n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>Esc takes the new point away</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Esc nimmt den neuen Punkt weg</translation>
+  </message>
+  <message>
+   <source>READ ONLY</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>NUR LESEN</translation>
+  </message>
+  <message>
+   <source>Enter and Esc do nothing yet</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe und Esc tun noch nichts</translation>
+  </message>
+  <message>
+   <source>Shift+Enter finishes and stays</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Umschalt+Eingabe beendet und bleibt</translation>
+  </message>
+  <message>
+   <source>Enter and Esc do nothing</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Eingabe und Esc tun nichts</translation>
+  </message>
+  <message>
+   <source>Esc gives up</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Esc gibt auf</translation>
+  </message>
+  <message>
+   <source>Esc lets go</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Esc lässt los</translation>
+  </message>
+  <message>
+   <source>Shift+Enter: accept all</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Umschalt+Eingabe: alle annehmen</translation>
+  </message>
+  <message>
+   <source>Disagreement</source>
+   <extracomment>[procc_annotator/interact/map_looks.py, the action disagreement]</extracomment>
+   <translation>Abweichung</translation>
+  </message>
+  <message>
+   <source>Uncertainty</source>
+   <extracomment>[procc_annotator/interact/map_looks.py]</extracomment>
+   <translation>Unsicherheit</translation>
+  </message>
+  <message>
+   <source>not annotated</source>
+   <extracomment>[procc_annotator/interact/palette.py]</extracomment>
+   <translation>nicht annotiert</translation>
+  </message>
+  <message>
+   <source>missed</source>
+   <extracomment>[procc_annotator/interact/palette.py]</extracomment>
+   <translation>verfehlt</translation>
+  </message>
+  <message>
+   <source>draw {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation>{title} zeichnen</translation>
+  </message>
+  <message>
+   <source>confirm {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation>{title} bestätigen</translation>
+  </message>
+  <message>
+   <source>move {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation>{title} verschieben</translation>
+  </message>
+  <message>
+   <source>move all of {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation>{title} ganz verschieben</translation>
+  </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interact/step_names.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt verschieben</numerusform>
+    <numerusform>{n} Punkte verschieben</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nudge {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation>{title} rücken</translation>
+  </message>
+  <message numerus="yes">
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interact/step_names.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt rücken</numerusform>
+    <numerusform>{n} Punkte rücken</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>insert a point in {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation>einen Punkt in {title} einfügen</translation>
+  </message>
+  <message>
+   <source>delete {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation>{title} löschen</translation>
+  </message>
+  <message>
+   <source>delete point {number} of {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation>Punkt {number} von {title} löschen</translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interact/step_names.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt löschen</numerusform>
+    <numerusform>{n} Punkte löschen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation>{title} fortsetzen</translation>
+  </message>
+  <message>
+   <source>no distance</source>
+   <extracomment>[procc_annotator/interact/verdicts.py]</extracomment>
+   <translation>kein Abstand</translation>
+  </message>
+  <message>
+   <source>fitted on these clicks</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>an diese Klicks angepasst</translation>
+  </message>
+  <message>
+   <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} stimmt: sein fernster Punkt, {number}, liegt {px} px daneben; es besteht bei tau &gt; {px}.</translation>
+  </message>
+  <message>
+   <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist zu weit: Punkt {number} liegt {px} px daneben; es besteht bei tau &gt; {px}.</translation>
+  </message>
+  <message>
+   <source>{title} (judged as {other}, labels mirrored)</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{title} (beurteilt als {other}, Klassen gespiegelt)</translation>
+  </message>
+  <message>
+   <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist verfehlt: es ist annotiert, aber die Kamera zeigt es nicht im Bild.</translation>
+  </message>
+  <message>
+   <source>{element} is not annotated, but the camera shows it: a false positive.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist nicht annotiert, aber die Kamera zeigt es: falsch positiv.</translation>
+  </message>
+  <message>
+   <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist zu weit: Punkt {number} hat keinen Abstand, weil die Projektion dort zusammenfallende Stützpunkte hat; es besteht bei keinem tau.</translation>
+  </message>
+  <message>
+   <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>So, wie es jenseits des Bildes weitergeht, liegt es höchstens {px} px daneben, aber soccernet misst nur bis zu dem, was im Bild ist.</translation>
+  </message>
+  <message>
+   <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist verfehlt: es ist annotiert, aber das Feld hat kein solches Element zu projizieren.</translation>
+  </message>
+  <message>
+   <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} ist verfehlt: es ist annotiert, aber es verlässt den Boden, und die Kamera kennt nur den Boden.</translation>
+  </message>
+  <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>An die Klicks jedes Bildes angepasst; nichts davon ist in einer Datei</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>noch keine Anpassung von {frame}</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>die Farbe liegt {px:.1f} px neben den Linien</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>Durch die Einstellung verfolgt; nichts davon ist in einer Datei</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>hier keine Spur: {why}</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py, procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>keine Kamera wurde gefunden</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>durch die Bewegung des Bildes weitergeführt, nicht auf Farbe gemessen</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>bisher nicht verfolgt</translation>
   </message>
   <message>
    <source>what was saved elsewhere</source>
@@ -1242,14 +7723,159 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>wie vorgefunden</translation>
   </message>
   <message>
-   <source>taken back</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>zurückgenommen</translation>
-  </message>
-  <message>
    <source>saved</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>gespeichert</translation>
+  </message>
+  <message>
+   <source>untouched</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>unberührt</translation>
+  </message>
+  <message>
+   <source>in progress</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>in Arbeit</translation>
+  </message>
+  <message>
+   <source>done</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>fertig</translation>
+  </message>
+  <message>
+   <source>approved</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>freigegeben</translation>
+  </message>
+  <message>
+   <source>rejected</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>zurückgewiesen</translation>
+  </message>
+  <message>
+   <source>clicked</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>geklickt</translation>
+  </message>
+  <message>
+   <source>snapped</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>eingerastet</translation>
+  </message>
+  <message>
+   <source>regularised</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>begradigt</translation>
+  </message>
+  <message>
+   <source>copied</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>kopiert</translation>
+  </message>
+  <message>
+   <source>moved</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>verschoben</translation>
+  </message>
+  <message>
+   <source>accepted suggestion</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>angenommener Vorschlag der Anpassung</translation>
+  </message>
+  <message>
+   <source>proposed</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>vorgeschlagen</translation>
+  </message>
+  <message>
+   <source>accepted proposal</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>angenommener Vorschlag</translation>
+  </message>
+  <message>
+   <source>unconfirmed by paint</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>nicht durch Farbe bestätigt</translation>
+  </message>
+  <message>
+   <source>from the file</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation>aus der Datei</translation>
+  </message>
+  <message>
+   <source>camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
+   <translation>Kamera</translation>
+  </message>
+  <message>
+   <source>annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
+   <translation>Annotation</translation>
+  </message>
+  <message>
+   <source>fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
+   <translation>in Ordnung</translation>
+  </message>
+  <message>
+   <source>camera fault</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
+   <translation>Fehler der Kamera</translation>
+  </message>
+  <message>
+   <source>annotation fault</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
+   <translation>Fehler der Annotation</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} wurde vermessen: der Ort bleibt, wie er ist</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} bewegt sich: seine Orte gelten je für einen Augenblick</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>seine Kamera ist kaum bestimmt: {what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>keine Kamera in {frame} ({why}), und {count} weiteren</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>keine Kamera in {frame} ({why})</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>vermessen: bleibt, wie sie ist</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -1482,6 +8108,16 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Den gewählten Punkt entfernen; ohne einen das gewählte Element</translation>
   </message>
   <message>
+   <source>Insert point</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>Punkt einfügen</translation>
+  </message>
+  <message>
+   <source>Put a point on the line at the crosshair, or at the mouse (Alt and a click do it, too)</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>Einen Punkt auf die Linie am Fadenkreuz setzen, oder an der Maus (Alt und ein Klick tun es auch)</translation>
+  </message>
+  <message>
    <source>Choose all points</source>
    <extracomment>[the action select_all]</extracomment>
    <translation>Alle Punkte wählen</translation>
@@ -1490,11 +8126,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>Choose all points of the selected element, or of the frame</source>
    <extracomment>[the action select_all]</extracomment>
    <translation>Alle Punkte des gewählten Elements wählen, oder alle des Bildes</translation>
-  </message>
-  <message>
-   <source>Cancel</source>
-   <extracomment>[the action cancel]</extracomment>
-   <translation>Abbrechen</translation>
   </message>
   <message>
    <source>Drop the points just clicked, then let go of the selection</source>
@@ -1730,21 +8361,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>Mend the current finding: relabel, swap, remove the bad point, or look at it</source>
    <extracomment>[the action apply_remedy]</extracomment>
    <translation>Den aktuellen Befund beheben: umbenennen, tauschen, den falschen Punkt entfernen, oder ansehen</translation>
-  </message>
-  <message>
-   <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[the action ignore_finding]</extracomment>
-   <translation>Ihn nicht mehr zeigen, bis sich die Punkte seiner Elemente ändern</translation>
-  </message>
-  <message>
-   <source>Check the whole set</source>
-   <extracomment>[the action check_set]</extracomment>
-   <translation>Ganzen Satz prüfen</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[the action check_set]</extracomment>
-   <translation>In jedem annotierten Bild nach falschen Klassen suchen</translation>
   </message>
   <message>
    <source>Next without annotation</source>
@@ -2282,11 +8898,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Den Geist zum Element machen: Punkte auf seiner gemalten Linie, keine, wo sie verdeckt ist (Eingabe)</translation>
   </message>
   <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[the action accept_ghosts]</extracomment>
-   <translation>Alle Geister annehmen</translation>
-  </message>
-  <message>
    <source>Accept all ghosts whose painted lines are seen well enough (Shift+Enter while nothing is being drawn)</source>
    <extracomment>[the action accept_ghosts]</extracomment>
    <translation>Alle Geister annehmen, deren gemalte Linien gut genug zu sehen sind (Umschalt+Eingabe, solange nichts gezeichnet wird)</translation>
@@ -2387,11 +8998,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Verkleinern (das Mausrad tut es am Mauszeiger)</translation>
   </message>
   <message>
-   <source>Pan</source>
-   <extracomment>[the action pan]</extracomment>
-   <translation>Verschieben</translation>
-  </message>
-  <message>
    <source>The left button moves the picture (or hold Space, or the middle button); Esc ends it</source>
    <extracomment>[the action pan]</extracomment>
    <translation>Die linke Taste bewegt das Bild (oder Leertaste halten, oder mittlere Taste); Esc beendet es</translation>
@@ -2430,11 +9036,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>Colours say how the camera is judged</source>
    <extracomment>[the action colour_criterion]</extracomment>
    <translation>Farben sagen, wie die Kamera beurteilt wird</translation>
-  </message>
-  <message>
-   <source>Class</source>
-   <extracomment>[the action colour_class, the setting colour_by]</extracomment>
-   <translation>Klasse</translation>
   </message>
   <message>
    <source>Every element in its own colour</source>
@@ -2492,6 +9093,16 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Die Lupe am Mauszeiger behalten (oder Z halten; sie kommt auch beim Ziehen eines Punktes)</translation>
   </message>
   <message>
+   <source>Legend in the picture</source>
+   <extracomment>[the action legend, the setting legend]</extracomment>
+   <translation>Legende im Bild</translation>
+  </message>
+  <message>
+   <source>What the colours, dashes and marks over the picture mean, in its corner; it gives way to the hand</source>
+   <extracomment>[the action legend, the setting legend]</extracomment>
+   <translation>Was die Farben, Striche und Zeichen über dem Bild bedeuten, in seiner Ecke; sie weicht der Hand</translation>
+  </message>
+  <message>
    <source>Turn the field map to the camera</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
    <translation>Feldkarte zur Kamera drehen</translation>
@@ -2512,9 +9123,9 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Unter dem Bild: bei einem Video oder aufeinanderfolgenden Bildern, wie gut ihre Kameras sind und wo annotiert ist; bei anderen kleine Bilder mit ihrem Zustand</translation>
   </message>
   <message>
-   <source>Errors and JaC of the frame or the set as plots, of all shown sources</source>
+   <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
    <extracomment>[the action plots]</extracomment>
-   <translation>Fehler und JaC des Bildes oder des Satzes als Diagramme, für alle gezeigten Quellen</translation>
+   <translation>Fehler und JaC des Bildes oder des Satzes als Diagramme, für alle gezeigten Quellen, in einer Lade unter dem Bild; noch einmal schließt sie</translation>
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -2667,11 +9278,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Links einer Trennlinie die aktive Quelle zeichnen, rechts die verglichene</translation>
   </message>
   <message>
-   <source>Disagreement</source>
-   <extracomment>[the action disagreement]</extracomment>
-   <translation>Abweichung</translation>
-  </message>
-  <message>
    <source>How many metres apart the active and the compared source see each pixel on the ground</source>
    <extracomment>[the action disagreement]</extracomment>
    <translation>Wie viele Meter die aktive und die verglichene Quelle jedes Pixel am Boden auseinander sehen</translation>
@@ -2737,11 +9343,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Nur kleinere Abstände zulassen</translation>
   </message>
   <message>
-   <source>Protocol</source>
-   <extracomment>[the menus, the setting protocol]</extracomment>
-   <translation>Protokoll</translation>
-  </message>
-  <message>
    <source>soccernet</source>
    <extracomment>[the action protocol_soccernet]</extracomment>
    <translation>soccernet</translation>
@@ -2775,11 +9376,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>Goals, baskets and nets that a homography cannot project count against it</source>
    <extracomment>[the action off_plane_missed]</extracomment>
    <translation>Tore, Körbe und Netze, die eine Homographie nicht projizieren kann, zählen gegen sie</translation>
-  </message>
-  <message>
-   <source>Leave out</source>
-   <extracomment>[the action off_plane_left_out, the setting off_plane]</extracomment>
-   <translation>Auslassen</translation>
   </message>
   <message>
    <source>Goals, baskets and nets that a homography cannot project are not counted</source>
@@ -2950,11 +9546,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>How cameras are judged: as the official evaluation does, quirks included, or by the paper's definition</source>
    <extracomment>[the setting protocol]</extracomment>
    <translation>Wie Kameras beurteilt werden: wie in der offiziellen Auswertung samt Eigenheiten, oder nach der Definition der Veröffentlichung</translation>
-  </message>
-  <message>
-   <source>soccernet (official)</source>
-   <extracomment>[the setting protocol]</extracomment>
-   <translation>soccernet (offiziell)</translation>
   </message>
   <message>
    <source>procc (the paper's)</source>

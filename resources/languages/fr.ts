@@ -15,17 +15,17 @@
   </message>
   <message>
    <source>Frame</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/context_menu.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
    <translation>Image</translation>
   </message>
   <message>
    <source>Element</source>
-   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/elements.py]</extracomment>
    <translation>Élément</translation>
   </message>
   <message>
    <source>View</source>
-   <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
+   <extracomment>[procc_annotator/gui/actions.py, procc_annotator/gui/tasks/field/view_dialog.py, the menus]</extracomment>
    <translation>Affichage</translation>
   </message>
   <message>
@@ -103,7 +103,7 @@
   </message>
   <message>
    <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/poses.py]</extracomment>
    <translation>déplacer</translation>
   </message>
   <message>
@@ -183,7 +183,7 @@
   </message>
   <message>
    <source>Arrows</source>
-   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
+   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/residuals.py]</extracomment>
    <translation>Flèches</translation>
   </message>
   <message>
@@ -398,7 +398,7 @@
   </message>
   <message>
    <source>{text}.</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/judged/fit.py]</extracomment>
    <translation>{text}.</translation>
   </message>
   <message>
@@ -408,7 +408,7 @@
   </message>
   <message>
    <source>Delete</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/landmarks.py]</extracomment>
    <translation>Supprimer</translation>
   </message>
   <message>
@@ -470,6 +470,2791 @@
    <translation>Cette image n’est pas modifiable. {problem}</translation>
   </message>
   <message>
+   <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Apart: the two share (almost) no stretch of this element, which is no agreement. Was its class swapped with a neighbour's?</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} clicks compared</source>
+   <extracomment>{n:,} click compared / {n:,} clicks compared [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{part} of {total}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>apart</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{compared}, {n} left out: beyond the ends of what the other clicked</source>
+   <extracomment>{compared}, {n} left out: beyond the ends of what the other clicked / {compared}, {n} left out: beyond the ends of what the other clicked [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Distances by element</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Close the second annotator</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Measuring the set…</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No element is annotated by both in any frame.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames unreadable, not compared</source>
+   <extracomment>{n:,} frame unreadable, not compared / {n:,} frames unreadable, not compared [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Median</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Points</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The second annotator's file for this frame is unreadable: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The second annotator has nothing for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>One of the two seems to label the field turned by 180 degrees.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Apart: {elements}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Only here: {elements}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Only there: {elements}</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} clicks beyond the other's ends, left out</source>
+   <extracomment>{n:,} click beyond the other's ends, left out / {n:,} clicks beyond the other's ends, left out [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Nothing to measure noise by: all elements annotated by both are apart.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>Human noise over {n:,} frames: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height})</source>
+   <extracomment>Human noise over {n:,} frame: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height}) / Human noise over {n:,} frames: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height}) [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>and {n} more</source>
+   <extracomment>and {n} more / and {n} more [procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Source to compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Held against the active source: comma, split view, disagreement</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Compare with</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>min</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>median</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>max</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Between the two points on the ground that a pixel means</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>From a pixel to where the compared camera shows its ground point</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>on the ground, m</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>in the picture, px</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>soccernet (official)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the setting protocol]</extracomment>
+   <translation>soccernet (officiel)</translation>
+  </message>
+  <message>
+   <source>procc (paper)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>count as missed</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>are left out</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Cameras ({endings});;All files (*)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No cameras loaded.
+Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Load folder…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>A folder with one camera file a frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Load file…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>A zip archive of cameras, or the camera of one frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How the files loaded next are read</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>soccernet: the official evaluation with its quirks
+procc: the paper's definition, closed circles and fine curves</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>A homography knows the ground only: how posts and crossbars count for it</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Read as</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Protocol</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, the menus, the setting protocol]</extracomment>
+   <translation>Protocole</translation>
+  </message>
+  <message>
+   <source>Off the ground</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Load a folder of cameras</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Load cameras</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>This frame: {notice}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>⚠ This frame's camera cannot be used: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Blind: the projection is hidden until this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames of this dataset that have a camera (completeness)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
+procc-annotator calibrate fits and scores the whole set</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames of this dataset that were followed through their shot and have a camera.
+procc-annotator track follows a whole video and writes its cameras</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames</source>
+   <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Mean JaC at {tau:.1f} px over {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Unreadable (filter camera:unreadable): {names}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{matched} of {total}, {n} unreadable</source>
+   <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>no camera</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>pas de caméra</translation>
+  </message>
+  <message>
+   <source>Judge nothing, draw no camera</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frames} so far</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{mean}; {n:,} cameras cannot be read and take no part</source>
+   <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{model} (ground)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{model} here, several models</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames followed</source>
+   <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames fitted</source>
+   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{n} of {total} ({share})</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{names} and {n:,} more</source>
+   <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>cannot be used here: {error}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no camera for this frame</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Blind mode hides how the sources do</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No frame has both annotated elements and a camera of this source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} cameras</source>
+   <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>several models</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Yellow</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Violet</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Blue</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mint</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Navy</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Cyan</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Switch the live fit off (Ctrl+T switches it on again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Remove from the list; the files stay</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Forget what was followed (T follows the shot again)</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Name of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Draw as a wireframe while another source is judged</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Judge against {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Remove {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Draw {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Colour of {name}</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Other…</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Colour of the source</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Double-click or F2 gives it another name</source>
+   <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Without geometry</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>Sans géométrie</translation>
+  </message>
+  <message>
+   <source>Unknown to the field (unknown classes)</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Find an element</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Elements</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Éléments</translation>
+  </message>
+  <message>
+   <source>Annotated points</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title}
+Class in files: {name}</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No element matches “{query}”.
+Esc clears the search.</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Key</source>
+   <comment>keyboard</comment>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Pts</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Status</source>
+   <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/score_table.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Field map</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/panel.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Plan du terrain</translation>
+  </message>
+  <message>
+   <source>The arrows choose elements</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Click an element to choose its class</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Findings</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Which findings are listed</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Check the whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
+   <translation>Vérifier tout le jeu</translation>
+  </message>
+  <message>
+   <source>Look for wrong labels in every annotated frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action check_set]</extracomment>
+   <translation>Chercher les mauvaises classes dans toutes les images annotées</translation>
+  </message>
+  <message>
+   <source>Frames checked</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Stop</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Export…</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Exporter…</translation>
+  </message>
+  <message>
+   <source>Write the findings of all checked frames as CSV</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} more are not listed: switch the signs above on.</source>
+   <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Do not show it again until the points of its elements change</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
+   <translation>Ne plus le montrer tant que les points de ses éléments ne changent pas</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} errors</source>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} warnings</source>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} hints</source>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Whole set</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{findings}; click to list them or not</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
+   <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/panel.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Ignore this finding</source>
+   <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
+   <translation>Ignorer ce constat</translation>
+  </message>
+  <message>
+   <source>Error</source>
+   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Warning</source>
+   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Hint</source>
+   <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Nothing found in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>Nothing found in {n:,} frames.</source>
+   <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>No frames.
+Open a folder of pictures to check their labels.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Nothing is annotated in this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Nothing found by the rules that need no camera.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>Nothing found but {n:,} ignored findings.</source>
+   <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The live fit is off: only the rules that need no camera are looked at.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Blind: only committed frames are checked with a camera.</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
+   <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>The set is not checked yet; {n:,} frames looked at so far.</source>
+   <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Checking this frame…</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Checking the set…</source>
+   <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} open</source>
+   <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} elements</source>
+   <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>⚠ unreadable</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>⚠ camera</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>not annotated</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>● not saved</source>
+   <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>all done</source>
+   <extracomment>[procc_annotator/gui/panels/frames/folder_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} done</source>
+   <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>the picture cannot be read</source>
+   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>mean JaC {jac:.3f}</source>
+   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>folded</source>
+   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>unfolded</source>
+   <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Filter frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/panels/frames/panel.py, procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation>Images</translation>
+  </message>
+  <message>
+   <source>No frames.
+Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Nothing matches “{query}”.</source>
+   <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} folders</source>
+   <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/panel.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{model}. Chosen: {why}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{passing} of {n:,} annotated elements within {px:g} px</source>
+   <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{counted}; {n} in sight not annotated yet</source>
+   <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Elements in sight that are not annotated count against the JaC</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Hardly determined: {limits}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What is fitted. Automatically: the simplest model that the clicks support</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Model</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean distance of the points that had a say, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Residuals by element</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Save as the frame's camera</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Open a folder of pictures to see the camera its clicks give.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The live fit is off (Ctrl+T).</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Hidden: blind mode shows the fit once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No camera yet: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Fitting the clicks…</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No fit.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>JaC at {tau:.1f} px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation, as the fit estimates it</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>mean residual</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Largest</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Worst first; a click shows the worst point</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Largest distance of its points to the fitted element, px of the picture</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>✕ left out: {title}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title}: mean {mean} px, largest {largest} px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Pan</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py, the action pan]</extracomment>
+   <translation>Déplacer la vue</translation>
+  </message>
+  <message>
+   <source>Tilt</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Roll</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Focal length</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Along (x)</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Across (y)</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Height (−z)</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Taken for a mistake: it had no say in the fit</source>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>tau (px)</source>
+   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Point</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Worst</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Passes at</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Click a row to see the point that decides</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How the element counts at tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The point that decides, counted from 1</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Largest distance of its points to the projection, px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The smallest tau of the slider at which it passes, px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Scores by element</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Counts as {class_name}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Choose an element to read why it counts as it does.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Precision</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Recall</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean error</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean reprojection error of all points, px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Median reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Max</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Largest reprojection error, px</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{name} has no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>points: {kinds}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Scores and their plot</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copy this explanation</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copy all explanations</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Open a folder of pictures to see scores.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No camera to judge.
+Load cameras to see how well they agree with your clicks.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Hidden: blind mode shows the score once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>JaC –: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>This frame's camera cannot be used:
+{error}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No fit to judge: {why}.</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Elements whose points all are closer than tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Elements too far, or projected and not annotated</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotated elements that the camera does not project</source>
+   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The active camera is wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The clicks are wrong in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Camera and clicks are right in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Fault</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Whose fault the score of this frame is; kept with the dataset</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Verdict: {verdict}</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{verdict}; once more takes it back ({key})</source>
+   <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Find its place from the views it is clicked in; cameras are those of the active source, else fits to the clicks</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Other views of this instant</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No other views</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Its place cannot be brought back with undo. Clicks on it stay in the annotations.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Landmark</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Views</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Triangulated from {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title} is clicked in no frame yet: click it in two calibrated views to have it triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Its place is not known yet</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Surveyed</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/docks.py]</extracomment>
+   <translation>Repères</translation>
+  </message>
+  <message>
+   <source>New landmark</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Add</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/panels/review.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Ajouter</translation>
+  </message>
+  <message>
+   <source>Have a new landmark, to be clicked (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What people call it</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>x, y, z in metres, z down</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Set</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The place was measured: it stays as it is from now on (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Triangulate</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Forget this landmark; clicks on it stay in the annotations</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Other views of this instant: go to one with a click</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation in the direction where it is largest</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{name} is being triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{why}. Delete the landmark and name it again to have it triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Looking for the frames in which {title} is clicked…</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title} is clicked in {frame} alone: click it in another calibrated view to have it triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Choose a landmark in the list to have it triangulated.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Only a landmark that has a name can be triangulated: write one beside Add.</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{names} and {n} more</source>
+   <extracomment>{names} and {n} more / {names} and {n} more [procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Title</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Place</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Not clicked in any frame yet</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Triangulating…</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>a landmark needs a name: write one beside Add</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>deleted the landmark {title}; clicks on it stay in the annotations</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the landmark {title}</source>
+   <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Share</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Median time</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Total time</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Where the frame is in its life</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How many frames have this status</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Of all frames</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Of the frames that somebody worked on</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Of all frames with this status</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, the action colour_class, the setting colour_by]</extracomment>
+   <translation>Classe</translation>
+  </message>
+  <message>
+   <source>An element of the field, or another class that occurs</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How many frames it is annotated in</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Its points in all frames</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points</source>
+   <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Overview of the set</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Export CSV…</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Write one row a frame to a table for a spreadsheet</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Share of frames that are done or approved</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames by status</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames and points by class</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>frames, {points}</source>
+   <extracomment>frame, {points} / frames, {points} [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>done or approved</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>a frame (median)</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>median JaC of {n:,}</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>of {n:,} comments open</source>
+   <extracomment>of {n:,} comment open / of {n:,} comments open [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>In {n:,} frames</source>
+   <extracomment>In {n:,} frame / In {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Nothing to sum up: no frames are open.
+Open a folder of pictures first.</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Points by origin: {origins}</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>on {n:,} frames</source>
+   <extracomment>on {n:,} frame / on {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>no time taken yet</source>
+   <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Time per frame in hours</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Time per frame in minutes</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Time per frame in seconds</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No frames</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Elements per frame</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Time per frame</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No time yet: it is taken while somebody works on a frame</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{caption}; last bar: longer</source>
+   <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{hours:,} h {minutes:02d} min</source>
+   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{seconds:.1f} s</source>
+   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{seconds} s</source>
+   <extracomment>[procc_annotator/gui/panels/overview/tables.py, procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{minutes} min {seconds:02d} s</source>
+   <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Nobody has edited this frame here</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Begun, not done</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The annotator is done (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>A reviewer found it right (Ctrl+Shift+A)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>A reviewer sent it back (Ctrl+Shift+X)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Committed in blind mode, and as it was then.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Edited after the cameras were shown.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Committed in blind mode by {author}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{minutes}:{seconds:02d} min</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Time worked on this frame; pauses over 30 s do not count</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How the points of this frame came to be</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Comments</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No comments on this frame.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Comment on this frame</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Add the comment to the thread (Enter)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Open a folder of pictures first.</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Points: {kinds}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Points: none</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>to be confirmed (Shift+V): {n:,} copied elements</source>
+   <extracomment>to be confirmed (Shift+V): {n:,} copied element / to be confirmed (Shift+V): {n:,} copied elements [procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Ticked: settled</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>somebody</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/set_edits.py, procc_annotator/gui/state/state.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>annotated</source>
+   <extracomment>[procc_annotator/gui/panels/states.py, procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>unconfirmed</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>not visible</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>next</source>
+   <comment>element</comment>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Not annotated in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copied; it does not count until it is touched or confirmed</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Passes: all its points are closer than tau to the projection</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Too far: at least one point is tau or more away (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The camera projects it, it is not annotated (false positive)</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotated, the camera does not project it (false negative)</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Somebody said that it cannot be seen in this frame</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>To be annotated next, as on the field map and in the picture</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title} (unknown class)</source>
+   <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The picture cannot be shown</source>
+   <extracomment>[procc_annotator/gui/picture/annotation_preview.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Blind: no camera is shown before Ctrl+Enter</source>
+   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Blind mode, this frame is committed</source>
+   <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no camera is known here that could be dragged</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>taken back: the camera is as before it was dragged</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind mode: no camera is shown</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>overlays are hidden (Ctrl+H)</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>a homography cannot be turned: choose another model (panel Fit)</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>release leaves it here</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Esc puts it back</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs hold the camera</source>
+   <extracomment>{n} peg hold the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>CAMERA</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>peg taken away: {n} pegs left</source>
+   <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>peg taken away: the camera is as it was found</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>peg</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>press on a line of the wireframe</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>drag moves this peg</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click takes it away</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>drag a place of the wireframe to where it belongs</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>drag {title} to where it belongs: the camera follows</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>PAN</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>drag moves the picture</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click and Enter do nothing</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Esc takes the tool again</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py]</extracomment>
+   <translation>Image</translation>
+  </message>
+  <message>
+   <source>load a second set of cameras to blink between two (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>camera unreadable</source>
+   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>caméra illisible</translation>
+  </message>
+  <message>
+   <source>no camera here</source>
+   <extracomment>[procc_annotator/gui/picture/comparison.py, procc_annotator/gui/window/camera_bar.py]</extracomment>
+   <translation>pas de caméra ici</translation>
+  </message>
+  <message>
+   <source>{titles}: changed elsewhere, look again first</source>
+   <extracomment>[procc_annotator/gui/picture/editor.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title} has no points in this frame: choose the element to delete</source>
+   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points on {frame}</source>
+   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>choose the element to delete first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} points of {title}</source>
+   <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>finished {title} with {n} points</source>
+   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} pegs</source>
+   <extracomment>{n} peg / {n} pegs [procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}, not made exact: {why}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Camera found, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Camera of the track: Shift+Enter accepts its elements</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Looking for the camera in the picture …</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No camera found: {why}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Camera found, sure: {why}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Camera dragged, {pegs}: its lines are looked for …</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Camera of the track, unsure: {why}</source>
+   <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title}  ±{sd:.1f} px  unsure</source>
+   <extracomment>[procc_annotator/gui/picture/ghost_layer.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>next: {title}</source>
+   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How good the fitted camera is</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How good the fitted camera ({model}) is</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{metres:g} m, asked of offside technology</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>metres on the ground, 1 sd, median {median:.2f}</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>metres on the ground</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
+   <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Drag to move the divider (arrow keys do it too)</source>
+   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Divider of the split view</source>
+   <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>JaC over tau, differences</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No frame that two of the shown sources have is scored yet.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>JaC over the frames</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No scores yet. They are computed in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{name} less each other source, on the frames both have. Beyond chance where the 95 % band lies beside 0; {drawn}.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>One source alone has nothing to be compared with.
+Load or show another one.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>JaC, difference</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>frame</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Each curve is the mean of the frames that source has a camera for.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Shaded: 95 % bands, {drawn}.</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>tau {px:.1f} px</source>
+   <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Errors, as a histogram</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Errors, by image radius</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} points without a distance left out.</source>
+   <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Dots: {painted:,} of {n:,} points, the largest errors among them.</source>
+   <extracomment>Dots: {painted:,} of {n:,} point, the largest errors among them. / Dots: {painted:,} of {n:,} points, the largest errors among them. [procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>reprojection error (px)</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>points</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The last bar holds all larger errors.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{px:g} px or more</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{name} {part:,} of {total:,}</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>distance from the centre (corner = 1)</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No point of {element} in this frame.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No point of {element} so far.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects in this frame.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No annotated point that a shown source projects so far.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Lines: running median of all points.</source>
+   <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Sources: {names}</source>
+   <extracomment>[procc_annotator/gui/plots/legend.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>({n:,} of {total:,})</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>All elements</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copy or save the plot and its numbers</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copy or save the plot</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Plot</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Plot the frame on screen, or all frames scored so far</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Plot the points of one element only</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Open a folder of pictures to see plots.</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>This plot could not be computed: {error}.</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>({n:,} committed)</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copy picture</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copy numbers</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Save picture…</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Save numbers…</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Computing…</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>(hidden)</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>(no score)</source>
+   <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Pan, tilt, roll, zoom over the frames</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position over the frames</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>tilt</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>roll</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>focal</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>height</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No poses yet. They are gathered in the background, frame by frame.</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The shown sources are of models without a pose (homographies, projections alone).</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{name}: {n:,} jumps (rings).</source>
+   <extracomment>{name}: {n:,} jump (rings). / {name}: {n:,} jumps (rings). [procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{name}: its model has no pose.</source>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
+   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Hidden: blind mode shows this plot once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Shots are told by names, since {error}.</source>
+   <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Residuals over the picture</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Residuals, by direction</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{px:.2f} px right</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{px:.2f} px left</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{px:.2f} px down</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{px:.2f} px up</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>automatic</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>to the right (px)</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>down (px)</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Median of clicks to projection: {ways}.</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Too few points so far: five in a part of the picture make an arrow.</source>
+   <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No three frames in a row have a camera that goes from one to the next.</source>
+   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Jitter over the frames</source>
+   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>How far each frame is from steady motion between its neighbours.</source>
+   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>jitter (px)</source>
+   <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Picture (*.png);;Vector graphics (*.svg)</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py, procc_annotator/gui/tasks/files/overview_command.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the plotted numbers are on the clipboard</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Save the plot</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>wrote {path}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>wrote {path}</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the plot is on the clipboard as a picture</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>there is nothing plotted to take along</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frames}, as far as scored</source>
+   <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Fit and ghosts</source>
    <extracomment>[procc_annotator/gui/settings.py, the setting fit_model, the setting ghost_support]</extracomment>
    <translation>Ajustement et fantômes</translation>
@@ -480,14 +3265,2534 @@
    <translation>Annotation</translation>
   </message>
   <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/settings.py, procc_annotator/gui/window/rail.py, the setting evidence]</extracomment>
-   <translation>Image</translation>
+   <source>{who} unlocked this dataset from blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>pas de caméra</translation>
+   <source>{reason}: there is no live fit in it</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Somebody</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{who} locked this dataset to blind mode on {day}</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>This dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{reason}: menu Frame unlocks it, which is recorded</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>open a folder of pictures first</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py, procc_annotator/gui/state/editing.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>ouvrez d’abord un dossier d’images</translation>
+  </message>
+  <message>
+   <source>this dataset is locked to blind mode</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>this dataset is not locked to blind mode any more</source>
+   <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix</source>
+   <extracomment>[procc_annotator/gui/state/camera_sources.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>load one of its folders: {names}</source>
+   <extracomment>[procc_annotator/gui/state/camera_sources.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{names}: no camera for this frame.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{a} and {b}</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The two see no part of the field in common in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Both cameras are the same in this frame.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Blind: hidden until this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No source is judged: choose one first.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Two sources of cameras are needed: load another one.</source>
+   <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked after that is no blind work</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frame} is done</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nothing to undo on this frame</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>undo once more takes that away</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frame} was changed elsewhere and read again: {so}</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>unconfirmed elements do not count: {count}</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>undone: {step}</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>redone: {step}</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frame} was changed elsewhere: read again</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nothing is undone</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nothing is redone</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nothing to redo on this frame</source>
+   <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
+   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>field: {field}</source>
+   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>this dataset's field from now on: {field}</source>
+   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>this dataset's field from now on, {reach}: {field}</source>
+   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no other field knows the classes here better</source>
+   <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>every frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>every frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title}: its line could not be looked for: {why}</source>
+   <extracomment>[procc_annotator/gui/state/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
+   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title} was deleted meanwhile: its place was not kept</source>
+   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>left out: {names}</source>
+   <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the dataset's landmarks stay as they were: {why}</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the dataset's landmarks are not used: {why}</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the dataset's landmarks can be used again</source>
+   <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the live fit is off</source>
+   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the fit failed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
+   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>not everything is saved yet: the other dataset was not opened</source>
+   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>not everything is saved yet: the video was not opened</source>
+   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nothing is open</source>
+   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the field of this dataset: {field}</source>
+   <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>cameras of {name} changed: {why}</source>
+   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>cameras of {name} changed on disk: read again</source>
+   <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the painted width cannot be drawn: {why}</source>
+   <extracomment>[procc_annotator/gui/state/painted_width.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frame} was {status} and is in progress again</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>for you alone: the dataset's folder cannot be written</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frame} is {status} again</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frame} was {status} and is in progress again: edited after the cameras were shown, it is no blind work any more</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>in this window only: nothing can be written</source>
+   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>not saved: {why}</source>
+   <extracomment>[procc_annotator/gui/state/saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>no class of this field: {n} labels ({names})</source>
+   <extracomment>no class of this field: {n} label ({names}) / no class of this field: {n} labels ({names}) [procc_annotator/gui/state/second.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{path}: holds no annotation (*.json)</source>
+   <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>second annotator: {why}</source>
+   <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>it holds the same already</source>
+   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>it is annotated already</source>
+   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{who} is editing it</source>
+   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>it cannot be edited</source>
+   <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path}: no cameras in it ({what_to_do})</source>
+   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
+   <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{who} is editing it; it opens by itself once they leave it</source>
+   <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nothing annotated yet</source>
+   <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{who} on {machine}</source>
+   <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>annotation cannot be read</source>
+   <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The fitted camera sees no part of the field.</source>
+   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
+   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There is no fit of this frame, so no uncertainty map.</source>
+   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No camera yet, so no uncertainty map: {why}.</source>
+   <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames as small pictures</source>
+   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames of the shot</source>
+   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>anchor</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>followed</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>bridged</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>lost</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>frame {number} of {first}–{last}</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{state}, {share:.0%} of the lines on paint</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>names count by {step}</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>its camera was dragged</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: its camera is hidden</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{found}, {far:.1f} px from it</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>doubtful: {why}</source>
+   <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nothing changed: regular already, or no painted line was found there</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>taken back: nothing is regularised</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>taken back: nothing is copied</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the frame was left: nothing was regularised</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the frame was left: nothing was copied</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} points unconfirmed by paint</source>
+   <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>choose an annotated element first</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} elements</source>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{element} has corners or is one place: it stays as it is</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no element of the field is annotated here</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame before this one is annotated</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frame} has no element that is missing here</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{element} becomes {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>swap {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>duplicate {element} as {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>merge {element} into {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{element} is its own symmetric element</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{elements} are annotated already</source>
+   <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{element} lies where {other} is: drag it to its place</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>reverse {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>choose the point to split at first (edit mode)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>split {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>confirmed {n} elements</source>
+   <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>nothing is unconfirmed on this frame</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no end is that near to a corner or the picture's edge</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>dropped {n} unconfirmed elements</source>
+   <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>an element is split at a point between its ends, into a class that is free</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{element} was changed elsewhere: look at it again</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} points</source>
+   <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
+   <translation>
+    <numerusform>{n} point</numerusform>
+    <numerusform>{n} points</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{accepted}: {points}, line seen along {share:.0%}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} ends of {elements} cannot be seen: the points stop before</source>
+   <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>the camera is another one meanwhile</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>accepted {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} ends cannot be seen: the points stop before</source>
+   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>the frame was edited meanwhile</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>looking for the line on {frame} took too long</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{element} is not accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py, the action accept_ghosts]</extracomment>
+   <translation>Accepter tous les fantômes</translation>
+  </message>
+  <message>
+   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the camera is being fitted: accept its ghosts in a moment</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{n} of {total} ghosts</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>accepted {what} on {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghost was accepted: there is no picture to look for their lines in</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghost was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{element} is not accepted</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the ghost is accepted: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>what was being drawn is finished: accept the ghosts of the new fit</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghost was accepted</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{element} is accepted once its points are found</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>go to a ghost (Tab) or choose an element first</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
+   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>the camera is being fitted: ghosts come in a moment</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghosts: the camera is looked for in the picture</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghosts: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no camera was found in this picture: draw three or four elements</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghosts: the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no ghosts: no camera could be fitted</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no camera fits yet</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>it is being drawn by hand</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title} is not visible here; Ctrl+. takes it back</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title} may be visible here again</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no element of this frame was said to be not visible</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>that was the last ghost</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>taken back</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/workspace.py]</extracomment>
+   <translation>repris</translation>
+  </message>
+  <message>
+   <source>go to a ghost first (Tab)</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{off}; choose an element first</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Name of the line</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What is this line?</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Leave it unnamed</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Only length and width are found from frames, and the rules fix those of this field</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>where the rules measure</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the middle of the paint</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Field dimensions: {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Estimate from this set</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Keep for this dataset</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Nominal</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The field as official evaluations take it</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} frames</source>
+   <extracomment>{n} frame / {n} frames [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} stadiums</source>
+   <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Clicks lie on:</source>
+   <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Keep the field, and say nothing more of these classes</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The dataset remembers it, and is not asked about again</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No, {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The field of this dataset</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Descriptions of fields (*.toml)</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Is this {field}? The classes annotated here are those of {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{why}, but {file} in the dataset's folder decides</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Yes, {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Switch to {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{problem}; the field stays as it was: {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
+   <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>From the cameras of {n} frames; ± is one standard deviation.</source>
+   <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{remark}; it stays as it was.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Blind: frames that are not committed took no part ({n}).</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames that cannot be read took no part: {n}.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the rules fix every dimension of the field {field}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
+   <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No pattern was found that fits these names: write one.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Instant</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups of {least} to {most}</source>
+   <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{frames} in {n:,} groups</source>
+   <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} instants with one frame only</source>
+   <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} names do not fit (last in the table)</source>
+   <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Group views</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Write {file}</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Keep these groups in the dataset's folder</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What it says now is lost, with everything else that is written in it.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{frames} of {n:,} instants</source>
+   <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames, none grouped.</source>
+   <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{file} is there already: {sizes}.</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{file} groups {sizes} from now on</source>
+   <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What came of it</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Import annotations</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Import</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotations to import</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Look into the files</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Only frames where nothing is annotated yet</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Replace what is annotated in the others, too</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotations</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Format</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Import into</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Frames are matched by the name of their picture.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Export as</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>One zip archive instead of a folder</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Replace files that are there</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Keep elements that SoccerNet has no class for</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Width of the lines</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copy the pictures as well</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Export to a folder</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Keeps {holds}.
+Loses {loses}.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Cancel</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/video_opening.py, the action cancel]</extracomment>
+   <translation>Abandonner</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>A folder, a zip archive, or one file</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>File…</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Folder…</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Zip archive (*.zip)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} annotations</source>
+   <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>JaC of {n:,} frames</source>
+   <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{annotations} and {scores}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nothing: no frame is annotated</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Zip archive (*.zip);;Folder (*)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Table (*.csv);;JSON (*.json)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>load cameras first: there is nothing to score</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: no frame is committed yet, so there is no JaC to show</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>exported {what} to {path}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>not everything could be saved: the export has the last saved state</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>blind mode leaves out {n:,} frames not committed yet</source>
+   <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} files could not be read: {problem}</source>
+   <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Export</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>exporting {done} / {total}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Not everything could be saved: what is on disk goes.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>export: cancelled; files that were written already are still there</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Nothing was written: no frame is annotated, or none could be written.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Cancelled; files that were written already are still there.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Not written</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What the format cannot hold</source>
+   <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the fit of {frame} is saved as {path}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no camera to save: the fit is not there yet</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the live fit is off (Ctrl+T)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no camera to save: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the fit is worked out again: save it in a moment</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{saved}; it is hardly determined: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Import…</source>
+   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py, procc_annotator/gui/window/keymap_dialog.py]</extracomment>
+   <translation>Importer…</translation>
+  </message>
+  <message>
+   <source>Take these annotations in; their files stay as they are</source>
+   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Leave them, and say nothing more of them</source>
+   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotations of another program lie in this dataset: {format}.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported ({format}).</source>
+   <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Cancelled: {n:,} frames were not looked at.</source>
+   <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are annotated already and left unchanged.</source>
+   <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames hold the same already.</source>
+   <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{edited} of {n:,} frames imported</source>
+   <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Cancelled; nothing was imported.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Left as they were</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Could not be read</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Without a picture here ({n})</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Changed or left out</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>it could not be saved: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>? (stays as it is, an unknown class)</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Leave out</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py, the action off_plane_left_out, the setting off_plane]</extracomment>
+   <translation>Laisser de côté</translation>
+  </message>
+  <message>
+   <source>Label</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Shapes</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Stands for</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Why</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>sure</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>likely</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>to be said</source>
+   <comment>a proposal</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Names of another program</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Keep these names with the dataset ({file})</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What {label} stands for</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Add these names to the dataset's {file}, written anew</source>
+   <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Pictures</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Videos</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the sample comes with the source, not here</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Cameras</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
+   <translation>Caméras</translation>
+  </message>
+  <message>
+   <source>Open a folder of pictures</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Open a second annotator's folder</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{width} x {height} px, without the legend</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>PNG: pixels, nothing is lost</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>JPEG: pixels, small</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>SVG: lines and text stay sharp</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Picture (*{suffix})</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Save overlay picture</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Px of the result per px of the picture; lines and text grow with it</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Explain colours, dashes and marks below the picture</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>&amp;Kind</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>&amp;Scale</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Result</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>&amp;Legend</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>writing the overlay picture {path} …</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>open a picture first</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path}: is the picture itself, choose another name</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>overlay picture written to {path}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Export the overview</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} frames to {path}</source>
+   <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>the set was being scored still: some frames have no JaC yet</source>
+   <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>cameras opened here before are not there any more: {paths}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>cameras opened here before are not opened again: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>One frame every</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The first frame of every scene</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Looks through the whole video for cuts; this takes a while</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Reading {file}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Looking for cuts in {file}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>this frame is a picture already</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>kept as {path}</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Unlock blind mode</source>
+   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>error</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>warning</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>hint</source>
+   <comment>a finding</comment>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>finding {place} of {total}, {severity}: {elements}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no finding is as sure as the Check panel is set to show</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>checked {n:,} frames, camera model {model}: {found}</source>
+   <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} checked frames</source>
+   <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>{element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the label check has found nothing; check the whole set to look at all frames</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{done}; Ctrl+Z takes it back</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>ignored until {elements} changes; the Check panel brings it back</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames cannot be checked</source>
+   <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Export findings</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} findings in {frames} to {path}</source>
+   <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>the label check has found nothing</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the label check has found nothing in this frame</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the elements have changed since: checked again</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>go to a finding first (F10)</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>stopped checking the set; what was found stays</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nothing found</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no other frame is rejected</source>
+   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>every frame after this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>every frame before this one is done or approved</source>
+   <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind mode leaves out {n} on frames that are not committed</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{frame}: no verdict on {source} any more</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Note on the verdict</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What is wrong here:</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Export verdicts</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: no frame that is committed has a verdict</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame has a verdict yet: mark one first</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>exported {n:,} verdicts to {path}</source>
+   <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>a verdict is on a frame and a camera: load cameras first</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>not everything could be saved: the figures are of the last saved state</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
+   <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the earlier version is back; undo takes it away again</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the frame was changed elsewhere: look at it, then restore again</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There is no earlier version of this frame.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Compared with now: {changes}. What differs: {elements}.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>cannot be read</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>empty</source>
+   <comment>a version</comment>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>as now</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>other elements</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>points moved</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>This is what the frame holds now.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Compared with now: the same points in another order of elements.</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Earlier versions</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Restore</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>%d %b %Y, %H:%M:%S</source>
+   <comment>a moment; the month as %b is English, as %m a number</comment>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{n} more</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: JaC {value:.3f}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no JaC yet: load cameras first</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame with a score to go to</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>comparing {source} with {other} over the set</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{source} and {other} cannot be compared on the ground in any frame</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>stopped comparing the sources</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>this is the worst; once more goes on</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no other frame has a score</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>from the worst again</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>two sources are being compared already</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{source} and {other} are compared</source>
+   <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>it is annotated by now</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>it was edited since</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind mode: nothing is accepted that was not clicked</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>looking for paint along the track: {done} of {total} frames</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>accepted {n:,} frames along the track</source>
+   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Ctrl+Z takes them back</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>taken back: {n:,} frames accepted along the track</source>
+   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames left: {why}</source>
+   <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>looking for paint along the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame was accepted: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>nothing was accepted that could be taken back</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>taken back: no frame is accepted</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame was accepted: too little of their lines is seen</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>following: {done} of {total} frames  ·  T stops</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
+   <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>looking for the ends of the shot …  T stops</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>the shot could not be followed: {why}</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>only a video, or frames that follow one another, can be followed</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind mode: no shot is followed, its cameras would be seen</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>stopped; what was followed so far stays</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>stopped; nothing was followed</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame after this one is annotated</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame after this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no frame before this one is doubtful</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind mode: how the track does is hidden</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no shot was followed yet (T)</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>these frames do not follow one another</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Jaccard index of this frame at tau</source>
@@ -518,16 +5823,6 @@
    <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
    <translation>&lt;b&gt;aveugle&lt;/b&gt; : remettre pour voir le JaC</translation>
-  </message>
-  <message>
-   <source>camera unreadable</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>caméra illisible</translation>
-  </message>
-  <message>
-   <source>no camera here</source>
-   <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>pas de caméra ici</translation>
   </message>
   <message>
    <source>Three steps to a frame</source>
@@ -632,11 +5927,6 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
    <translation>chargez un second jeu de caméras pour comparer (Ctrl+L)</translation>
   </message>
   <message>
-   <source>Without geometry</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Sans géométrie</translation>
-  </message>
-  <message>
    <source>Ghost of {title}</source>
    <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
    <translation>Fantôme de {title}</translation>
@@ -667,11 +5957,6 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
    <translation>Couper ici : le reste devient</translation>
   </message>
   <message>
-   <source>Ignore this finding</source>
-   <extracomment>[procc_annotator/gui/window/context_menu.py, the action ignore_finding]</extracomment>
-   <translation>Ignorer ce constat</translation>
-  </message>
-  <message>
    <source>Not visible here: take back</source>
    <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
    <translation>Pas visible ici : revenir dessus</translation>
@@ -695,14 +5980,6 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
    <source>{title}, unconfirmed</source>
    <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
    <translation>{title}, non confirmé</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} points</source>
-   <extracomment>{n} point / {n} points [procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>
-    <numerusform>{n} point</numerusform>
-    <numerusform>{n} points</numerusform>
-   </translation>
   </message>
   <message>
    <source>Annotate</source>
@@ -728,26 +6005,6 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
    <translation>Postes de travail</translation>
   </message>
   <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Images</translation>
-  </message>
-  <message>
-   <source>Field map</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Plan du terrain</translation>
-  </message>
-  <message>
-   <source>Elements</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Éléments</translation>
-  </message>
-  <message>
-   <source>Cameras</source>
-   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Caméras</translation>
-  </message>
-  <message>
    <source>Scores</source>
    <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
    <translation>Scores</translation>
@@ -763,13 +6020,8 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
    <translation>Vérification</translation>
   </message>
   <message>
-   <source>Landmarks</source>
-   <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Repères</translation>
-  </message>
-  <message>
    <source>Plots</source>
-   <extracomment>[procc_annotator/gui/window/docks.py, the action plots]</extracomment>
+   <extracomment>[procc_annotator/gui/window/docks.py, procc_annotator/gui/window/drawer.py, the action plots]</extracomment>
    <translation>Graphiques</translation>
   </message>
   <message>
@@ -781,6 +6033,16 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
    <source>Agreement</source>
    <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
    <translation>Accord</translation>
+  </message>
+  <message>
+   <source>Open the plots below the picture</source>
+   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Shut the plots</source>
+   <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Find words in this page</source>
@@ -883,11 +6145,6 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
    <translation>Toutes les touches d’un coup</translation>
   </message>
   <message>
-   <source>Add</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Ajouter</translation>
-  </message>
-  <message>
    <source>Only these</source>
    <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
    <translation>Seulement celles-ci</translation>
@@ -901,16 +6158,6 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
    <source>Usual keys</source>
    <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
    <translation>Touches habituelles</translation>
-  </message>
-  <message>
-   <source>Export…</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Exporter…</translation>
-  </message>
-  <message>
-   <source>Import…</source>
-   <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Importer…</translation>
   </message>
   <message>
    <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
@@ -1222,9 +6469,548 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>erreur inattendue ({what}) ; le terminal en dit plus</translation>
   </message>
   <message>
-   <source>open a folder of pictures first</source>
-   <extracomment>[procc_annotator/gui/writing.py]</extracomment>
-   <translation>ouvrez d’abord un dossier d’images</translation>
+   <source>passes</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>too far</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>annotated, not projected</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>projected, not annotated</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>ghost of an unsure camera</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>ghost: expected here</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>annotated, in its class's colour</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>copied, to be confirmed</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>projection</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>second annotator</source>
+   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>choose an element first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/interact/draw_tool.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
+   <extracomment>[procc_annotator/interact/edit_tool.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n} to go</source>
+   <extracomment>{n} to go / {n} to go [procc_annotator/interact/hand.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>click, Enter and Esc do nothing yet</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>choose an element: field map, list, its key or /</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Backspace takes back the last point</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click marks it and goes on to {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter does nothing</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>release drops it here</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click or drag a point, drag on empty ground to choose several</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Drop a folder of pictures here, or open one with Ctrl+O</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Ctrl+Enter commits the frame and shows the projection</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>GHOST {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>GHOST the next one comes</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Esc goes back</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Tab goes on</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>GHOST the next one comes in a moment</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>Tab: next of {n} ghosts</source>
+   <extracomment>Tab: next of {n} ghost / Tab: next of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>Tab: first of {n} ghosts</source>
+   <extracomment>Tab: first of {n} ghost / Tab: first of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Enter accepts it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>. not visible here</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Shift+Enter: all</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>or choose its element first: field map, list, its key or /</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>DRAW</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>DRAW a line, {n} points</source>
+   <extracomment>DRAW a line, {n} point / DRAW a line, {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Enter or double-click finishes and asks its name</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>DRAW {title}, {n} points</source>
+   <extracomment>DRAW {title}, {n} point / DRAW {title}, {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Enter or double-click finishes</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click adds the second point and finishes</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click adds a point</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>DRAW {title}, unconfirmed</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>DRAW {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter does nothing yet</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter confirms it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>click continues it after its {n} points</source>
+   <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>click begins it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click moves it here and goes on to {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter confirms {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>Esc lets go of {n} points</source>
+   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>EDIT</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>release chooses all points inside</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>EDIT point {number} of {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>release selects the element, which is pinned</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>EDIT the element</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>drag moves point {number} of {title}, Alt+Shift+click removes it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click selects {title}, Alt+click inserts a point</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click does nothing: there are no points to edit, draw an element first</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click a point to drag it, beside it to let go</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>Delete removes {n} points</source>
+   <extracomment>Delete removes the point / Delete removes {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>click begins it by hand</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>BLIND</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>Enter accepts {n} points</source>
+   <extracomment>Enter accepts {n} point / Enter accepts {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Enter does nothing: no line is found along it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click begins a line that is named after</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>an element's key names it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter or double-click finishes and goes on to {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Esc cancels</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Esc deselects</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click moves it here</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>click marks it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>hold Ctrl to click beside the line</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Delete removes {title}</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>EDIT choosing points</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>EDIT {n} points</source>
+   <extracomment>EDIT {n} point / EDIT {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>Esc takes the new point away</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>READ ONLY</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter and Esc do nothing yet</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Shift+Enter finishes and stays</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter and Esc do nothing</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Esc gives up</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Esc lets go</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Shift+Enter: accept all</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Disagreement</source>
+   <extracomment>[procc_annotator/interact/map_looks.py, the action disagreement]</extracomment>
+   <translation>Désaccord</translation>
+  </message>
+  <message>
+   <source>Uncertainty</source>
+   <extracomment>[procc_annotator/interact/map_looks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>not annotated</source>
+   <extracomment>[procc_annotator/interact/palette.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>missed</source>
+   <extracomment>[procc_annotator/interact/palette.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>draw {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>confirm {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>move {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>move all of {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>nudge {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>insert a point in {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>delete {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>delete point {number} of {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>no distance</source>
+   <extracomment>[procc_annotator/interact/verdicts.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>fitted on these clicks</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>what was saved elsewhere</source>
@@ -1242,14 +7028,129 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>comme trouvé</translation>
   </message>
   <message>
-   <source>taken back</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>repris</translation>
-  </message>
-  <message>
    <source>saved</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>enregistré</translation>
+  </message>
+  <message>
+   <source>untouched</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>in progress</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>done</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>approved</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>rejected</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>clicked</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>snapped</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>regularised</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>copied</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>moved</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>accepted suggestion</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>proposed</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>accepted proposal</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>unconfirmed by paint</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>from the file</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>camera fault</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>annotation fault</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -1492,11 +7393,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Choisir tous les points de l’élément sélectionné, ou de l’image</translation>
   </message>
   <message>
-   <source>Cancel</source>
-   <extracomment>[the action cancel]</extracomment>
-   <translation>Abandonner</translation>
-  </message>
-  <message>
    <source>Drop the points just clicked, then let go of the selection</source>
    <extracomment>[the action cancel]</extracomment>
    <translation>Abandonner les points qui viennent d’être cliqués, puis lâcher la sélection</translation>
@@ -1730,21 +7626,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>Mend the current finding: relabel, swap, remove the bad point, or look at it</source>
    <extracomment>[the action apply_remedy]</extracomment>
    <translation>Corriger le constat actuel : renommer, échanger, retirer le mauvais point, ou aller voir</translation>
-  </message>
-  <message>
-   <source>Do not show it again until the points of its elements change</source>
-   <extracomment>[the action ignore_finding]</extracomment>
-   <translation>Ne plus le montrer tant que les points de ses éléments ne changent pas</translation>
-  </message>
-  <message>
-   <source>Check the whole set</source>
-   <extracomment>[the action check_set]</extracomment>
-   <translation>Vérifier tout le jeu</translation>
-  </message>
-  <message>
-   <source>Look for wrong labels in every annotated frame</source>
-   <extracomment>[the action check_set]</extracomment>
-   <translation>Chercher les mauvaises classes dans toutes les images annotées</translation>
   </message>
   <message>
    <source>Next without annotation</source>
@@ -2282,11 +8163,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Faire du fantôme un élément : des points sur sa ligne peinte, aucun là où elle est cachée (Entrée)</translation>
   </message>
   <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[the action accept_ghosts]</extracomment>
-   <translation>Accepter tous les fantômes</translation>
-  </message>
-  <message>
    <source>Accept all ghosts whose painted lines are seen well enough (Shift+Enter while nothing is being drawn)</source>
    <extracomment>[the action accept_ghosts]</extracomment>
    <translation>Accepter tous les fantômes dont la ligne peinte se voit assez bien (Maj+Entrée tant que rien n’est en cours de dessin)</translation>
@@ -2387,11 +8263,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Réduire (la molette le fait au curseur)</translation>
   </message>
   <message>
-   <source>Pan</source>
-   <extracomment>[the action pan]</extracomment>
-   <translation>Déplacer la vue</translation>
-  </message>
-  <message>
    <source>The left button moves the picture (or hold Space, or the middle button); Esc ends it</source>
    <extracomment>[the action pan]</extracomment>
    <translation>Le bouton gauche déplace l’image (ou tenir Espace, ou bouton du milieu) ; Échap y met fin</translation>
@@ -2430,11 +8301,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>Colours say how the camera is judged</source>
    <extracomment>[the action colour_criterion]</extracomment>
    <translation>Les couleurs disent comment la caméra est jugée</translation>
-  </message>
-  <message>
-   <source>Class</source>
-   <extracomment>[the action colour_class, the setting colour_by]</extracomment>
-   <translation>Classe</translation>
   </message>
   <message>
    <source>Every element in its own colour</source>
@@ -2492,6 +8358,16 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Garder la loupe au curseur (ou tenir Z ; elle vient aussi quand un point est glissé)</translation>
   </message>
   <message>
+   <source>Legend in the picture</source>
+   <extracomment>[the action legend, the setting legend]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>What the colours, dashes and marks over the picture mean, in its corner; it gives way to the hand</source>
+   <extracomment>[the action legend, the setting legend]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Turn the field map to the camera</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
    <translation>Tourner le plan vers la caméra</translation>
@@ -2512,9 +8388,9 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Sous l’image : pour une vidéo ou des images qui se suivent, comment vont leurs caméras et où elles sont annotées ; pour d’autres, des vignettes avec leur état</translation>
   </message>
   <message>
-   <source>Errors and JaC of the frame or the set as plots, of all shown sources</source>
+   <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
    <extracomment>[the action plots]</extracomment>
-   <translation>Erreurs et JaC de l’image ou du jeu en graphiques, pour toutes les sources affichées</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -2667,11 +8543,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Tracer la source active à gauche d’une séparation, la source comparée à droite</translation>
   </message>
   <message>
-   <source>Disagreement</source>
-   <extracomment>[the action disagreement]</extracomment>
-   <translation>Désaccord</translation>
-  </message>
-  <message>
    <source>How many metres apart the active and the compared source see each pixel on the ground</source>
    <extracomment>[the action disagreement]</extracomment>
    <translation>De combien de mètres la source active et la source comparée voient chaque pixel à distance au sol</translation>
@@ -2737,11 +8608,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Ne permettre que de plus petites distances</translation>
   </message>
   <message>
-   <source>Protocol</source>
-   <extracomment>[the menus, the setting protocol]</extracomment>
-   <translation>Protocole</translation>
-  </message>
-  <message>
    <source>soccernet</source>
    <extracomment>[the action protocol_soccernet]</extracomment>
    <translation>soccernet</translation>
@@ -2775,11 +8641,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>Goals, baskets and nets that a homography cannot project count against it</source>
    <extracomment>[the action off_plane_missed]</extracomment>
    <translation>Les buts, paniers et filets qu’une homographie ne peut pas projeter comptent contre elle</translation>
-  </message>
-  <message>
-   <source>Leave out</source>
-   <extracomment>[the action off_plane_left_out, the setting off_plane]</extracomment>
-   <translation>Laisser de côté</translation>
   </message>
   <message>
    <source>Goals, baskets and nets that a homography cannot project are not counted</source>
@@ -2950,11 +8811,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>How cameras are judged: as the official evaluation does, quirks included, or by the paper's definition</source>
    <extracomment>[the setting protocol]</extracomment>
    <translation>Comment les caméras sont jugées : comme l’évaluation officielle, bizarreries comprises, ou selon la définition de l’article</translation>
-  </message>
-  <message>
-   <source>soccernet (official)</source>
-   <extracomment>[the setting protocol]</extracomment>
-   <translation>soccernet (officiel)</translation>
   </message>
   <message>
    <source>procc (the paper's)</source>

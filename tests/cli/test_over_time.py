@@ -87,6 +87,18 @@ def test_a_report_has_a_page_of_it(cli, shot: Path) -> None:
     assert "jitter" in tex.read_text()
 
 
+def test_a_table_of_shots_tells_a_report_what_intervals_rest_on(cli, shot: Path) -> None:
+    lines = [f"a_{n:03d},{'one' if n < 15 else 'two'}" for n in range(FRAMES)]
+    (shot / "shots.csv").write_text("\n".join(["frame,shot", *lines]))
+    sources = [f"--cameras={name}={shot / name}" for name in ("true", "late")]
+    asked = ("--over-time", "--shots", shot / "shots.csv", "--recipe", shot / "recipe.json")
+    done = cli("report", shot / "annotations", *sources, *asked, "-o", shot / "report.json")
+    assert done.exit_code == 0, done.output
+    (told,) = json.loads((shot / "report.json").read_text())["chance"]
+    assert "2 clusters of one shot each, by shots.csv" in told["intervals"]["notes"][0]
+    assert cli("repeat", shot / "recipe.json", "--data", shot).exit_code == 0
+
+
 def test_options_that_cannot_be(cli, shot: Path, tmp_path: Path) -> None:
     done = cli(*arguments(shot)[:-1], f"--shots={shot / 'x.csv'}")
     assert done.exit_code == 2

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import json
 import shutil
+import zlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -18,12 +19,17 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal
+from procc_annotator.fit.labels.seen_paint import ElementPaint
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window, collect_now_and_then, start_lean
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.state.paint_watch import Evidence
+from procc_annotator.session.strokes.paint_evidence import paint_evidence
 from tests.gui.one_window import OneWindow
 
 SIZE = (640, 360)
@@ -93,6 +99,30 @@ def nothing_proposed(monkeypatch: pytest.MonkeyPatch) -> None:
         return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)
 
     monkeypatch.setattr("procc_annotator.gui.state.proposals.propose_camera", none)
+
+
+@pytest.fixture(autouse=True)
+def paint_looked_for_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a picture shows along a drawn element is looked for in the first test only that has the
+    two, unless a test is about that: it is most of what goes on beside a window."""
+
+    def evidence(
+        annotation: FrameAnnotation,
+        picture: np.ndarray,
+        field: Field,
+        known: Evidence | None = None,
+        go_on: Callable[[], None] = lambda: None,
+    ) -> dict[Polyline, ElementPaint]:
+        of = (zlib.crc32(np.ascontiguousarray(picture)), picture.shape, id(field))
+        _, seen = _SEEN.setdefault(of, (field, {}))
+        found = paint_evidence(annotation, picture, field, seen | dict(known or {}), go_on)
+        seen.update(found)
+        return found
+
+    monkeypatch.setattr("procc_annotator.gui.state.paint_watch.paint_evidence", evidence)
+
+
+_SEEN: dict[tuple[int, tuple[int, ...], int], tuple[Field, dict[Polyline, ElementPaint]]] = {}
 
 
 @pytest.fixture(scope="session")

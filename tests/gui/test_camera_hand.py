@@ -433,12 +433,12 @@ class TestWhatComesOfIt:
         assert "no camera is known here" in window.status.hint.text()
 
 
-COUNT = 16
+COUNT, SHOT = 13, (640, 360)  # frames; px
 
 
 @pytest.fixture(scope="module")
 def drawn() -> DrawnShot:
-    return soccer_shot(COUNT, size=(960, 540), look=Look(people=False, noise=0.0))
+    return soccer_shot(COUNT, size=SHOT, look=Look(people=False, noise=0.0))
 
 
 @pytest.fixture(scope="module")
@@ -460,11 +460,11 @@ class TestInAShot:
         monkeypatch: pytest.MonkeyPatch,
     ) -> MainWindow:
         def propose(*_: Any, **__: Any) -> Proposal:
-            fit = given_camera(drawn.cameras[0], (960, 540))
+            fit = given_camera(drawn.cameras[0], SHOT)
             return Proposal("sure", "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)
 
         monkeypatch.setattr(proposals, "propose_camera", propose)
-        frame = PictureFrame((960, 540))
+        frame = PictureFrame(SHOT)
         known = vector_from_camera(drawn.cameras[0], frame)
 
         def found(*_: Any, **__: Any) -> Proposal:

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QPointF
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QImage, QPainter
+from PySide6.QtWidgets import QApplication
 
+from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.overlay_item import changed_areas
-from procc_annotator.interact.overlay_shapes import Labels, Overlay, PointMarks, Strokes
+from procc_annotator.interact.overlay_shapes import HandSigns, Labels, Overlay, PointMarks, Strokes
+from procc_annotator.interact.verdicts import NO_POINTS
 
 
 def lines(*rows: tuple[float, float, float, float], colour: str = "#ffffff") -> Strokes:
@@ -55,3 +60,31 @@ def test_only_the_text_that_differs_is_painted() -> None:
     (area,) = changed_areas(overlay(one, DOT, "4.2", "7"), overlay(one, DOT, "4.3", "7"), 1.0)
     assert area.contains(QPointF(300, 700))
     assert not area.contains(QPointF(300, 900))
+
+
+@pytest.mark.parametrize(
+    "label",
+    [
+        Labels(np.array([[200.0, 200.0]]), ("",), "#ffffff", sign="hint", below=True),
+        Labels(np.array([[200.0, 200.0]]), ("Grundlinie",), "#ffffff", sign="error", below=True),
+        Labels(
+            np.array([[200.0, 200.0]]), ("Ziel",), "#ffffff", hand=HandSigns("#ff0000", "found")
+        ),
+        Labels(np.array([[200.0, 200.0]]), ("センターサークル",), "#ffffff"),
+    ],
+)
+@pytest.mark.parametrize("scale", [0.5, 1.0, 3.0])
+def test_what_goes_leaves_no_stain(qapp: QApplication, label: Labels, scale: float) -> None:
+    image = QImage(900, 900, QImage.Format.Format_ARGB32_Premultiplied)
+    image.fill(Qt.GlobalColor.transparent)
+    gone = Overlay((), (), (label,))
+    painter = QPainter(image)
+    paint_overlay(painter, gone, scale=scale)
+    painter.end()
+    alpha = np.frombuffer(image.constBits(), np.uint8).reshape(900, 900, 4)[..., 3]
+    rows, columns = np.nonzero(alpha)
+    assert len(rows)
+    (area,) = changed_areas(gone, Overlay((), (), (Labels(NO_POINTS, (), "#ffffff"),)), scale)
+    for x in (columns.min(), columns.max() + 1):
+        for y in (rows.min(), rows.max() + 1):
+            assert area.contains(QPointF(float(x), float(y)) / scale)

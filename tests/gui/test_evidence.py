@@ -25,6 +25,11 @@ from tests.gui.conftest import Hand
 MakeWindow = Callable[..., MainWindow]
 
 
+@pytest.fixture(autouse=True)
+def paint_looked_for_once() -> None:
+    """It is looked for in every test: they are about that."""
+
+
 @pytest.fixture
 def annotated(make_window: MakeWindow, sample_data: Path, tmp_path: Path) -> MainWindow:
     folder = tmp_path / "one"

@@ -105,3 +105,15 @@ def test_the_wheel_goes_along(make_window: MakeWindow, dataset, striped, qtbot: 
     )
     QApplication.sendEvent(strip.viewport(), event)
     assert strip.horizontalScrollBar().value() == 240
+
+
+def test_frames_are_gone_to_by_keys(there: MainWindow, qtbot: QtBot) -> None:
+    strip = there.filmstrip
+    strip.setFocus(Qt.FocusReason.TabFocusReason)
+    assert strip.hasFocus()
+    QTest.keyClick(strip, Qt.Key.Key_Right)
+    QTest.keyClick(strip, Qt.Key.Key_Right)
+    assert there.document.frame_index == 0  # only looked at
+    QTest.keyClick(strip, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: there.document.frame_index == 2)
+    assert strip.hasFocus()

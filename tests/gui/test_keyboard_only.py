@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolBar, QToolButton
+from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.window.regions import Regions
@@ -58,6 +59,28 @@ def test_an_element_is_drawn_moved_and_deleted_by_keys_alone(
     assert len(saved()) == 1
 
 
+def test_a_point_is_put_on_a_line_by_keys_alone(
+    window: MainWindow, hand: Hand, saved: ReadPoints
+) -> None:
+    window.document.select_class("Middle line")
+    for x, y in ((320, 40), (320, 250)):
+        go(hand, x, y)
+        hand.key(KEY.Key_Space, CTRL)
+    hand.key(KEY.Key_Return)
+    window.document.select_class(None)
+    go(hand, 322, 150)
+    hand.key(KEY.Key_Insert)
+    assert saved() == pytest.approx(np.array([(320, 40), (320, 150), (320, 250)]), abs=0.06)
+    assert window.document.selected_point == ("Middle line", 1)
+    hand.key(KEY.Key_Right)  # it is chosen: the arrows move it
+    assert saved()[1] == pytest.approx((321, 150), abs=0.06)
+    window.document.select_class(None)
+    go(hand, 500, 150)
+    hand.key(KEY.Key_Insert)
+    assert len(saved()) == 3
+    assert "no line here" in window.status.hint.text()
+
+
 def test_the_crosshair_begins_in_the_middle_and_goes_with_the_mouse(
     window: MainWindow, hand: Hand
 ) -> None:
@@ -104,16 +127,18 @@ def test_space_still_pans(window: MainWindow, hand: Hand) -> None:
     assert not canvas.editor.drawing
 
 
-def test_the_keyboard_goes_round_all_parts(window: MainWindow, hand: Hand) -> None:
+def test_the_keyboard_goes_round_all_parts(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
+    qtbot.waitUntil(window.filmstrip.isVisible)
     regions = Regions(window).all()
     seen = []
     for _ in regions:
         QTest.keyClick(QApplication.focusWidget(), KEY.Key_F6)
         focus = QApplication.focusWidget()
-        seen.append(next(r for r in regions if r.isAncestorOf(focus)))
+        seen.append(next(r for r in regions if r is focus or r.isAncestorOf(focus)))
     assert {id(r) for r in seen} == {id(r) for r in regions}
     assert window.docks["frames"] in seen
     assert any(isinstance(r, QToolBar) for r in seen)
+    assert window.filmstrip in seen
     assert QApplication.focusWidget() is window.canvas
     QTest.keyClick(window.canvas, KEY.Key_F6, SHIFT)
     assert window.centralWidget() is not seen[-2]

@@ -11,7 +11,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -156,6 +156,9 @@ def test_findings_are_marked_on_picture_list_and_map(window: MainWindow, qtbot: 
     # the sign is whole
     qtbot.waitUntil(lambda: tree.columnWidth(CHECK) >= tree.sizeHintForColumn(CHECK))
     assert "Error: Big rect. left main is off" in window.field_map._tip(FRONT)
+    at = window.canvas.to_view(*labels["hint"].positions[0].tolist())
+    assert "Circle left is off" in window.finding_tips.tip_at(at + QPointF(14, 12))
+    assert window.finding_tips.tip_at(at + QPointF(0, 300)) == ""
     put(window)
     qtbot.waitUntil(lambda: items[FRONT].icon(CHECK).isNull())
     assert not any(len(x.texts) for x in window.canvas.overlay_item.overlay.labels if x.sign)

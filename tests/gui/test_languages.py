@@ -2,12 +2,65 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import copy
+import importlib.util
+import re
+import shutil
+import sys
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from types import ModuleType
+from typing import Any
 
+import numpy as np
 import pytest
+from PySide6.QtCore import QPoint, QSize, Qt, QTranslator
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QApplication,
+    QCheckBox,
+    QComboBox,
+    QHeaderView,
+    QLabel,
+    QPushButton,
+    QRadioButton,
+    QTabBar,
+    QToolButton,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
 
 from procc_annotator import language
-from procc_annotator.language import kept, spoken, tr, tr_count
+from procc_annotator.field.load import load_field
+from procc_annotator.fit.labels.clicked import Clicked
+from procc_annotator.fit.labels.shape import few_points
+from procc_annotator.gui.actions import ACTIONS, MENUS
+from procc_annotator.gui.keymap import NATIVE
+from procc_annotator.gui.languages import CONTEXT, LANGUAGES, take_up
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.titles import short_titles
+from procc_annotator.gui.window.docks import DESKS
+from procc_annotator.gui.window.keymap_dialog import KeymapDialog
+from procc_annotator.gui.window.menus import mnemonics
+from procc_annotator.io.annotation_files.annotation_formats import FORMATS
+from procc_annotator.language import (
+    kept,
+    said,
+    said_all,
+    said_count,
+    said_joined,
+    spoken,
+    tr,
+    tr_count,
+)
+from procc_annotator.report.sheet.as_json import json_bytes
+from procc_annotator.session.dataset import edits
+from tests.gui.conftest import Hand, all_done
+from tests.gui.shown_texts import Asked, paint_spy, texts_of, unsaid_words
+
+# The offscreen platform has no window manager to pass these on to.
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 
 @pytest.fixture
@@ -40,3 +93,388 @@ def test_what_is_kept_in_a_file_is_english_and_shown_in_the_language(pseudo: Non
     assert spoken(step) == "⟦drop ⟦1 lines⟧⟧"
     assert spoken("saved") == "⟦saved⟧"
     assert tr("saved") == "⟦saved⟧"
+
+
+def test_what_rooms_below_say_is_english_until_the_window_says_it(pseudo: None) -> None:
+    titles = [said("Left line"), said("Arc"), said("Goal")]
+    lines = said_count(1, "{n} line of {titles}", "{n} lines of {titles}", titles=said_all(titles))
+    found = said_joined("; ", [lines, said("{px:.1f} px off", px=2)])
+    assert found == "1 line of Left line, Arc and Goal; 2.0 px off"
+    assert (
+        json_bytes({"found": found})
+        == b'{\n "found": "1 line of Left line, Arc and Goal; 2.0 px off"\n}\n'
+    )
+    for words in (found, copy.copy(found)):  # taken apart as on the way out of a process
+        shown = tr("why: {found}", found=words)
+        assert shown.count("⟦") == shown.count("⟧") == 9
+        assert "⟦1 lines of ⟦⟦⟦Left line⟧, ⟦Arc⟧⟧ and ⟦Goal⟧⟧⟧" in shown
+        assert "⟦2.0 px off⟧" in shown
+
+
+def test_a_finding_is_said_with_the_titles_of_its_elements(pseudo: None) -> None:
+    element = load_field("soccer").element("Middle line")
+    assert element is not None
+    found = few_points(Clicked(element, np.array([[1.0, 2.0]]), (0,)))
+    assert found is not None
+    assert found.reason == "Halfway line has 1 point, a line takes two"
+    assert tr(found.reason) == "⟦⟦Halfway line⟧ has 1 points, a line takes two⟧"
+    assert tr(found.remedies[0].text) == "⟦look at it⟧"
+
+
+# --- no word of the window is left out ------------------------------------------------------------
+
+_KEYS = "Ctrl|Shift|Alt|Tab|Return|Enter|Space|Del|Backspace|Esc|Pg(?:Up|Down)|Home|End|Ins"
+_KEYS += "|Left|Right|Up|Down"
+_UNITS = "px|kB|MB|GB|fps|JaC|TP|FP|FN|JSON|CSV"
+_FILES = r"(?<![\w<])/[\w./-]+|\b[\w*]+\.\w{3,4}\b|\*\.\w+"
+_SOURCES = "true|bad|pinhole|fit|sample|soccernet|procc"
+_NAMED = [
+    *(element.name.strip() for element in load_field("soccer").elements),
+    *(known.title for known in FORMATS),
+    "{instant}_{view}",
+]
+_CLASSES = "|".join(sorted(map(re.escape, _NAMED), key=len, reverse=True))
+_NAMES = re.compile(rf"{_CLASSES}|{_FILES}|\b(?:{_KEYS}|{_UNITS}|{_SOURCES})\b")
+
+# What Qt says by itself, in its own translations, and the pages of the guide, which are English.
+_OF_QT = ("qt_", "Scroll", "guide")
+_EXAMPLE = re.compile("<td><b>.*?</b>&nbsp;</td>")  # of what is typed into the filter of frames
+_BUTTONS = {"OK", "Cancel", "Close", "Save", "Press shortcut"}
+_BUTTONS |= {"Export", "Export..."}  # of the plots' library; its menus are not shown
+# They would leave the dataset, or the test.
+_NOT_CALLED = {"quit", "open_sample"}
+
+
+def _left_out(found: Iterable[tuple[str, str]]) -> dict[str, str]:
+    return {
+        text: where
+        for where, text in found
+        if unsaid_words(_EXAMPLE.sub("", text), _NAMES)
+        and not any(f" {name}" in where for name in _OF_QT)
+        and text.replace("&", "") not in _BUTTONS
+    }
+
+
+def _opened(main: MainWindow) -> Iterator[QWidget]:
+    """The windows that lie beside the main one; each is closed again."""
+    for window in QApplication.topLevelWidgets():
+        if isValid(window) and window is not main and window.isVisible():
+            yield window
+            window.close()
+
+
+def _draw_and_ask(window: MainWindow) -> None:
+    """Hints and menus of all that can be under the hand."""
+    hand, document = Hand(window), window.document
+    hand.move(200, 200)
+    window._show_menu(QPoint(0, 0))
+    document.select_class("Middle line")
+    hand.click(300, 100)
+    window._show_menu(QPoint(0, 0))
+    hand.click(310, 300)
+    hand.key(Qt.Key.Key_Return)
+    document.set_mode("edit")
+    document.select_point("Middle line", 0)
+    window._show_menu(QPoint(0, 0))
+    document.undo()
+    document.set_mode("draw")
+
+
+@pytest.mark.new_window
+def test_no_word_of_the_window_is_left_out(
+    pseudo: None, audited: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
+    audited.document.message.connect(lambda text, _: found.append(("told", text)))
+    audited.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
+    _draw_and_ask(audited)
+    for desk in DESKS:
+        audited.turn_to(desk)
+        for name in DESKS[desk]:
+            audited.show_panel(name)
+            QApplication.processEvents()
+    found += texts_of(audited)
+    for spec in ACTIONS:
+        if spec.name in _NOT_CALLED:
+            continue
+        audited.actions_[spec.name].trigger()
+        for window in _opened(audited):
+            found += texts_of(window)
+    QApplication.processEvents()
+    found += texts_of(audited)
+    assert len(found) > 5_000
+    assert _left_out([*found, *asked.texts]) == {}
+
+
+@pytest.mark.new_window
+def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
+    pseudo: None, begun: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot, tmp_path: Path
+) -> None:
+    asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
+    document, workspace = begun.document, begun.document.workspace
+    assert workspace is not None
+    document.message.connect(lambda text, _: found.append(("told", text)))
+    begun.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
+    second = shutil.copytree(workspace.root, tmp_path / "second")
+    qtbot.waitUntil(lambda: bool(document.ghosts.painted), timeout=20_000)
+    for action in ("next_ghost", "not_visible", "visible_again", "accept_ghost"):
+        begun.actions_[action].trigger()
+        begun._show_menu(QPoint(0, 0))
+    all_done(qtbot)
+    swapped = edits.swap_classes(document.annotation, "Big rect. left main", "Circle left")
+    document.commit_edit("swap", swapped)
+    all_done(qtbot)
+    assert document.label_check.shown
+    for action in ("next_finding", "check_set"):
+        begun.actions_[action].trigger()
+        all_done(qtbot)
+    document.select_class("Circle left")
+    begun._show_menu(QPoint(0, 0))
+    begun.agreement.open(second)
+    all_done(qtbot)
+    found += texts_of(begun)
+    assert _left_out([*found, *asked.texts]) == {}
+
+
+# --- it is found by the words of both languages ---------------------------------------------------
+
+_GERMAN = {
+    "Blind mode": "Blindmodus",
+    "Halfway line": "Mittellinie",
+    "Size of texts": "Textgröße",
+    "Hold X": "X halten",
+}
+
+
+@pytest.fixture
+def german() -> Iterator[None]:
+    """A few words of another language."""
+    language.speak(lambda text, about, count: _GERMAN.get(text, text))
+    yield
+    language.speak(None)
+
+
+@pytest.mark.new_window
+def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
+    german: None, window: MainWindow
+) -> None:
+    commands = window.commands
+    window.find_anything()
+    for words, title in (
+        ("blindm", "Blindmodus"),
+        ("blind mo", "Blindmodus"),
+        ("mittel", "Mittellinie"),
+        ("halfway", "Mittellinie"),
+        ("textgr", "Textgröße…"),
+        ("size of t", "Textgröße…"),
+    ):
+        window.palette_.search.setText(words)
+        model = window.palette_.list.model()
+        assert model.index(0, 0).data() == title
+    window.palette_.put_away()
+
+    commands.show_keys()
+    sheet = commands._sheet
+    assert sheet is not None
+    for words, text in (
+        ("mittellinie", "Mittellinie"),
+        ("halfway", "Mittellinie"),
+        ("blind mode", "Blindmodus"),
+        ("hold x", "X halten"),
+    ):
+        sheet.search.setText(words)
+        assert text in sheet.columns.text()
+    sheet.close()
+
+    commands.show_settings()
+    dialog = commands._dialog
+    assert dialog is not None
+    for words in ("textgröße", "size of texts"):
+        dialog.search.setText(words)
+        shown = [row.setting.key for row in dialog.rows if not row.isHidden()]
+        assert shown == ["font_percent"]
+    dialog.close()
+
+    keys = KeymapDialog(window.document.field, window.document.state.keymap, window)
+    for words in ("blindmodus", "blind mode"):
+        keys.search.setText(words)
+        assert "Blindmodus" in keys.model.rows[0].text
+    keys.deleteLater()
+
+
+def test_menus_open_by_letters_of_their_own_language(german: None) -> None:
+    titles = {"File": "ファイル", "Edit": "Bearbeiten", "Frame": "Bild"}
+    language.speak(lambda text, about, count: titles.get(text, text))
+    said = mnemonics(MENUS)
+    assert said["File"] == "ファイル(&F)"
+    assert said["Edit"] == "&Bearbeiten"
+    assert said["Frame"] == "B&ild"
+    letters = [words[words.index("&") + 1].lower() for words in said.values()]
+    assert len(set(letters)) == len(MENUS)
+
+
+@pytest.mark.new_window
+def test_a_title_says_below_its_group_what_the_group_does_not(qapp: QApplication) -> None:
+    take_up(qapp, "de")
+    shown = short_titles(load_field("soccer"))
+    take_up(qapp, "en")
+    assert shown["Big rect. left main"] == "Vorn"
+    assert shown["Goal left post left "] == "Linker Pfosten"
+    assert shown["Circle left"] == "Linker Teilkreis"  # no part of it is only the group's
+
+
+def test_the_guide_says_that_it_is_in_english(german: None, window: MainWindow) -> None:
+    window.commands.show_guide()
+    guide = window.commands._guide
+    assert guide is not None
+    assert guide.findChild(QLabel, "guideLanguage") is not None
+    guide.close()
+
+
+# --- nothing is cut off ---------------------------------------------------------------------------
+
+
+_DIALOGS = ("settings", "keys", "keymap", "import_annotations", "export_as", "save_overlay",
+            "versions", "overview", "group_views", "field_dimensions", "guide")  # fmt: skip
+
+
+def _longer(text: str, about: str, count: int) -> str:
+    """English that takes three tenths more room."""
+    letters = "".join(filter(str.isalpha, re.sub("{[^}]*}", "", text)))
+    return f"{text} {letters[: round(0.3 * len(letters))]}"
+
+
+@pytest.fixture(params=["longer", "de", "fr"])
+def longest(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[str]:
+    """The languages with the longest words."""
+    if request.param == "longer":
+        language.speak(_longer)
+    else:
+        take_up(qapp, request.param)
+    yield request.param
+    take_up(qapp, "en")
+
+
+def _too_narrow(widget: QWidget) -> str:
+    """What of a widget's text has no room; "" where it has, or its tip has all of it."""
+    text = getattr(widget, "text", str)()
+    if isinstance(widget, QLabel):
+        if not text or text in widget.toolTip():
+            return ""
+        if widget.wordWrap():
+            lack = widget.heightForWidth(widget.width()) - widget.height()
+        else:
+            lack = widget.sizeHint().width() - widget.width()
+    elif isinstance(widget, QHeaderView):
+        return _narrow_columns(widget)
+    elif isinstance(widget, QTabBar):
+        text = " | ".join(map(widget.tabText, range(widget.count())))
+        lack = 0 if widget.usesScrollButtons() else widget.sizeHint().width() - widget.width()
+    else:
+        lack = widget.sizeHint().width() - widget.width()
+    return f"{text!r}: {lack} px" if lack > 0 else ""
+
+
+def _narrow_columns(header: QHeaderView) -> str:
+    titles, wide = header.model(), Qt.Orientation.Horizontal
+    lacking = []
+    for column in range(header.count() if header.orientation() == wide else 0):
+        title = str(titles.headerData(column, wide) or "")
+        tip = str(titles.headerData(column, wide, Qt.ItemDataRole.ToolTipRole) or "")
+        room = header.sectionSize(column)
+        if title and title not in tip and 0 < room < header.sectionSizeHint(column):
+            lacking.append(f"{title!r}: {header.sectionSizeHint(column) - room} px")
+    return ", ".join(lacking)
+
+
+def _cut_off(window: QWidget) -> dict[str, str]:
+    """What is in sight and has no room for its words."""
+    QApplication.processEvents()
+    kinds = (QLabel, QPushButton, QToolButton, QCheckBox, QComboBox, QRadioButton, QTabBar)
+    kinds = (*kinds, QHeaderView)
+    shown = [
+        widget
+        for widget in window.findChildren(QWidget)
+        if isinstance(widget, kinds) and not widget.visibleRegion().isEmpty()
+        and not widget.objectName().startswith("Scroll")  # arrows of tabs
+    ]  # fmt: skip
+    assert shown
+    return {
+        f"{window.windowTitle()}: {type(widget).__name__} {widget.objectName()}": lack
+        for widget in shown
+        if (lack := _too_narrow(widget))
+    }
+
+
+@pytest.mark.new_window
+def test_nothing_is_cut_off(
+    longest: str, audited: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    audited.resize(1280, 720)
+    cut: dict[str, str] = {}
+    for desk in DESKS:
+        audited.turn_to(desk)
+        for name in DESKS[desk]:
+            audited.show_panel(name)
+            cut |= _cut_off(audited)
+    assert audited.size() == QSize(1280, 720)
+    Asked(monkeypatch, lambda dialog: cut.update(_cut_off(dialog)))
+    for name in _DIALOGS:
+        audited.actions_[name].trigger()
+        for window in _opened(audited):
+            cut |= _cut_off(window)
+    assert cut == {}
+
+
+# --- the translations -----------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def tool() -> ModuleType:
+    """What collects the texts, as a module."""
+    path = Path(__file__).parents[2] / "packaging" / "languages.py"
+    spec = importlib.util.spec_from_file_location("languages_tool", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # its dataclasses look for it there
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_no_words_of_the_code_are_out_of_reach(tool: ModuleType) -> None:
+    assert tool.unsaid() == []
+
+
+_TRANSLATED = [name for name in LANGUAGES if name != "en"]
+
+
+def _forms(text: Any, forms: tuple[str, ...]) -> dict[int, str]:
+    """What is said of one thing and of five, or without a number."""
+    return {1: forms[0], 5: forms[-1]} if text.one else {-1: forms[0]}
+
+
+def test_translations_have_no_faults_and_are_compiled(tool: ModuleType) -> None:
+    texts = {(text.source, text.about): text for text in tool.collected()}
+    for name in _TRANSLATED:
+        known = {key: forms for key, forms in tool.translations(name).items() if key in texts}
+        assert known
+        faulty = {key: tool.faults_of(texts[key], name, forms) for key, forms in known.items()}
+        assert {key: fault for key, fault in faulty.items() if fault} == {}, name
+        translator = QTranslator()
+        assert translator.load(str(tool.FOLDER / f"{name}.qm"))
+        for (source, about), forms in known.items():
+            for number, form in _forms(texts[source, about], forms).items():
+                found = translator.translate(CONTEXT, source, about or None, number)
+                assert found == form, f"{name}.qm is older than {name}.ts"
+
+
+@pytest.mark.parametrize("name", _TRANSLATED)
+def test_a_language_is_spoken_once_it_is_taken_up(qapp: QApplication, name: str) -> None:
+    take_up(qapp, name)
+    said, of_qt = tr("Undo"), QKeySequence("Space").toString(NATIVE)
+    take_up(qapp, "en")
+    assert said != "Undo"
+    assert (tr("Undo"), QKeySequence("Space").toString(NATIVE)) == ("Undo", "Space")
+    assert of_qt != "Space" or name in ("ja", "zh_CN")  # Qt's own words come along
+    assert language.is_english()

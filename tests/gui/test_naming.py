@@ -151,3 +151,26 @@ def test_a_camera_known_from_few_clicks_names_every_line_in_sight(
     for name in missing:
         points = np.array([(p["x"], p["y"]) for p in truth[name]]) * (size[0] - 1, size[1] - 1)
         assert begun.naming._likely(points)[0] == name
+
+
+def test_without_a_camera_directions_and_named_neighbours_decide(
+    window: MainWindow, hand: Hand, qtbot: QtBot, sample_data: Path
+) -> None:
+    """On a first frame, with nothing but two elements that have names."""
+    document = window.document
+    document.live_fit.set_wanted(False)
+    truth = json.loads((sample_data / "00003.json").read_text())
+    places = {
+        name: [(p["x"] * 639, p["y"] * 359) for p in points] for name, points in truth.items()
+    }
+    given = ("Big rect. right main", "Side line top")
+    for name in given:
+        hand.draw(name, places[name][0], places[name][-1])
+    asked = ("Big rect. right top", "Big rect. right bottom", "Small rect. right main")
+    right = 0
+    for name in asked:
+        menu = drawn(window, hand, qtbot, places[name][0], places[name][-1])
+        right += name in offered(menu)
+        assert not set(offered(menu)) & set(given)
+        QTest.keyClick(menu, Qt.Key.Key_Escape)
+    assert right == len(asked)

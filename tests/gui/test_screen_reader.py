@@ -17,8 +17,6 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
-from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.picture.split_view import DividerGrip
 from procc_annotator.gui.window.docks import DESKS
 
@@ -26,8 +24,8 @@ from procc_annotator.gui.window.docks import DESKS
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 _NONE = (QAccessible.Role.NoRole, QAccessible.Role.Client, QAccessible.Role.Border)
-# What Qt has no word for is painted by the program: such widgets are read by name alone.
-_PAINTED = (Canvas, FieldMapPanel, DividerGrip, QScrollArea, QTabWidget)
+# What only holds others has no role of its own.
+_HOLDING = (QScrollArea, QTabWidget)
 
 
 def taking_keys(window: QWidget) -> list[QWidget]:
@@ -51,7 +49,8 @@ def unnamed(window: QWidget) -> dict[str, str]:
     for widget in taking_keys(window):
         told = QAccessible.queryAccessibleInterface(widget)
         name = told.text(QAccessible.Text.Name)
-        if not name.strip() or (told.role() in _NONE and not isinstance(widget, _PAINTED)):
+        silent = isinstance(widget, _HOLDING) or widget.isHidden()  # told once it is shown
+        if not name.strip() or (told.role() in _NONE and not silent):
             ours = (
                 f"{type(widget).__name__} {widget.objectName()} in {type(widget.parent()).__name__}"
             )
@@ -66,6 +65,27 @@ def test_everything_that_takes_the_keyboard_says_what_it_is(audited: MainWindow)
             audited.show_panel(name)
     assert len(taking_keys(audited)) > 60
     assert unnamed(audited) == {}
+
+
+def test_what_paints_itself_says_what_it_is(window: MainWindow) -> None:
+    grip = window.findChild(DividerGrip)
+    for hidden in (window.strip, grip):
+        hidden.show()
+    roles = {
+        window.canvas: QAccessible.Role.Canvas,
+        window.field_map: QAccessible.Role.Canvas,
+        window.strip: QAccessible.Role.Slider,
+        grip: QAccessible.Role.Grip,
+    }
+    for widget, role in roles.items():
+        told = QAccessible.queryAccessibleInterface(widget)
+        assert told.role() == role
+        assert told.text(QAccessible.Text.Name) == widget.accessibleName() != ""
+    window.document.select_class("Middle line")
+    told = QAccessible.queryAccessibleInterface(window.canvas)
+    assert told.text(QAccessible.Text.Description) == window.canvas.hint
+    for shown in (window.strip, grip):
+        shown.hide()
 
 
 @pytest.mark.parametrize("action", ["settings", "keys"])

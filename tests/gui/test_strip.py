@@ -355,6 +355,27 @@ def strip_words(window: MainWindow) -> str:
     return words_of(window.document, window.strip.content, window.strip.number)
 
 
+def test_frames_are_gone_to_and_marked_by_keys(window: MainWindow, qtbot: QtBot) -> None:
+    strip, document = window.strip, window.document
+    strip.setFocus(Qt.FocusReason.TabFocusReason)
+    QTest.keyClick(strip, Qt.Key.Key_Right)
+    qtbot.waitUntil(lambda: document.frame_index == 1)
+    for frame in (2, 3, 4):
+        QTest.keyClick(strip, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+        qtbot.waitUntil(lambda frame=frame: document.frame_index == frame)
+    first = int(strip.content.sequence.numbers[0])
+    assert strip.stretch == (first + 1, first + 4)
+    QTest.keyClick(strip, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    qtbot.waitUntil(lambda: document.frame_index == 3)
+    assert strip.stretch == (first + 1, first + 3)
+    QTest.keyClick(strip, Qt.Key.Key_Escape)
+    assert strip.stretch is None
+    QTest.keyClick(strip, Qt.Key.Key_End)
+    qtbot.waitUntil(lambda: document.frame_index == COUNT - 1)
+    QTest.keyClick(strip, Qt.Key.Key_Home)
+    qtbot.waitUntil(lambda: document.frame_index == 0)
+
+
 def test_a_band_shows_the_worst_of_what_shares_a_column() -> None:
     band = Band.unknown(1000)
     band.coverage[:] = 0.9

@@ -8,6 +8,7 @@ from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.from_picture.climbing import harmonic
 from procc_annotator.fit.from_picture.proposal import NONE, SURE, UNSURE, State
 from procc_annotator.fit.result import FitResult
+from procc_annotator.language import said, said_joined
 
 # Below, what was found is no camera of this picture.
 _LEAST_BOTH = 0.4
@@ -42,31 +43,39 @@ class Evidence:
 
 def decide(seen: Evidence) -> tuple[State, str]:
     """Whether a camera is sure, unsure or none, and why, in a sentence."""
-    shares = (
-        f"{100 * seen.coverage:.0f} % of the lines in sight lie on paint, which explains"
-        f" {100 * seen.explained:.0f} % of the paint on the ground"
+    shares = said(
+        "{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the"
+        " paint on the ground",
+        lines=100 * seen.coverage,
+        paint=100 * seen.explained,
     )
     if seen.fit.camera is None:
-        return NONE, str(seen.fit.failure)
+        return NONE, seen.fit.failure or ""
     if harmonic(seen.coverage, seen.explained) < _LEAST_BOTH:
-        return NONE, f"no camera suits the paint in this picture: of the best one {shares}"
+        return NONE, said(
+            "no camera suits the paint in this picture: of the best one {shares}", shares=shares
+        )
     doubt = _doubt(seen)
-    return (UNSURE, f"{doubt} ({shares})") if doubt else (SURE, shares)
+    return (UNSURE, said_joined("", (doubt, " (", shares, ")"))) if doubt else (SURE, shares)
 
 
 def _doubt(seen: Evidence) -> str:
     share = min(seen.coverage, seen.explained)
     if seen.margin < (_SURE_MARGIN if share < _WELL else _MARGIN_WELL):
-        return "another camera that shows other lines suits the picture nearly as well"
+        return said("another camera that shows other lines suits the picture nearly as well")
     if seen.coverage < _SURE_COVERAGE:
-        return "lines are missing that should be in sight"
+        return said("lines are missing that should be in sight")
     if seen.explained < _SURE_EXPLAINED:
-        return "there is paint where the field has none"
+        return said("there is paint where the field has none")
     if seen.unlikeliness > _MOST_UNLIKELY:
-        return "cameras hardly stand there"
+        return said("cameras hardly stand there")
     if seen.elements < _SURE_ELEMENTS - (share >= _ALL_FOUND):
+<<<<<<< HEAD
         return "too few lines are in sight to tell"
     if seen.beside:
         return seen.beside
+=======
+        return said("too few lines are in sight to tell")
+>>>>>>> main
     open_ = hardly_determined(seen.fit)
-    return f"the lines in sight leave the camera open: {open_}" if open_ else ""
+    return said("the lines in sight leave the camera open: {what}", what=open_) if open_ else ""

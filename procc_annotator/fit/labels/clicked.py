@@ -17,6 +17,7 @@ from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.labels.seen_paint import ElementPaint
 from procc_annotator.fit.result import ElementResidual, FitResult, PosedCamera
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.language import Said, said
 
 # An element with a point farther off than this is not where the camera of the others shows it.
 LIMIT_PX = 9.0
@@ -70,9 +71,9 @@ class Clicked:
         return self.element.name
 
     @property
-    def title(self) -> str:
+    def title(self) -> Said:
         """What people call it."""
-        return self.element.title
+        return said(self.element.title)
 
 
 def clicked_elements(

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from procc_annotator.errors import UsageError
+from procc_annotator.language import said
 
 
 class Severity(StrEnum):
@@ -72,7 +73,8 @@ class Remedy:
 
     Attributes:
         kind: what it does.
-        text: the same in words ("relabel to Right penalty front"), for buttons and tables.
+        text: the same in words ("relabel to Right penalty front"), for buttons and tables; by
+            `said`.
         renamed: for `RELABEL` and `SWAP`: (class, class it becomes), all at once.
     """
 
@@ -81,7 +83,7 @@ class Remedy:
     renamed: tuple[tuple[str, str], ...] = ()
 
 
-LOOK = Remedy(RemedyKind.LOOK, "look at it")
+LOOK = Remedy(RemedyKind.LOOK, said("look at it"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +94,7 @@ class Finding:
         rule: what was looked for.
         severity: how sure it is.
         elements: the classes concerned; the first one is to be shown.
-        reason: one sentence, elements by their titles, without a full stop at its end.
+        reason: one sentence, elements by their titles, without a full stop at its end; by `said`.
         remedies: ways to mend it, the likeliest first; `LOOK` where nothing else is known.
         point: index of the one bad point in the first element's polyline.
         error_px: largest distance of the first element's points from the fitted camera, px of the

@@ -19,14 +19,14 @@ from procc_annotator.fit.labels.finding import (
     Rule,
     Severity,
 )
-from procc_annotator.fit.labels.orientation import ACROSS, ALONG, reflected_names, renamed
+from procc_annotator.fit.labels.orientation import ACROSS, ALONG, EXCHANGE, reflected_names, renamed
 from procc_annotator.fit.labels.relabelling import distances_to_classes, others_with_and_without
 from procc_annotator.fit.result import FitResult, PosedCamera
 from procc_annotator.fit.solving.models import STRONG
 from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX
-from procc_annotator.words import all_of
+from procc_annotator.language import Said, said, said_all, said_joined
 
 # A whole frame is called reflected if its reflection fits at least so many times as well.
 _TIMES_AS_WELL = 2.0
@@ -37,6 +37,10 @@ _MOST_PX = 30.0
 _BAD_MEDIAN_PX = 4.0
 _BAD_ELEMENTS = 2
 _NOTICEABLE_PX = 0.1
+_FIT_EXCHANGED = {
+    ACROSS: said("all labels fit with far and near exchanged"),
+    ALONG: said("all labels fit with left and right exchanged"),
+}
 # Carelessly clicked frames have points so many times as far off as elements usually are.
 _TIMES_USUAL = 3.0
 
@@ -108,27 +112,31 @@ def _reflected(doubted: DoubtedFrame, fit: FitResult) -> Finding | None:
         return None
     # Both reflections fit alike; the main camera stands on the near side.
     near = isinstance(better.camera, PosedCamera) and better.camera.position_world[1] > 0
-    words = {ACROSS: "far and near", ALONG: "left and right"}
     remedies = [
-        Remedy(
-            RemedyKind.RELABEL,
-            f"exchange {words[signs]} in the whole frame",
-            _pairs(doubted.names, names),
-        )
+        Remedy(RemedyKind.RELABEL, EXCHANGE[signs], _pairs(doubted.names, names))
         for names, signs in ways
     ]
     if not near:
         remedies.reverse()
         ways.reverse()
-    old = "no camera fits the labels as they are" if fit.camera is None else (
-        f"{in_picture(before, frame):.1f} px as they are"
-    )  # fmt: skip
+    after_px, before_px = in_picture(after, frame), in_picture(before, frame)
+    off = (
+        said(
+            "elements are {after:.1f} px off on average, no camera fits the labels as they are",
+            after=after_px,
+        )
+        if fit.camera is None
+        else said(
+            "elements are {after:.1f} px off on average, {before:.1f} px as they are",
+            after=after_px,
+            before=before_px,
+        )
+    )
     return Finding(
         Rule.REFLECTED,
         Severity.ERROR,
         doubted.names,
-        f"all labels fit with {words[ways[0][1]]} exchanged: elements are"
-        f" {in_picture(after, frame):.1f} px off on average, {old}",
+        said_joined(": ", (_FIT_EXCHANGED[ways[0][1]], off)),
         tuple(remedies),
         model=doubted.model,
     )
@@ -167,22 +175,23 @@ def _cycle(name: str, names: Mapping[str, str]) -> tuple[str, ...]:
 def _exchanged(
     doubted: DoubtedFrame, found: Explanation, group: Sequence[str], severity: Severity
 ) -> Finding:
-    titles = [doubted.field.title_of(name) for name in group]
+    title = {name: said(doubted.field.title_of(name)) for name in group}
     renames = tuple((name, found.names[name]) for name in group)
     off = max(_shown_px(doubted, found, name) for name in group)
     if len(group) == 2:
-        fact = f"{titles[0]} and {titles[1]} fit with each other's label"
-        remedy = Remedy(RemedyKind.SWAP, f"swap {titles[0]} and {titles[1]}", renames)
+        a, b = title.values()
+        fact = said("{a} and {b} fit with each other's label", a=a, b=b)
+        remedy = Remedy(RemedyKind.SWAP, said("swap {a} and {b}", a=a, b=b), renames)
     else:
-        fact = f"{all_of(titles)} fit with each other's labels"
-        steps = ", ".join(f"{doubted.field.title_of(a)} to {doubted.field.title_of(b)}"
-                          for a, b in renames)  # fmt: skip
-        remedy = Remedy(RemedyKind.RELABEL, f"relabel {steps}", renames)
+        fact = said("{titles} fit with each other's labels", titles=said_all([*title.values()]))
+        steps = [said("{a} to {b}", "labels", a=title[a], b=title[b]) for a, b in renames]
+        text = said("relabel {steps}", steps=said_joined(", ", steps))
+        remedy = Remedy(RemedyKind.RELABEL, text, renames)
     return Finding(
         Rule.SWAPPED,
         severity,
         tuple(group),
-        fact + _others(doubted, found),
+        said_joined("; ", (fact, *_others(doubted, found))),
         (remedy, LOOK),
         error_px=off,
         model=doubted.model,
@@ -193,20 +202,36 @@ def _point(doubted: DoubtedFrame, found: Explanation, name: str, severity: Sever
     bad = found.points[name]
     if bad.off_px <= max(_usual(found), _TIMES_USUAL * bad.rest_px):
         severity = Severity.WARNING
-    title, number = doubted.field.title_of(name), bad.index + 1
+    title, number = said(doubted.field.title_of(name)), bad.index + 1
     polyline = doubted.annotation.get(name)
     count = 0 if polyline is None else len(polyline.points)
-    remedies: tuple[Remedy, ...] = (Remedy(RemedyKind.LOOK, f"look at point {number}"),)
+    look = said("look at point {number}", number=number)
+    remedies: tuple[Remedy, ...] = (Remedy(RemedyKind.LOOK, look),)
     if count > 2:
-        remedies = (Remedy(RemedyKind.REMOVE_POINT, f"remove point {number}"), *remedies)
+        remove = said("remove point {number}", number=number)
+        remedies = (Remedy(RemedyKind.REMOVE_POINT, remove), *remedies)
     off = in_picture(bad.off_px, doubted.frame)
     rest = in_picture(bad.rest_px, doubted.frame)
-    other = "its other point" if count == 2 else "its other points"
+    reason = said(
+        "point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px",
+        number=number,
+        title=title,
+        off=off,
+        rest=rest,
+    )
+    if count == 2:
+        reason = said(
+            "point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px",
+            number=number,
+            title=title,
+            off=off,
+            rest=rest,
+        )
     return Finding(
         Rule.POINT,
         severity,
         (name,),
-        f"point {number} of {title} is {off:.0f} px off, {other} at most {rest:.1f} px",
+        reason,
         remedies,
         point=bad.index,
         error_px=off,
@@ -215,34 +240,44 @@ def _point(doubted: DoubtedFrame, found: Explanation, name: str, severity: Sever
 
 
 def _misplaced(doubted: DoubtedFrame, found: Explanation, name: str, severity: Severity) -> Finding:
-    field, title = doubted.field, doubted.field.title_of(name)
+    field, title = doubted.field, said(doubted.field.title_of(name))
     off = _shown_px(doubted, found, name)
     if name not in found.names and found.off_px[name] <= max(OUTLIER_PX, _usual(found)):
         severity = Severity.WARNING  # the label may be right and the clicks bad
-    fact = f"{title} is {_up_to(off, doubted.frame)} where the camera of the others shows it"
+    fact = (
+        said(
+            "{title} is up to {px:.0f} px from where the camera of the others shows it",
+            title=title,
+            px=off,
+        )
+        if off < doubted.frame.size[0]
+        else said("{title} is nowhere near where the camera of the others shows it", title=title)
+    )
     if name in known_covariances(field):
-        fact += ", more than its own place is uncertain"
+        fact = said_joined(", ", (fact, said("more than its own place is uncertain")))
+    facts = [fact]
     becomes = found.names.get(name)
     remedies: list[Remedy] = []
     if becomes is not None:
-        fact += f"; it lies where {field.title_of(becomes)} should be"
+        meant = said(field.title_of(becomes))
+        facts.append(said("it lies where {title} should be", title=meant))
         free = [becomes, *(p.class_name for p in found.places.get(name, ()))]
         taken = {*doubted.names, *found.names.values()} - {becomes}
         for other in dict.fromkeys(free):
             if other not in taken or other == becomes:
                 renames = ((name, other),)
-                remedies.append(
-                    Remedy(RemedyKind.RELABEL, f"relabel to {field.title_of(other)}", renames)
-                )
+                text = said("relabel to {title}", title=said(field.title_of(other)))
+                remedies.append(Remedy(RemedyKind.RELABEL, text, renames))
     else:
         twin = next((p.class_name for p in found.places.get(name, ())), None)
         if twin is not None and twin != name:
-            fact += f"; it lies on {field.title_of(twin)}, which is annotated as well"
+            lies_on = said(field.title_of(twin))
+            facts.append(said("it lies on {title}, which is annotated as well", title=lies_on))
     return Finding(
         Rule.RESIDUAL,
         severity,
         (name,),
-        fact + _others(doubted, found),
+        said_joined("; ", (*facts, *_others(doubted, found))),
         (*remedies, LOOK),
         error_px=off,
         model=doubted.model,
@@ -257,28 +292,31 @@ def _shown_px(doubted: DoubtedFrame, found: Explanation, name: str) -> float:
     return in_picture(float(distances[name].max()), doubted.frame)
 
 
-def _others(doubted: DoubtedFrame, found: Explanation) -> str:
+def _others(doubted: DoubtedFrame, found: Explanation) -> tuple[Said, ...]:
     """The leave-one-out sentence, for all mistakes of the frame together."""
     wrong = tuple(found.off_px)
     means = others_with_and_without(
         doubted.annotation, wrong, doubted.field, doubted.frame, found.vector, doubted.model
     )
     if means is None:
-        return ""
-    titles = [doubted.field.title_of(name) for name in wrong]
+        return ()
+    titles = [said(doubted.field.title_of(name)) for name in wrong]
     before, after = (in_picture(mean, doubted.frame) for mean in means)
     if before - after < _NOTICEABLE_PX:
-        return f"; the others are {after:.1f} px off with and without it"
-    return f"; without {all_of(titles)} the others drop from {before:.1f} to {after:.1f} px"
+        return (said("the others are {px:.1f} px off with and without it", px=after),)
+    return (
+        said(
+            "without {titles} the others drop from {before:.1f} to {after:.1f} px",
+            titles=said_all(titles),
+            before=before,
+            after=after,
+        ),
+    )
 
 
 def _usual(found: Explanation) -> float:
     """How far off a point may be where the right elements lie as far off as they do, solver px."""
     return _TIMES_USUAL * found.right_px
-
-
-def _up_to(off_px: float, frame: PictureFrame) -> str:
-    return f"up to {off_px:.0f} px from" if off_px < frame.size[0] else "nowhere near"
 
 
 def _unexplained(
@@ -291,7 +329,7 @@ def _unexplained(
                 Rule.RESIDUAL,
                 Severity.WARNING,
                 doubted.names,
-                f"{fit.failure or 'no camera fits these labels together'}",
+                fit.failure or said("no camera fits these labels together"),
                 (LOOK,),
                 model=doubted.model,
             ),
@@ -301,8 +339,12 @@ def _unexplained(
             Rule.RESIDUAL,
             Severity.WARNING,
             (element.name,),
-            f"{doubted.field.title_of(element.name)} is up to {element.max_px:.0f} px from where"
-            " the camera shows it; too few elements fit to say which are wrong",
+            said(
+                "{title} is up to {px:.0f} px from where the camera shows it; too few elements fit"
+                " to say which are wrong",
+                title=said(doubted.field.title_of(element.name)),
+                px=element.max_px,
+            ),
             (LOOK,),
             error_px=element.max_px,
             model=doubted.model,

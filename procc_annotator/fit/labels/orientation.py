@@ -40,6 +40,7 @@ from procc_annotator.field.geometry import (
 )
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sample import FloatArray
+from procc_annotator.language import said
 
 Corner = tuple[int, int]  # two straight elements that meet
 
@@ -169,6 +170,10 @@ def _meeting_point(one: Element, other: Element) -> FloatArray | None:
 _SAME_PLACE_M = 0.01
 ALONG = (-1.0, 1.0)  # left for right
 ACROSS = (1.0, -1.0)  # top for bottom
+EXCHANGE = {  # the remedies
+    ACROSS: said("exchange far and near in the whole frame"),
+    ALONG: said("exchange left and right in the whole frame"),
+}
 
 
 def reflected_names(

@@ -14,6 +14,7 @@ from procc_annotator.field.sample import sample_every
 from procc_annotator.fit.labels.clicked import Clicked, ClickedFrame, in_picture
 from procc_annotator.fit.labels.finding import LOOK, Finding, Rule, Severity, surely_wrong
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.language import said
 from procc_annotator.metric.course import lengths_along, places_at
 
 # Clicks along one line lie so near to those of somebody else along it.
@@ -58,8 +59,13 @@ def _finding(one: Clicked, other: Clicked, frame: PictureFrame) -> Finding:
         Rule.COINCIDENT,
         Severity.WARNING,
         (one.name, other.name),
-        f"{one.title} and {other.title} lie on top of each other, less than {near:.0f} px apart:"
-        " one line under two names?",
+        said(
+            "{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two"
+            " names?",
+            a=one.title,
+            b=other.title,
+            px=near,
+        ),
         (LOOK,),
     )
 

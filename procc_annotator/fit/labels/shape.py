@@ -19,6 +19,7 @@ from procc_annotator.fit.labels.finding import (
 )
 from procc_annotator.fit.labels.lens import beside_line, least_bend
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.language import said, said_count
 
 # A conic has five unknowns; three points say next to nothing about a circle seen in perspective.
 _POINTS_OF_AN_ELLIPSE = 5
@@ -47,15 +48,21 @@ def bent(clicked: Clicked, frame: PictureFrame) -> Finding | None:
     index = None if bad is None else clicked.indices[bad]
     remedies: tuple[Remedy, ...] = (LOOK,)
     if index is not None:
-        remove = Remedy(RemedyKind.REMOVE_POINT, f"remove point {index + 1}")
-        remedies = (remove, Remedy(RemedyKind.LOOK, f"look at point {index + 1}"))
+        number = index + 1
+        remove = Remedy(RemedyKind.REMOVE_POINT, said("remove point {number}", number=number))
+        look = Remedy(RemedyKind.LOOK, said("look at point {number}", number=number))
+        remedies = (remove, look)
     shown = in_picture(off, frame)
     return Finding(
         Rule.BENT,
         Severity.ERROR if off > LIMIT_PX else Severity.WARNING,
         (clicked.name,),
-        f"{clicked.title} is straight on the field, its points lie up to {shown:.0f} px beside a"
-        " line, more than any lens bends it",
+        said(
+            "{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more"
+            " than any lens bends it",
+            title=clicked.title,
+            px=shown,
+        ),
         remedies,
         point=index,
     )
@@ -74,26 +81,37 @@ def few_points(clicked: Clicked) -> Finding | None:
     """Fewer points than tell where the element runs."""
     count = len(_distinct(clicked.points))
     shape = clicked.element.geometry
-    some = "1 point" if count == 1 else f"{count} points"
     if clicked.element.is_spot:
         return None
     if isinstance(shape, Line | Chain):
         if count > 1:
             return None
-        return _few(clicked, Severity.WARNING, f"{clicked.title} has {some}, a line takes two")
+        reason = said_count(
+            count,
+            "{title} has {n} point, a line takes two",
+            "{title} has {n} points, a line takes two",
+            title=clicked.title,
+        )
+        return _few(clicked, Severity.WARNING, reason)
     fewest = _FEWEST_OF_A_CIRCLE if isinstance(shape, Circle) else _FEWEST_OF_AN_ARC
     if count < fewest:
-        return _few(
-            clicked,
-            Severity.WARNING,
-            f"{clicked.title} has {some}; a curve takes at least {_POINTS_OF_AN_ELLIPSE}",
+        reason = said_count(
+            count,
+            "{title} has {n} point; a curve takes at least {least}",
+            "{title} has {n} points; a curve takes at least {least}",
+            title=clicked.title,
+            least=_POINTS_OF_AN_ELLIPSE,
         )
+        return _few(clicked, Severity.WARNING, reason)
     if count < _POINTS_OF_AN_ELLIPSE:
-        return _few(
-            clicked,
-            Severity.HINT,
-            f"{clicked.title} has {some}; fewer than {_POINTS_OF_AN_ELLIPSE} determine no ellipse",
+        reason = said_count(
+            count,
+            "{title} has {n} point; fewer than {least} determine no ellipse",
+            "{title} has {n} points; fewer than {least} determine no ellipse",
+            title=clicked.title,
+            least=_POINTS_OF_AN_ELLIPSE,
         )
+        return _few(clicked, Severity.HINT, reason)
     return None
 
 
@@ -108,8 +126,12 @@ def many_points(clicked: Clicked, frame: PictureFrame) -> Finding | None:
         Rule.MANY_POINTS,
         Severity.WARNING,
         (clicked.name,),
-        f"{clicked.title} is a single place, it has {len(clicked.points)} points up to"
-        f" {in_picture(reach, frame):.0f} px apart",
+        said(
+            "{title} is a single place, it has {count} points up to {px:.0f} px apart",
+            title=clicked.title,
+            count=len(clicked.points),
+            px=in_picture(reach, frame),
+        ),
         (LOOK,),
     )
 
@@ -140,15 +162,19 @@ def repeated(clicked: Clicked) -> Finding | None:
             Rule.REPEATED,
             Severity.WARNING,
             (clicked.name,),
-            f"the points of {clicked.title} go over the same stretch more than once: their course"
-            f" is {way / net:.1f} times as long as it need be",
+            said(
+                "the points of {title} go over the same stretch more than once: their course is"
+                " {times:.1f} times as long as it need be",
+                title=clicked.title,
+                times=way / net,
+            ),
             (LOOK,),
         )
     return Finding(
         Rule.REPEATED,
         Severity.HINT,
         (clicked.name,),
-        f"the points of {clicked.title} go back and forth instead of along it",
+        said("the points of {title} go back and forth instead of along it", title=clicked.title),
         (LOOK,),
     )
 

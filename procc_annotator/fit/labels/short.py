@@ -16,12 +16,15 @@ from procc_annotator.fit.labels.clicked import Clicked, ClickedFrame, in_picture
 from procc_annotator.fit.labels.finding import LOOK, Finding, Rule, Severity, surely_wrong
 from procc_annotator.fit.line_ends import belongs_at, edge_point
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.language import said
 
 # A shorter gap is how people click; beyond a longer one the line is hidden or worn.
 _SHORTEST_GAP_PX, _LONGEST_GAP_PX = 15.0, 40.0
 _BESIDE_PX = 15.0
 _ON_IT_M = 0.2
 _SPACING_M = 0.25
+_CORNER = said("its corner", "where a line ends")
+_EDGE = said("the picture's edge", "where a line ends")
 
 
 def short_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterator[Finding]:
@@ -50,17 +53,29 @@ def short_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterato
             if place is not None and _is_gap(gap * frame.scale):
                 gaps.append((gap, place[1]))
         if gaps:
-            said = ", and ".join(f"{gap:.0f} px short of {what}" for gap, what in gaps)
-            if len(gaps) == 2:
-                said += " at its other end"
             yield Finding(
                 Rule.SHORT,
                 Severity.HINT,
                 (one.name,),
-                f"{one.title} stops {said}",
+                _words(one.title, gaps),
                 (LOOK,),
                 model=model,
             )
+
+
+def _words(title: str, gaps: Sequence[tuple[float, str]]) -> str:
+    (px, what), *others = gaps
+    for px_2, what_2 in others:
+        return said(
+            "{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its"
+            " other end",
+            title=title,
+            px=px,
+            what=what,
+            px_2=px_2,
+            what_2=what_2,
+        )
+    return said("{title} stops {px:.0f} px short of {what}", title=title, px=px, what=what)
 
 
 def _is_gap(gap_px: float) -> bool:
@@ -88,8 +103,8 @@ def _by_camera(
         ahead = float((true_end - end) @ along)
         beside = abs(float((true_end - end) @ (-along[1], along[0])))
         if ahead > -reach / 2 and beside < in_picture(_BESIDE_PX, frame) and ahead < to_edge:
-            return (end + max(ahead, 0.0) * along, "its corner")
-    return edge, "the picture's edge"
+            return (end + max(ahead, 0.0) * along, _CORNER)
+    return edge, _EDGE
 
 
 def _true_ends(element: Element, camera: Camera) -> FloatArray:
@@ -119,9 +134,9 @@ def _by_neighbours(
     corner = belongs_at(end, inner, corners, None, reach)
     if corner is not None:
         ahead = float((corner - end) @ (end - inner))
-        return (corner, "its corner") if ahead > 0 else None
+        return (corner, _CORNER) if ahead > 0 else None
     place = belongs_at(end, inner, (), frame.size, reach)
-    return None if place is None else (place, "the picture's edge")
+    return None if place is None else (place, _EDGE)
 
 
 @lru_cache(maxsize=256)

@@ -24,13 +24,14 @@ from procc_annotator.fit.labels.lens import undistorted
 from procc_annotator.fit.labels.orientation import (
     ACROSS,
     ALONG,
+    EXCHANGE,
     FieldSides,
     altitudes,
     field_sides,
     reflected_names,
 )
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.words import all_of
+from procc_annotator.language import said, said_all
 
 # A triangle in the picture whose smallest altitude is less may be turned by the clicks' errors.
 _FLATTEST_PX = 8.0
@@ -225,39 +226,51 @@ def _reversed(
 ) -> Finding | None:
     if found.across or found.kept or len(found.turned) < _ENOUGH_TURNED:
         return None
-    words = {ACROSS: "far and near", ALONG: "left and right"}
     remedies = {}
-    for signs, word in words.items():
+    for signs, exchange in EXCHANGE.items():
         becomes = reflected_names(field, signs, names)
         if becomes is None:
             continue
         if contradictions(_renamed(clicked, becomes, field), field, frame).all:
             return None
         pairs = tuple((name, becomes[name]) for name in names if becomes[name] != name)
-        text = f"exchange {word} in the whole frame"
-        remedies[word] = Remedy(RemedyKind.RELABEL, text, pairs)
+        remedies[signs] = Remedy(RemedyKind.RELABEL, exchange, pairs)
     if not remedies:
         return None
-    either = ", or ".join(remedies)
+    wrong = (
+        said("everything lies the wrong way round: far and near, or left and right, are exchanged")
+        if len(remedies) > 1
+        else _WRONG_WAY_ROUND[next(iter(remedies))]
+    )
     return Finding(
         Rule.REFLECTED,
         Severity.ERROR,
         tuple(names),
-        f"everything lies the wrong way round: {either}, are exchanged",
+        wrong,
         tuple(remedies.values()),
     )
+
+
+_WRONG_WAY_ROUND = {
+    ACROSS: said("everything lies the wrong way round: far and near, are exchanged"),
+    ALONG: said("everything lies the wrong way round: left and right, are exchanged"),
+}
 
 
 def _one(name: str, found: Contradictions, field: Field) -> Finding:
     """All contradictions are with one element."""
     others = sorted(frozenset.union(*found.all) - {name}, key=field.index.__getitem__)
     sure = len(found.all) > 1
-    titles = [field.title_of(other) for other in others[:_MOST_NAMED]]
+    titles = [said(field.title_of(other)) for other in others[:_MOST_NAMED]]
     return Finding(
         Rule.SIDE,
         Severity.ERROR if sure else Severity.WARNING,
         (name,),
-        f"{field.title_of(name)} is on the wrong side of {all_of(titles)}",
+        said(
+            "{title} is on the wrong side of {others}",
+            title=said(field.title_of(name)),
+            others=said_all(titles),
+        ),
         (LOOK,),
     )
 
@@ -273,19 +286,23 @@ def _several(
     if len(swaps) == 1:
         concerned = frozenset(swaps[0])
     ordered = tuple(name for name in names if name in concerned)
-    titles = [field.title_of(name) for name in ordered]
+    titles = said_all([said(field.title_of(name)) for name in ordered])
     remedies = [
         Remedy(
             RemedyKind.SWAP,
-            f"swap {field.title_of(a)} and {field.title_of(b)}",
+            said("swap {a} and {b}", a=said(field.title_of(a)), b=said(field.title_of(b))),
             ((a, b), (b, a)),
         )
         for a, b in swaps[:_MOST_NAMED]
     ]
     if len(swaps) == 1:
-        reason = f"{all_of(titles)} lie on each other's side of the elements around them"
+        reason = said(
+            "{titles} lie on each other's side of the elements around them", titles=titles
+        )
     else:
-        reason = f"{all_of(titles)} cannot lie this way round to each other, whatever the camera"
+        reason = said(
+            "{titles} cannot lie this way round to each other, whatever the camera", titles=titles
+        )
     return Finding(
         Rule.SIDE,
         Severity.ERROR if len(swaps) == 1 and len(found.all) > 1 else Severity.WARNING,

@@ -10,6 +10,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import pixels_words
 from procc_annotator.fit.labels.clicked import ClickedFrame
 from procc_annotator.fit.labels.finding import LOOK, Finding, Remedy, RemedyKind, Rule, Severity
+from procc_annotator.language import said, said_joined
 
 # Of two spellings this alike one is a slip of the pen; 1 is the same.
 _ALIKE = 0.75
@@ -45,16 +46,20 @@ def _unknown(name: str, annotation: FrameAnnotation, field: Field) -> Finding:
     meant = _nearest(name, field)
     shown = name.strip()
     if meant is None:
-        reason = f"no such class: {shown!r} fits no camera, and counts as missed where it is scored"
+        reason = said(
+            "no such class: {name!r} fits no camera, and counts as missed where it is scored",
+            name=shown,
+        )
         return Finding(Rule.UNKNOWN_CLASS, Severity.WARNING, (name,), reason, (LOOK,))
-    title = field.title_of(meant)
-    words = title if title == meant.strip() else f"{title} ({meant.strip()})"
-    reason = f"no such class: {shown!r}, did you mean {words}?"
+    title = said(field.title_of(meant))
+    words = title if title == meant.strip() else said_joined("", (title, f" ({meant.strip()})"))
+    reason = said("no such class: {name!r}, did you mean {title}?", name=shown, title=words)
     remedies: tuple[Remedy, ...] = (LOOK,)
     if meant in annotation.annotated:
-        reason += " That is annotated already"
+        reason = said_joined(" ", (reason, said("That is annotated already")))
     else:
-        relabel = Remedy(RemedyKind.RELABEL, f"relabel to {title}", ((name, meant),))
+        text = said("relabel to {title}", title=title)
+        relabel = Remedy(RemedyKind.RELABEL, text, ((name, meant),))
         remedies = (relabel, LOOK)
     return Finding(Rule.UNKNOWN_CLASS, Severity.ERROR, (name,), reason, remedies)
 

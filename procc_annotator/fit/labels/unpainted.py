@@ -18,6 +18,7 @@ from procc_annotator.fit.labels.finding import (
     surely_wrong,
 )
 from procc_annotator.fit.labels.seen_paint import ElementPaint, Paint
+from procc_annotator.language import said
 
 # Players hide shorter stretches, worn lines smaller shares, px at 960 px width.
 _LONG_PX, _LEAST_SHARE = 40.0, 0.5
@@ -32,7 +33,7 @@ _BESIDE_SHARE, _AT_ENDS = 0.25, 0.7
 # still is, and how far what is seen between them may leave a line.
 _ASTRAY_PX, _ON_PAINT_PX, _ON_LINE_PX = 2.5, 1.2, 0.9
 _LEAST_PLACES, _SEEN_PX = 3, 1.2
-_FOLLOW = Remedy(RemedyKind.FOLLOW, "put its points along the paint")
+_FOLLOW = Remedy(RemedyKind.FOLLOW, said("put its points along the paint"))
 
 
 def paint_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterator[Finding]:
@@ -60,16 +61,20 @@ def paint_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterato
 def _beside(one: Clicked, seen: ElementPaint) -> Finding | None:
     """Paint that is seen, but beside the element or beside one of its ends."""
     if bent := _bent_px(one, seen):
-        reason = (
-            f"{one.title} is straight between its clicks, its paint runs up to {bent:.0f} px"
-            " beside it: regularise it (R)"
+        reason = said(
+            "{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it:"
+            " regularise it (R)",
+            title=one.title,
+            px=bent,
         )
         return Finding(Rule.BESIDE_PAINT, Severity.WARNING, (one.name,), reason, (_FOLLOW,))
     if (end := _astray_end(one, seen)) is not None:
         which, off_px = end
-        reason = (
-            f"an end of {one.title} lies about {off_px:.0f} px beside its paint, which is seen on"
-            " the way there: put that point on it"
+        reason = said(
+            "an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way"
+            " there: put that point on it",
+            title=one.title,
+            px=off_px,
         )
         point = one.indices[which]
         return Finding(Rule.BESIDE_PAINT, Severity.WARNING, (one.name,), reason, (LOOK,), point)
@@ -82,13 +87,18 @@ def _without(one: Clicked, seen: ElementPaint, *, is_missed: bool) -> Finding | 
         share, length = seen.share_without, seen.longest_without_px
         is_sure = share >= _SURE_SHARE and _without_px(seen) >= _LONG_PX
         severity = Severity.WARNING if is_sure else Severity.HINT
-        reason = (
-            f"no paint under {one.title} along {100 * share:.0f} % of it, at most"
-            f" {length:.0f} px on end"
+        reason = said(
+            "no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end",
+            title=one.title,
+            percent=100 * share,
+            px=length,
         )
         return Finding(Rule.NO_PAINT, severity, (one.name,), reason, (LOOK,))
     if (end := _unseen_end(one, seen)) is not None:
-        reason = f"no paint under {one.title} towards one of its ends, under all the rest there is"
+        reason = said(
+            "no paint under {title} towards one of its ends, under all the rest there is",
+            title=one.title,
+        )
         point = one.indices[end]
         return Finding(Rule.NO_PAINT, Severity.HINT, (one.name,), reason, (LOOK,), point)
     return None

@@ -20,6 +20,7 @@ from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.image.pixels import PixelArray
+from procc_annotator.language import said
 
 # All in solver px.
 _NEAR_PX, _REACH_PX = 5.0, 12.0
@@ -170,6 +171,12 @@ def words_of(beside: dict[int, float], painted: Painted, frame: PictureFrame) ->
     if not beside:
         return ""
     number = max(beside, key=lambda own: beside[own])
-    more = f", as {len(beside) - 1} more do theirs" if len(beside) > 1 else ""
-    away = beside[number] / frame.scale
-    return f"{painted.names[number]} lies {away:.0f} px beside its paint{more}"
+    name, px, more = painted.names[number], beside[number] / frame.scale, len(beside) - 1
+    if not more:
+        return said("{name} lies {px:.0f} px beside its paint", name=name, px=px)
+    return said(
+        "{name} lies {px:.0f} px beside its paint, as {more} more do theirs",
+        name=name,
+        px=px,
+        more=more,
+    )

@@ -9,7 +9,7 @@ import numpy as np
 from procc_annotator.fit.solving.models import LOG_FOCAL, ROLL, TILT, X, Y, Z
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 from procc_annotator.fit.solving.surroundings import Surroundings
-from procc_annotator.words import count_of
+from procc_annotator.language import said, said_count
 
 # How often an element ties a camera down: a line twice, a curve up to five times, once a point;
 # the only point of a spot twice.
@@ -31,16 +31,32 @@ def missing(seen: Observations | None, *, needed: int, planar: bool) -> str | No
         needed: elements that the model needs.
         planar: whether only elements on the ground count.
     """
-    where = " on the ground" if planar else ""
     count = 0 if seen is None else len(seen.elements)
     if seen is None or count < needed:
-        return f"{count_of(count, 'element')}{where}, {needed} needed"
+        return too_few(count, needed, planar=planar)
     if _ties(seen) < 2 * needed:
-        return (
-            f"{seen.points.shape[1]} points on {count_of(count, 'element')},"
-            f" two different ones on each of {needed} needed"
+        return said_count(
+            count,
+            "{points} points on {n} element, two different ones on each of {needed} needed",
+            "{points} points on {n} elements, two different ones on each of {needed} needed",
+            points=seen.points.shape[1],
+            needed=needed,
         )
     return _too_narrow(seen.points)
+
+
+def too_few(count: int, needed: int, *, planar: bool = False) -> str:
+    """That so many elements are not enough."""
+    if planar:
+        return said_count(
+            count,
+            "{n} element on the ground, {needed} needed",
+            "{n} elements on the ground, {needed} needed",
+            needed=needed,
+        )
+    return said_count(
+        count, "{n} element, {needed} needed", "{n} elements, {needed} needed", needed=needed
+    )
 
 
 def _ties(seen: Observations) -> int:
@@ -57,9 +73,9 @@ def _too_narrow(points: FloatArray) -> str | None:
     centred = points - points.mean(axis=1, keepdims=True)
     rms = np.linalg.svd(centred, compute_uv=False) / math.sqrt(points.shape[1])
     if rms[0] < _NARROWEST_PX:
-        return "all points lie in one place of the picture"
+        return said("all points lie in one place of the picture")
     if rms[1] < _NARROWEST_PX:
-        return "all points lie on one line of the picture"
+        return said("all points lie on one line of the picture")
     return None
 
 
@@ -71,21 +87,22 @@ def objection(vector: FloatArray, around: Surroundings) -> str | None:
         around: where cameras stand.
     """
     if not np.isfinite(vector).all():
-        return "not a plausible pose: the fit did not settle"
+        return said("not a plausible pose: the fit did not settle")
     height = -float(vector[Z])
     if abs(height) < _ON_GROUND_M:
-        return "not a plausible pose: on the ground"
+        return said("not a plausible pose: on the ground")
     if height < 0:
-        return f"not a plausible pose: {-height:.1f} m below the ground"
+        return said("not a plausible pose: {metres:.1f} m below the ground", metres=-height)
     if height < _LOWEST_M:
-        return f"not a plausible pose: only {height:.1f} m above the ground"
+        return said("not a plausible pose: only {metres:.1f} m above the ground", metres=height)
     away = math.hypot(vector[X], vector[Y], vector[Z])
     if away > around.farthest:
-        return f"not a plausible pose: {away:.0f} m from the field's centre"
+        return said("not a plausible pose: {metres:.0f} m from the field's centre", metres=away)
     upright = not around.ceiling or abs(vector[TILT]) > _LOOKING_DOWN
     if upright and abs(math.remainder(vector[ROLL], 2 * math.pi)) > _MOST_ROLL:
-        return f"not a plausible pose: rolled by {math.degrees(vector[ROLL]):.0f} degrees"
+        degrees = math.degrees(vector[ROLL])
+        return said("not a plausible pose: rolled by {degrees:.0f} degrees", degrees=degrees)
     focal = math.exp(vector[LOG_FOCAL])
     if not _FOCALS_PX[0] <= focal <= _FOCALS_PX[1]:
-        return f"not a plausible pose: focal length {focal:.0f} px at 960 px width"
+        return said("not a plausible pose: focal length {px:.0f} px at 960 px width", px=focal)
     return None

@@ -44,6 +44,8 @@ _PLACES, _MOST_RADII = 40, 2.5
 _WORTH = 9.0
 # Straight elements clicked so far beside the line through their ends are bent by a strong lens.
 _BENT_PX, _BENT_ELEMENTS = 6.0, 2
+# Of so many elements that fit no camera together it is rather the camera that is not understood.
+_MANY_LEFT_OUT = 3
 
 
 def fit_strong(
@@ -102,7 +104,8 @@ def perhaps_strong(
 ) -> tuple[FoundCamera, str] | None:
     """A strong lens, and its model, if that explains the points clearly better; else None.
 
-    Only a camera is doubted whose lines are bent, as only lenses of a wide angle do it.
+    Only a camera is doubted whose lines are bent, as only lenses of a wide angle do it, or that
+    leaves several elements out.
 
     Args:
         found: of the model R+.
@@ -110,7 +113,8 @@ def perhaps_strong(
         field: the elements.
         frame: the picture.
     """
-    if found.vector[KAPPA] >= 0 and not _bends(seen):
+    doubted = _bends(seen) or found.left_out.sum() >= _MANY_LEFT_OUT
+    if found.vector[KAPPA] >= 0 and not doubted:
         return None
     fisheye = fit_strong(seen, field, frame, "F", found)
     fits = {"R2": fit_strong(seen, field, frame, "R2", found, fisheye), "F": fisheye}

@@ -32,6 +32,7 @@ from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.through_shot.stand import TRIPOD, Stand, lens_change
 from procc_annotator.fit.through_shot.turning import OWN, Turn
 from procc_annotator.image.pixels import PixelArray
+from procc_annotator.language import said
 
 _ROLL_RAD = 2e-5  # what a frame may add to what is believed, standard deviation: tripods lean
 # Of a step that nothing foretells: pan, tilt, roll, logarithm of the focal length.
@@ -143,12 +144,12 @@ def stepped(
     seen = look_at(picture, expected, painted, frame, reach)
     none = Stepped(believed, None, worth, turn, 0.0, None, sd_px)
     if len(seen.marks) < _FEWEST:
-        return replace(none, reason="too little paint in sight")
+        return replace(none, reason=said("too little paint in sight"))
     solved, marks = _solved(seen, believed, believed.vector, frame, worth, reach)
     if reach > _SURE_REACH_PX:
         seen = look(picture, solved.vector, painted, frame, _LEAST_REACH_PX)
         if len(seen.marks) < _FEWEST:
-            return replace(none, reason="too little paint in sight")
+            return replace(none, reason=said("too little paint in sight"))
         solved, marks = _solved(seen, believed, solved.vector, frame, worth, _LEAST_REACH_PX)
     off = off_px(solved.vector, seen.marks, frame)
     weights = weights_of(off)
@@ -156,10 +157,10 @@ def stepped(
     least = _LEAST_COVERAGE_FAR if reach > _SURE_REACH_PX else _LEAST_COVERAGE
     none = replace(none, coverage=coverage)
     if (solved.weights > COUNTS).sum() < _FEWEST / _THIN or coverage < least:
-        return replace(none, reason="too little of what should be in sight was found")
+        return replace(none, reason=said("too little of what should be in sight was found"))
     moved = _apart(expected, solved.vector, painted, frame)
     if moved > _MOST_IN_SD * sd_px + _MOST_BESIDE_PX:
-        return replace(none, reason="the paint that was found would move the camera too far")
+        return replace(none, reason=said("the paint that was found would move the camera too far"))
     residual = float(np.median(np.abs(off[weights > COUNTS])))
     around = look_beside(picture, solved.vector, painted, frame, seen, weights)
     none = replace(none, residual_px=residual, around=around)

@@ -15,6 +15,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, STRONG, X, Z, is_strong
 from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, observe
+from procc_annotator.fit.solving.plausible import too_few
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX, FoundCamera
 from procc_annotator.fit.solving.starts import (
@@ -35,7 +36,7 @@ from procc_annotator.fit.together.known import (
 from procc_annotator.fit.together.outer import Profile, Shared, SharedPrior, find_shared
 from procc_annotator.fit.together.positions import find_places
 from procc_annotator.fit.together.sides import on_other_side
-from procc_annotator.words import count_of
+from procc_annotator.language import said, said_joined
 
 # With the position known so many elements are enough, where they leave the rest sure enough.
 LEAST_ELEMENTS = 2
@@ -194,13 +195,14 @@ def fit_from(
     """
 
     def without(problem: str) -> FitResult:
-        return FitResult(model, size, None, f"even with the position known: {problem}")
+        why = said("even with the position known: {why}", why=problem)
+        return FitResult(model, size, None, why)
 
     frame = PictureFrame(size)
     seen = observe(annotation, field, frame)
     count = 0 if seen is None else len(seen.elements)
     if seen is None or count < LEAST_ELEMENTS:
-        return without(f"{count_of(count, 'element')}, {LEAST_ELEMENTS} needed")
+        return without(too_few(count, LEAST_ELEMENTS))
     sighting = Sighting(seen, np.zeros(count, dtype=bool), frame, model, np.zeros(11))
     sighting, found = _search_from(sighting, tripod, field)
     worst = float(np.max(found.distances[sighting.kept.weights > 0]))
@@ -354,12 +356,12 @@ def _late(
 ) -> FitResult:
     """A frame that had no camera alone, now that the position is known."""
     if len(tripods) > 1:
-        problem = f"{alone.failure}; {len(tripods)} positions, and nothing tells which is its"
-        return replace(alone, failure=problem)
+        open_ = said("{count} positions, and nothing tells which is its", count=len(tripods))
+        return replace(alone, failure=said_joined("; ", (alone.failure or "", open_)))
     # A model that was to be chosen is known only where there is a camera.
     model = alone.model if alone.model in FREE else "R"
     model = "R+" if model in STRONG else model
     found = fit_from(annotation, field, tripods[0], model=model, size=alone.size)
     if found.camera is None:
-        return replace(alone, failure=f"{alone.failure}; {found.failure}")
+        return replace(alone, failure=said_joined("; ", (alone.failure or "", found.failure or "")))
     return found

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.neighbours import distances_from
 from procc_annotator.gui.element_keys import element_keys
-from procc_annotator.gui.keymap import NATIVE
+from procc_annotator.gui.keymap import NATIVE, short_text
 from procc_annotator.gui.panels.findings.signs import FindingSigns
 from procc_annotator.gui.panels.parts import NARROW, SEARCH_KEYS, empty_state
 from procc_annotator.gui.panels.refresher import Refresher, judged
@@ -176,7 +176,8 @@ class ElementsPanel(QWidget):
         item.setData(0, _CLASS, name)
         item.setToolTip(NAME, tr("{title}\nClass in files: {name}", title=title, name=name))
         item.setIcon(NAME, class_swatch(field, name))
-        item.setText(KEY, self._keys.get(name, ""))
+        item.setText(KEY, short_text(self._keys.get(name, "")))
+        item.setToolTip(KEY, self._keys.get(name, ""))
         item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._items[name] = item
         return item

@@ -100,6 +100,7 @@ class LandmarksPanel(QWidget):
         self.views.itemClicked.connect(self._go)
         self.views.itemActivated.connect(self._go)
         self.views_title = QLabel(tr(_HERE))
+        self.views_title.setWordWrap(True)
         self.group = QPushButton()
         self.group.setObjectName("landmarksGroup")
         self.note = note_label("landmarksNote")

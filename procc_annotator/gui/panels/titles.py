@@ -12,22 +12,37 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.language import tr
 
+_COMMAS = (",", "、", "，")
+
 
 def short_titles(field: Field) -> dict[str, str]:
-    """By class: the title without the leading words of its group that all titles there share.
+    """By class: the title without what its group says already.
 
-    Below "Left three-point line" the "Left three-point far straight" is the "Far straight".
+    In English these are the leading words that all titles of the group share with it: below "Left
+    three-point line" the "Left three-point far straight" is the "Far straight". Other languages
+    bend their words and put them elsewhere; there it is a first part of words of the group: below
+    "Linkes Tor" the "Linkes Tor, linker Pfosten" is the "Linker Pfosten".
     """
     groups: dict[str, list[tuple[str, str]]] = {}
     for element in field.elements:
-        groups.setdefault(element.group, []).append((element.name, tr(element.title)))
+        groups.setdefault(element.group, []).append((element.name, element.title))
     found = {}
     for group, elements in groups.items():
-        leading = _leading(tr(group), [title for _, title in elements])
+        leading = _leading(group, [title for _, title in elements])
         for name, title in elements:
-            rest = " ".join(title.split()[leading:])
+            said, english = tr(title), " ".join(title.split()[leading:])
+            rest = english if said == title else _beyond(tr(group), said)
             found[name] = f"{rest[:1].upper()}{rest[1:]}"
     return found
+
+
+def _beyond(group: str, title: str) -> str:
+    """What a title says behind a first part that has no word but the group's; else all of it."""
+    for comma in _COMMAS:
+        first, _, rest = title.partition(comma)
+        if rest and set(first.split()) <= set(group.split()):
+            return rest.strip()
+    return title
 
 
 def _leading(group: str, titles: list[str]) -> int:

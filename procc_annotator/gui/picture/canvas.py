@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import (
+    QAccessible,
     QContextMenuEvent,
     QEnterEvent,
     QKeyEvent,
@@ -27,6 +28,7 @@ from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.gui.picture.overlay_layer import BY_ORIGIN, OverlayLayer
 from procc_annotator.gui.picture.shown_picture import ShownPicture
 from procc_annotator.gui.picture.view import PictureView
+from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.adjust import Look
 from procc_annotator.interact.gesture import Modifiers
@@ -56,6 +58,7 @@ class Canvas(PictureView):
 
     def __init__(self, document: Document) -> None:
         super().__init__()
+        give_role(self, QAccessible.Role.Canvas)
         self.setObjectName("canvas")
         self.setAccessibleName(tr("Picture"))
         self._document = self.document = document

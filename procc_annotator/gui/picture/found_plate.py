@@ -78,7 +78,7 @@ class FoundPlate(NamePlate):
         proposal = document.proposals.here
         if proposal is None:
             return None
-        why = tr(proposal.reason)
+        why = proposal.reason
         if proposal.state == NONE:
             return tr("No camera found: {why}", why=why), _GREY
         if proposal.state == SURE:
@@ -93,7 +93,7 @@ def _of_corrected(corrected: Correction, *, looking: bool) -> tuple[str, str]:
             return tr("Camera dragged, {pegs}: its lines are looked for …", pegs=pegs), _GREY
         return tr("Camera dragged, {pegs}", pegs=pegs), _GREY
     if corrected.why_not:
-        why = tr(corrected.why_not)
+        why = corrected.why_not
         text = tr("Camera dragged, {pegs}, not made exact: {why}", pegs=pegs, why=why)
         return text, tones.UNSURE_GHOST
     text = tr(

@@ -58,6 +58,21 @@ class KeyPointing:
         canvas.editor.release(px, modifiers)
         canvas.point_at(px)
 
+    def insert(self) -> None:
+        """Put a point on the line at the crosshair, or at the mouse, as Alt and a click do."""
+        canvas = self._canvas
+        document, px = canvas.document, self.crosshair.px or canvas.cursor_px
+        if px is None:
+            document.say(tr("point at a line first: with the mouse, or with the arrows"), "info")
+            return
+        document.set_mode("edit")
+        before = document.annotation
+        canvas.editor.press(px, Modifiers(alt=True))
+        canvas.editor.release(px, Modifiers(alt=True))
+        canvas.point_at(px)
+        if document.annotation is before:
+            document.say(tr("there is no line here to put a point on"), "info")
+
     def put_away(self) -> None:
         """The mouse points again, or nothing does."""
         self.crosshair.put(None)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
+    QAccessible,
     QColor,
     QFontMetricsF,
     QKeyEvent,
@@ -15,6 +16,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from procc_annotator.gui.picture.pinned import Pinned
+from procc_annotator.gui.roles import give_role
 from procc_annotator.language import tr
 
 _GRIP = QSize(26, 44)
@@ -91,6 +93,7 @@ class DividerGrip(Pinned):
 
     def __init__(self, viewport: QWidget) -> None:
         super().__init__(viewport, "dividerGrip")
+        give_role(self, QAccessible.Role.Grip)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents, False)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setCursor(Qt.CursorShape.SplitHCursor)

@@ -308,9 +308,9 @@ class Document(QObject):
 
     # --- from outside the store -----------------------------------------------------------------
 
-    def say(self, text: str, level: Level = "info") -> None:
-        """Tell the user one line."""
-        say(self.store, text, level)
+    def say(self, text: str, level: Level = "info", remedy: str = "") -> None:
+        """Tell the user one line, and which action may help."""
+        say(self.store, text, level, remedy)
 
     def set_author(self, author: str) -> None:
         """Give points, comments and versions another author from now on."""
@@ -358,4 +358,4 @@ class Document(QObject):
         say(self.store, text, "warning")
 
     def _say_unsaved(self, text: str) -> None:
-        notify(self.store, UNSAVED, text, "error")
+        notify(self.store, UNSAVED, text, "error", remedy="save")

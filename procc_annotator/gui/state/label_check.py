@@ -23,6 +23,7 @@ from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
+from procc_annotator.language import tr
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.facts.frame_check import (
     FoundInFrame,
@@ -262,7 +263,7 @@ class LabelCheck(QObject):
         for found in self.shown:
             if found.finding.rule is Rule.BESIDE_PAINT and found.key not in known:
                 self._bent = found.key
-                notify(self._store, BENT, found.finding.reason)
+                notify(self._store, BENT, tr(found.finding.reason))
 
     def _fitted(self) -> Inputs | None:
         """The frame on screen, with its picture as soon as that was looked at."""

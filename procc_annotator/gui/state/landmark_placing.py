@@ -80,7 +80,7 @@ class LandmarkPlacing(QObject):
         file = self._landmarks.file
         moves = any(map(is_moving, by_name(file.landmarks).get(name, [])))
         why = "" if moves else why_kept(file, name)
-        return f"{_title(file, name)} {why}" if why else ""
+        return tr(why) if why else ""
 
     def start(self, name: str) -> None:
         """Find where a landmark is from its clicks, in the background."""
@@ -141,7 +141,7 @@ class LandmarkPlacing(QObject):
             return
         for one in located[:1]:
             if why := why_kept(landmarks.file, name, one.clicked.instant):
-                say(store, f"{_title(landmarks.file, name)} {why}", "warning")
+                say(store, tr(why), "warning")
             else:
                 say(store, _words(one), "info" if one in found else "warning")
 
@@ -151,15 +151,10 @@ class LandmarkPlacing(QObject):
         self.changed.emit()
 
 
-def _title(file: LandmarkFile, name: str) -> str:
-    entries = by_name(file.landmarks).get(name)
-    return tr(entries[0].shown_title if entries else name.strip())
-
-
 def _words(one: LocatedLandmark) -> str:
     found, name = one.found, tr(one.clicked.name.strip())
     if found.position is None or found.deviations_m is None:
-        return f"{name}: {found.failure}"
+        return f"{name}: {tr(found.failure or '')}"
     views = len(one.clicked.clicks) - len(one.without_view) - len(found.left_out)
     place = ", ".join(f"{value:.2f}" for value in found.position)
     deviations = ", ".join(f"{value:.2f}" for value in found.deviations_m)

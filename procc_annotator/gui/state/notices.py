@@ -32,11 +32,13 @@ class Told:
 
     Attributes:
         key: of the notice that it is; empty for one that nothing withdraws.
+        remedy: the action that may help: it asks for another place, or tries again.
     """
 
     text: str
     level: Level
     key: str = ""
+    remedy: str = ""
 
 
 def with_notice(notices: tuple[Notice, ...], notice: Notice) -> tuple[Notice, ...]:

@@ -6,15 +6,15 @@ from procc_annotator.gui.state.notices import Level, Notice, Told, with_notice, 
 from procc_annotator.gui.state.store import Store
 
 
-def say(store: Store, text: str, level: Level = "info") -> None:
-    """Say one line, once."""
-    store.set(told=Told(text, level))
+def say(store: Store, text: str, level: Level = "info", remedy: str = "") -> None:
+    """Say one line, once; ``remedy`` is the action that may help."""
+    store.set(told=Told(text, level, remedy=remedy))
 
 
-def notify(store: Store, key: str, text: str, level: Level = "warning") -> None:
+def notify(store: Store, key: str, text: str, level: Level = "warning", remedy: str = "") -> None:
     """Say a line that holds until it is withdrawn; what was said under its key gives way."""
     notices = with_notice(store.state.notices, Notice(key, level, text))
-    store.set(notices=notices, told=Told(text, level, key))
+    store.set(notices=notices, told=Told(text, level, key, remedy))
 
 
 def withdraw(store: Store, key: str) -> None:

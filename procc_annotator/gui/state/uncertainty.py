@@ -134,7 +134,7 @@ class UncertaintyWatch(Derived[KnownGround]):
                 return None
             return tr("There is no fit of this frame, so no uncertainty map.")
         if fit.camera is None:
-            return tr("No camera yet, so no uncertainty map: {why}.", why=tr(fit.failure or ""))
+            return tr("No camera yet, so no uncertainty map: {why}.", why=fit.failure)
         return fit, state.sized_field
 
     def _give_way(self) -> None:

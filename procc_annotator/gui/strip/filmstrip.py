@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QModelIndex, QRect, QRectF, QSize, Qt, QTimer
-from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPalette, QWheelEvent
+from PySide6.QtGui import QColor, QFontMetrics, QKeyEvent, QPainter, QPalette, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -33,6 +33,7 @@ _SIGNS = {
     Status.APPROVED: ("✓✓", tones.PASSES),
     Status.REJECTED: ("✗", tones.TOO_FAR),
 }
+_SHOWING = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
 
 
 class Filmstrip(QTableView):
@@ -43,7 +44,9 @@ class Filmstrip(QTableView):
         super().__init__()
         self.setObjectName("filmstrip")
         self.setAccessibleName(tr("Frames as small pictures"))
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys are the picture's
+        self.setAccessibleDescription(tr("The arrows go along, Enter shows the frame"))
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the picture
+        self.setTabKeyNavigation(False)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.setMouseTracking(True)
         self.setShowGrid(False)
@@ -82,6 +85,12 @@ class Filmstrip(QTableView):
         bar = self.horizontalScrollBar()
         bar.setValue(bar.value() - (turned.x() or turned.y()))
         event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in _SHOWING and self.currentIndex().isValid():
+            self._go(self.currentIndex())
+        else:
+            super().keyPressEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

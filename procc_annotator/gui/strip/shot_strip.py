@@ -7,7 +7,9 @@ from typing import Protocol
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, SignalInstance
 from PySide6.QtGui import (
+    QAccessible,
     QHelpEvent,
+    QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -17,6 +19,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from procc_annotator.gui.panels.refresher import Refresher
+from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.content import StripContent
@@ -40,6 +43,16 @@ class StripTask(Protocol):
         ...
 
 
+_SHIFT = Qt.KeyboardModifier.ShiftModifier
+_ALL = 1 << 30
+_WAYS = {
+    Qt.Key.Key_Left: -1,
+    Qt.Key.Key_Right: 1,
+    Qt.Key.Key_Home: -_ALL,
+    Qt.Key.Key_End: _ALL,
+}
+
+
 class ShotStrip(QWidget):
     """Paints a `StripContent`; a click or a drag goes to frames, the wheel zooms.
 
@@ -49,10 +62,14 @@ class ShotStrip(QWidget):
 
     def __init__(self, document: Document) -> None:
         super().__init__()
+        give_role(self, QAccessible.Role.Slider)
         self.setObjectName("shotStrip")
         self.setAccessibleName(tr("Frames of the shot"))
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys are the picture's
+        self.setAccessibleDescription(
+            tr("The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it")
+        )
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the picture
         self._document = document
         self.content = StripContent(document, self)
         self._axis: Axis | None = None
@@ -160,6 +177,35 @@ class ShotStrip(QWidget):
         self._painted = None
 
     # --- hands ------------------------------------------------------------------------------
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        sequence, number = self.content.sequence, self.number
+        far = _WAYS.get(Qt.Key(event.key()))
+        if event.key() == Qt.Key.Key_Escape and self.stretch is not None:
+            self.stretch = self._mark_from = None
+            self.update()
+        elif sequence is None or number is None or far is None:
+            event.ignore()
+        else:
+            self._go_by_key(number, far, marking=bool(event.modifiers() & _SHIFT))
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if not event.isAutoRepeat():
+            self._aim = None
+            self.update()
+
+    def _go_by_key(self, number: int, far: int, *, marking: bool) -> None:
+        """So many frames on; what is gone over is marked where somebody marks."""
+        sequence = self.content.sequence
+        assert sequence is not None
+        index = min(max(sequence.nearest(number) + far, 0), len(sequence.numbers) - 1)
+        there, begun = int(sequence.numbers[index]), self.stretch
+        self._go(there)
+        if marking:
+            # The end that was gone away from stays.
+            stays = number if begun is None else begun[0] if number == begun[1] else begun[1]
+            self.stretch = min(stays, there), max(stays, there)
+        self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() != Qt.MouseButton.LeftButton or self.axis is None:

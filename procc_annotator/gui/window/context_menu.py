@@ -106,12 +106,13 @@ def _add_remedies(
     if label_check is None:
         return
     for found in concerned:
-        reason = found.finding.reason
+        reason = tr(found.finding.reason)
         short = reason if len(reason) <= _LONGEST_REASON else f"{reason[: _LONGEST_REASON - 1]}…"
         heading = menu.addSection(short)
         heading.setToolTip(reason)
         for remedy in found.finding.remedies:
-            action = menu.addAction(remedy.text[:1].upper() + remedy.text[1:])
+            text = tr(remedy.text)
+            action = menu.addAction(text[:1].upper() + text[1:])
             action.setToolTip(reason)
             action.triggered.connect(partial(_apply, label_check, found, remedy))
         action = menu.addAction(tr("Ignore this finding"))

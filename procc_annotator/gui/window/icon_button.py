@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QAction, QColor, QFont, QFontMetrics, QKeySequence, QPainter, QPaintEvent
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtGui import QAction, QColor, QFont, QFontMetrics, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QStyle, QStyleOptionToolButton, QToolButton, QWidget
 
 from procc_annotator.gui.icons import paint_icon
+from procc_annotator.gui.keymap import NATIVE, short_text
 from procc_annotator.gui.theme import blend
 
 _ICON = 1.45  # heights of a line of text
@@ -25,6 +26,7 @@ class IconButton(QToolButton):
     def __init__(self, icon: str, parent: QWidget | None = None, *, with_key: bool = False) -> None:
         super().__init__(parent)
         self._icon, self._with_key, self._key = icon, with_key, ""
+        self._hint: QSize | None = None  # asked for hundreds of times whenever a window is laid out
         self.setAutoRaise(True)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
@@ -50,7 +52,7 @@ class IconButton(QToolButton):
     def set_with_key(self, with_key: bool) -> None:
         """Whether the key is shown; without it the button is less high."""
         if with_key != self._with_key:
-            self._with_key = with_key
+            self._with_key, self._hint = with_key, None
             self.updateGeometry()
             self.update()
 
@@ -59,16 +61,17 @@ class IconButton(QToolButton):
         return self._icon_side() + QFontMetrics(self._key_font()).height() + _PAD + 2
 
     def sizeHint(self) -> QSize:
-        side = self._icon_side() + 2 * _PAD
-        if not self._with_key:
-            return QSize(side, side)
-        metrics = QFontMetrics(self._key_font())
-        usual = metrics.horizontalAdvance(_USUAL_KEY) + 6
-        width = max(side, usual, metrics.horizontalAdvance(self._key) + 2)
-        return QSize(width, self.height_with_key())
+        if self._hint is None:
+            self._hint = self._size()
+        return self._hint
 
     def minimumSizeHint(self) -> QSize:
         return self.sizeHint()
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._hint = None
+        super().changeEvent(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -93,14 +96,21 @@ class IconButton(QToolButton):
 
     # --- inside ---
 
+    def _size(self) -> QSize:
+        side = self._icon_side() + 2 * _PAD
+        if not self._with_key:
+            return QSize(side, side)
+        metrics = QFontMetrics(self._key_font())
+        usual = metrics.horizontalAdvance(_USUAL_KEY) + 6
+        width = max(side, usual, metrics.horizontalAdvance(self._key) + 2)
+        return QSize(width, self.height_with_key())
+
     def _take(self) -> None:
         """Another key, or another step that is undone."""
         action, other = self._of
-        keys = [
-            keys.toString(QKeySequence.SequenceFormat.NativeText)
-            for keys in action.shortcuts() or other.shortcuts()
-        ]
-        self._key = min(keys, key=len, default=self._held)
+        called_by = action.shortcuts() or other.shortcuts()
+        keys = [short_text(keys.toString(NATIVE)) for keys in called_by]
+        self._key, self._hint = min(keys, key=len, default=self._held), None
         self.updateGeometry()
         words = action.text().replace("&&", "&")
         self.setAccessibleName(words)

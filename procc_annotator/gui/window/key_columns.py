@@ -178,7 +178,8 @@ class KeyColumns(QWidget):
         column = (width - (count - 1) * _GAP) // count
         longest = max(map(bold.horizontalAdvance, self._words_of_keys()), default=0) + _GAP // 2
         keys = max(round(_KEYS_SHARE * column), min(longest, column // 2))
-        line = usual.height()
+        titles = (section.title.upper() for section in self.sections)
+        line = max((_tall(bold, column, title) for title in titles), default=usual.height())
         sized = []
         for section in self.sections:
             heights = [
@@ -225,7 +226,7 @@ def _bold(font: QFont) -> QFont:
 
 def _tall(metrics: QFontMetrics, width: int, text: str) -> int:
     """How high a text is in a width, px."""
-    if metrics.horizontalAdvance(text) <= width:
+    if text.isascii() and metrics.horizontalAdvance(text) <= width:  # other letters may be higher
         return metrics.height()
     return metrics.boundingRect(QRect(0, 0, width, 10_000), int(_WRAP), text).height()
 

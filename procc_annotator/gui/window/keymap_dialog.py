@@ -321,3 +321,6 @@ class _PressedKeys(QKeySequenceEdit):
         self.setAccessibleName(tr("New keys: press them here"))
         self.setMaximumSequenceLength(1)
         self.setClearButtonEnabled(True)
+        words = self.findChildren(QLineEdit)[0].placeholderText()  # Qt's own
+        beside = 2 * self.fontMetrics().height()
+        self.setMinimumWidth(self.fontMetrics().horizontalAdvance(words) + beside)

@@ -26,7 +26,7 @@ class Actions:
         self._texts: dict[str, str] = {}
         self._groups: dict[str, QActionGroup] = {}
         self.menus: dict[str, QMenu] = {
-            name: window.menuBar().addMenu(said) for name, said in _mnemonics(MENUS).items()
+            name: window.menuBar().addMenu(said) for name, said in mnemonics(MENUS).items()
         }
         for spec in ACTIONS:
             action = self._make(spec, window, canvas)
@@ -111,7 +111,7 @@ def _give_keys(action: QAction, spec: ActionSpec, keys: Sequence[str]) -> None:
     action.setToolTip(f"{tr(spec.tip)}{first}")
 
 
-def _mnemonics(titles: Iterable[str]) -> dict[str, str]:
+def mnemonics(titles: Iterable[str]) -> dict[str, str]:
     """Titles of menus as they are said, each with the letter that opens it: the first that no menu
     before has; where a language has none, that of the English title stands behind."""
     taken: set[str] = set()

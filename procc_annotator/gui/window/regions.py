@@ -37,9 +37,16 @@ class Regions:
         for bar in bars:
             _reach(bar)
         docks = [d for d in window.findChildren(QDockWidget) if not d.visibleRegion().isEmpty()]
-        centre = window.centralWidget()
-        parts = [*bars, *docks, *([centre] if centre is not None else [])]
-        return sorted(parts, key=_place)
+        return sorted([*bars, *docks, *self._middle()], key=_place)
+
+    def _middle(self) -> list[QWidget]:
+        """The picture, the strip below it, and whatever else is one above the other there."""
+        centre = self._window.centralWidget()
+        if centre is None:
+            return []
+        direct = Qt.FindChildOption.FindDirectChildrenOnly
+        parts = [w for w in centre.findChildren(QWidget, options=direct) if w.isVisible()]
+        return [part for part in parts if _target(part) is not None]
 
 
 def _reach(bar: QToolBar) -> None:
@@ -60,6 +67,8 @@ def _holds(region: QWidget, focus: QWidget | None) -> bool:
 
 def _target(region: QWidget) -> QWidget | None:
     """What had the keyboard there last, or else what lies first."""
+    if _takes(region):
+        return region
     last = region.focusWidget()
     if last is not None and _takes(last):
         return last

@@ -197,7 +197,7 @@ class StatusLine(QStatusBar):
         self.work.setObjectName("backgroundWork")
         line = QWidget()
         layout = QHBoxLayout(line)
-        layout.setContentsMargins(0, _PAD, _PAD, _PAD)
+        layout.setContentsMargins(2 * _PAD, _PAD, _PAD, _PAD)
         layout.addWidget(self.hint, 1)
         for part in (self.work, self.apart, self.good_to, self.pixels, self.metres):
             layout.addWidget(part)

@@ -28,4 +28,12 @@ def sheet_entry(sheet: Sheet) -> dict[str, Any]:
 
 def json_bytes(content: Any, *, indent: int = 1) -> bytes:
     """A file for people and programs."""
-    return msgspec.json.format(msgspec.json.encode(content), indent=indent) + b"\n"
+    encoded = msgspec.json.encode(content, enc_hook=_as_plain)
+    return msgspec.json.format(encoded, indent=indent) + b"\n"
+
+
+def _as_plain(value: object) -> str:
+    """Words that know how they are said in other languages: files keep the English ones."""
+    if isinstance(value, str):
+        return str(value)
+    raise NotImplementedError(f"{type(value).__name__} cannot be written as JSON")

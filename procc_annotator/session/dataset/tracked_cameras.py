@@ -9,6 +9,7 @@ from functools import cached_property
 from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.language import said
 from procc_annotator.session.dataset.camera_set import CameraForFrame
 
 TRACK_NAME = "track"  # no cameras from files are called so
@@ -29,16 +30,17 @@ def most_residual_px(width: int) -> float:
 def doubt_about(frame: TrackedFrame) -> str:
     """Why somebody should look at a frame before its camera is used; empty where nobody need."""
     if frame.fit is None or frame.fit.camera is None:
-        return frame.reason or "no camera was found"
+        return frame.reason or said("no camera was found")
     if frame.state == "anchor":
         return ""
     if frame.state != "followed":
-        return frame.reason or "carried over by the picture's motion, not measured on paint"
+        return frame.reason or said("carried over by the picture's motion, not measured on paint")
     if frame.coverage < _LEAST_COVERAGE:
-        return f"only {frame.coverage:.0%} of the lines in sight are on paint"
+        share = frame.coverage
+        return said("only {share:.0%} of the lines in sight are on paint", share=share)
     most = most_residual_px(frame.fit.size[0])
     if frame.residual_px is not None and frame.residual_px > most:
-        return f"the paint is {frame.residual_px:.1f} px from the lines"
+        return said("the paint is {px:.1f} px from the lines", px=frame.residual_px)
     return frame.reason
 
 
@@ -60,7 +62,7 @@ class TrackedCameras:
     @property
     def origin(self) -> str:
         """Where the cameras come from, for people."""
-        return "Followed through the shot; nothing of it is in a file"
+        return said("Followed through the shot; nothing of it is in a file")
 
     @cached_property
     def frames(self) -> Mapping[str, TrackedFrame]:
@@ -84,7 +86,9 @@ class TrackedCameras:
     def why_none(self, frame_name: str) -> str:
         """Why a frame has no camera, for people."""
         frame = self.tracked.get(frame_name)
-        return f"no track here: {frame.reason}" if frame is not None else "not followed so far"
+        if frame is None:
+            return said("not followed so far")
+        return said("no track here: {why}", why=frame.reason)
 
     def updated(self, changed: Mapping[str, TrackedFrame | None]) -> TrackedCameras:
         """The same with other cameras in some frames, or (None) without these frames."""

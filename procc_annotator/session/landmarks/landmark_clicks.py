@@ -13,6 +13,7 @@ from procc_annotator.field.landmarks import by_name, is_moving, without_landmark
 from procc_annotator.field.model import Field, Landmark
 from procc_annotator.fit.triangulation import Triangulated
 from procc_annotator.io.landmark_file import LandmarkFile
+from procc_annotator.language import Said, said
 from procc_annotator.session.landmarks.view_groups import ViewGroups
 
 
@@ -180,10 +181,18 @@ def why_kept(file: LandmarkFile, name: str, instant: str | None = None) -> str:
         instant: of the position; None for what stays.
     """
     if surveyed_at(file.landmarks, name, instant) is not None:
-        return "was surveyed: its position stays as it is"
+        return said("{title} was surveyed: its position stays as it is", title=title_in(file, name))
     if instant is None and any(map(is_moving, by_name(file.landmarks).get(name, []))):
-        return "moves: its positions hold for an instant each"
+        return said(
+            "{title} moves: its positions hold for an instant each", title=title_in(file, name)
+        )
     return ""
+
+
+def title_in(file: LandmarkFile, name: str) -> Said:
+    """What people call a landmark; its name where the file does not know it."""
+    entries = by_name(file.landmarks).get(name)
+    return said(entries[0].shown_title if entries else name.strip())
 
 
 def surveyed_at(known: Iterable[Landmark], name: str, instant: str | None) -> Landmark | None:

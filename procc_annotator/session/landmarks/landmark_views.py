@@ -26,6 +26,7 @@ from procc_annotator.fit.triangulation import (
     triangulate,
     usual_click_px,
 )
+from procc_annotator.language import said
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.landmarks.landmark_clicks import (
     Click,
@@ -118,9 +119,9 @@ def surveyed_only(field: Field) -> Field:
 def view_of_fit(fit: FitResult) -> FrameView | str:
     """A fitted camera with its uncertainty, or why there is none."""
     if fit.camera is None:
-        return fit.failure or "no camera was found"
+        return fit.failure or said("no camera was found")
     if left_open := hardly_determined(fit):
-        return f"its camera is hardly determined: {left_open}"
+        return said("its camera is hardly determined: {what}", what=left_open)
     return FrameView(fit.camera, fit.size, fit.projected_covariance)
 
 
@@ -156,7 +157,9 @@ def locate(
         agreed = agreement_of_views(
             seen, kept.position, kept.covariance, estimate_noise=click_px is None
         )
-        result = Triangulated(residuals_px=agreed.residuals_px, failure="surveyed: kept as it is")
+        result = Triangulated(
+            residuals_px=agreed.residuals_px, failure=said("surveyed: kept as it is")
+        )
         return LocatedLandmark(clicked, result, tuple(missing), True, agreed.astray)
     result = triangulate(seen, estimate_noise=click_px is None, noise=noise)
     return LocatedLandmark(clicked, _explained(result, missing, len(seen)), tuple(missing))
@@ -167,8 +170,14 @@ def _explained(found: Triangulated, missing: Sequence[tuple[str, str]], seen: in
     if found.position is not None or seen > 1 or not missing:
         return found
     frame, why = missing[0]
-    more = f", and {len(missing) - 1} more" if len(missing) > 1 else ""
-    return Triangulated(failure=f"no camera in {frame} ({why}){more}")
+    others = len(missing) - 1
+    if others:
+        problem = said(
+            "no camera in {frame} ({why}), and {count} more", frame=frame, why=why, count=others
+        )
+    else:
+        problem = said("no camera in {frame} ({why})", frame=frame, why=why)
+    return Triangulated(failure=problem)
 
 
 def _view(click: Click, of: FrameView, click_px: float | None) -> View:

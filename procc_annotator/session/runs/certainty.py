@@ -21,7 +21,7 @@ from procc_annotator.metric.chance.paired import (
 from procc_annotator.metric.chance.ranking import chances_of_being_best, ranks, sole_best
 from procc_annotator.metric.chance.sampling import Draws, Ratios, Sampled, sample
 from procc_annotator.metric.polylines import BoolArray
-from procc_annotator.session.runs.clusters import NONE, Clusters
+from procc_annotator.session.runs.clusters import Clusters
 from procc_annotator.session.runs.frame_sums import SourceSums
 from procc_annotator.words import count_of
 
@@ -38,7 +38,7 @@ BETTER = {
 COMPARED = ("mean_jac", "final_score", "mean_error", "completeness")
 # Taken over all frames that count, with a camera or not.
 _OVER_ALL = ("completeness", "final_score")
-_RELIED_ON, _FEW = 5, 10  # clusters
+_FEW = 10  # clusters
 _BAND_DRAWS = 2000  # the largest deviation of a whole curve takes no more
 
 
@@ -102,11 +102,9 @@ class Certainty:
     @cached_property
     def cautions(self) -> tuple[str, ...]:
         """What so few clusters cannot tell, a sentence each; figures as in docs/chance.md."""
-        count, said = self.clusters.count, []
-        alike = "frame" if self.clusters.by == NONE else "cluster"
-        if count < _RELIED_ON:
-            said.append(f"Of fewer than {_RELIED_ON} {alike}s no interval is to be relied on.")
-        elif self.method != "t" and count < _FEW:
+        count, alike = self.clusters.count, self.clusters.thing
+        said = [self.clusters.caution] if self.clusters.caution else []
+        if not said and self.method != "t" and count < _FEW:
             said.append(
                 f"Of so few {alike}s ({count}) percentile and BCa intervals hold the truth in 88 to"
                 " 93 of 100 sets, t in 92 to 97."

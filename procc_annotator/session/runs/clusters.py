@@ -14,6 +14,7 @@ from procc_annotator.words import count_of
 
 SHOT = "shot"  # by the names of the frames, or the dataset's frames.csv
 NONE = "none"  # every frame for itself
+_RELIED_ON = 5
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +35,18 @@ class Clusters:
     def count(self) -> int:
         """How many there are."""
         return int(self.numbers.max()) + 1 if len(self.numbers) else 0
+
+    @property
+    def thing(self) -> str:
+        """What there are so many of."""
+        return "frame" if self.by == NONE else "cluster"
+
+    @property
+    def caution(self) -> str:
+        """A sentence where there are too few for any interval, else empty."""
+        if self.count >= _RELIED_ON:
+            return ""
+        return f"Of fewer than {_RELIED_ON} {self.thing}s no interval is to be relied on."
 
 
 def clusters_of(
@@ -62,13 +75,16 @@ def clusters_of(
         return _by_value(frames, [values.get(frame) for frame in frames], f"by {by}", by or "")
     found = shots_in(frames, order)
     shot_of = {frame: str(n) for n, shot in enumerate(found) for frame in shot.frames}
+    told_by = "by names" if order is None else f"by {order.told_by}"
     if len(found) > 1 and any(len(shot.frames) > 1 for shot in found):
-        told_by = "by names" if order is None else f"by {order.told_by}"
         return _by_value(
             frames, [shot_of.get(f) for f in frames], f"of one shot each, {told_by}", SHOT
         )
     if by == SHOT:
         raise UsageError("names of frames tell no shots to cluster by: give a tag with --tags")
+    if order is not None and len(frames) > 1 and len(shot_of) == len(frames):
+        words = f"all frames are of one shot, {told_by}, and true intervals are wider"
+        return _alone(frames, f"not clustered: {words}")
     return _alone(
         frames,
         "not clustered: neither tag nor names say which frames are alike, and where some are, true"

@@ -17,6 +17,8 @@ from typing import Any
 
 import numpy as np
 
+from procc_annotator.language import Said
+
 _PACKAGE = "procc_annotator"
 # Kinds of numbers that an array may be of: booleans, whole numbers, floats.
 _NUMBERS = "biuf"
@@ -55,6 +57,8 @@ class _Writing:
     def plain(self, value: Any) -> Any:
         if value is None or type(value) in (bool, int, float, str):
             return value
+        if isinstance(value, Said):
+            return str(value)  # for commands, which speak English
         if isinstance(value, list):
             return [self.plain(one) for one in value]
         if isinstance(value, np.generic) and value.dtype.kind in _NUMBERS:

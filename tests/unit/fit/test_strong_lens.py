@@ -104,6 +104,18 @@ def test_a_strong_lens_is_found_where_one_coefficient_is_not_enough(model: str) 
     assert "brings the points from" in chosen.chosen_because
 
 
+def test_a_strong_lens_is_looked_for_where_many_elements_fit_no_pinhole() -> None:
+    """Few points an element: none of them is seen to be bent."""
+    pitch = load_field("soccer")
+    pose = (0.726, 1.358, -0.004, (-26.2, 48.9, -16.1))
+    camera = FisheyeCamera(*pose, (454, 454), (473.8, 269.1), (-0.0366, 0.0089, 0, 0))
+    annotation = Views(pitch).clicks(camera, np.random.default_rng(3), 0.7)
+    assert len(fit_camera(annotation, pitch, model="R+").left_out) >= 3
+    fit = fit_camera(annotation, pitch, model="auto")
+    assert (fit.model, fit.left_out) == ("F", ())
+    assert fit.mean_px < 1.0
+
+
 @pytest.mark.parametrize("model", [*CAMERAS, "auto"])
 def test_it_goes_on_from_the_camera_before(model: str) -> None:
     camera = CAMERAS.get(model, FISHEYE)

@@ -122,7 +122,7 @@ class SourceRow(QFrame):
     def show_source(self, source: CameraSource) -> None:
         """Name, colour and whether it is drawn."""
         self.radio.set_full_text(source.name)
-        lines = [tr("Judge against {name}", name=source.name), source.camera_set.origin]
+        lines = [tr("Judge against {name}", name=source.name), tr(source.camera_set.origin)]
         if not self._fixed:
             lines.append(tr("Double-click or F2 gives it another name"))
         self.radio.setToolTip("\n".join(lines))

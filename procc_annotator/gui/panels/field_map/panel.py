@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
+    QAccessible,
     QColor,
     QHelpEvent,
     QKeyEvent,
@@ -40,6 +41,7 @@ from procc_annotator.gui.panels.states import (
     state_pen,
 )
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
+from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
 from procc_annotator.interact import palette as tones
@@ -73,6 +75,7 @@ class FieldMapPanel(QWidget):
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        give_role(self, QAccessible.Role.Canvas)
         self.setObjectName("field_map_panel")
         self.setAccessibleName(tr("Field map"))
         self.setAccessibleDescription(tr("The arrows choose elements"))

@@ -215,7 +215,8 @@ class FindingsPanel(QWidget):
         wanted: list[tuple[str, str, Callable[[], None]]] = []
         if found is not None and listed:
             for at, remedy in enumerate(found.finding.remedies[:_MOST_REMEDIES]):
-                text = remedy.text[:1].upper() + remedy.text[1:]
+                said = tr(remedy.text)
+                text = said[:1].upper() + said[1:]
 
                 def do(found: object = found, remedy: object = remedy) -> None:
                     self.remedyWanted.emit(found, remedy)

@@ -94,7 +94,7 @@ class FindingsModel(QAbstractListModel):
         finding, title = found.finding, self._document.field.title_of
         elements = " · ".join(dict.fromkeys(tr(title(name)) for name in finding.elements))
         head = f"{tr(WORDS[finding.severity])}: {elements}"
-        return frame if self.with_frames else "", head, finding.reason
+        return frame if self.with_frames else "", head, tr(finding.reason)
 
 
 class FindingDelegate(QStyledItemDelegate):

@@ -29,7 +29,7 @@ def findings_by_element(document: Document) -> dict[str, tuple[FoundInFrame, ...
 
 def reasons_of(found: Iterable[FoundInFrame]) -> str:
     """What is wrong, a line each."""
-    return "\n".join(f"{tr(WORDS[f.finding.severity])}: {f.finding.reason}" for f in found)
+    return "\n".join(f"{tr(WORDS[f.finding.severity])}: {tr(f.finding.reason)}" for f in found)
 
 
 class FindingSigns:

@@ -242,7 +242,7 @@ class FramesModel(QAbstractListModel):
             count = self._counts.get(self._rows[index.row()])
             problems = (count if isinstance(count, str) else "", self._camera_problem(frame.name))
             found = self._document.label_check.of(frame.name)
-            errors = (f.finding.reason for f in found if f.finding.severity is Severity.ERROR)
+            errors = (tr(f.finding.reason) for f in found if f.finding.severity is Severity.ERROR)
             return "\n".join(filter(None, (str(frame.image_path), *problems, *errors)))
         return frame.name
 

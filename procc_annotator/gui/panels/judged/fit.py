@@ -111,7 +111,7 @@ class FitPanel(QWidget):
         self._pages.addWidget(self.empty)
         self._shown_page = scrolling(self.content)
         self._pages.addWidget(self._shown_page)
-        self._buttons = QHBoxLayout()
+        self._buttons = QVBoxLayout()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.setSpacing(6)
@@ -194,7 +194,7 @@ class FitPanel(QWidget):
         self.save.clicked.connect(save.trigger)
         self.save.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._buttons.addWidget(self.on)
-        self._buttons.addWidget(self.save, 1)
+        self._buttons.addWidget(self.save)
 
     # --- showing -------------------------------------------------------------------------------
 

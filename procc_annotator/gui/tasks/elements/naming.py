@@ -11,12 +11,14 @@ from PySide6.QtWidgets import QMenu
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import FloatArray
+from procc_annotator.fit.predict.likely_names import likely_names
 from procc_annotator.fit.predict.sight import stretches_in_sight
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.panels.states import class_swatch
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
+from procc_annotator.gui.worker import Latest
 from procc_annotator.interact.naming import likeliest
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.language import tr
@@ -34,6 +36,7 @@ class Naming(QObject):
         self._document, self._canvas, self._edits = document, canvas, edits
         self.menu: QMenu | None = None
         self._fit: FitResult | None = None  # the last camera of this frame
+        self._looking = Latest(self, lambda text: document.say(text, "error"), urgent=True)
         canvas.editor.lineFinished.connect(self._ask_soon)
         document.frameChanged.connect(self._forget)
         document.foresight.changed.connect(self._learn)
@@ -55,9 +58,30 @@ class Naming(QObject):
         if polyline is None or size is None:
             return
         drawn = points_px(polyline, size)
-        likely = self._likely(drawn)  # by what was foreseen before this line
-        # Once the click that finished the line is through: a menu would take its release.
-        QTimer.singleShot(0, self, lambda: self._ask(class_name, drawn, likely))
+        if self._camera_known:
+            likely = self._likely(drawn)  # by what was foreseen before this line
+            # Once the click that finished the line is through: a menu would take its release.
+            QTimer.singleShot(0, self, lambda: self._ask(class_name, drawn, likely))
+            return
+        field, known = document.field, self._named(size)
+        self._looking.start(
+            lambda _: likely_names(field, drawn, size, known),
+            lambda names: self._ask(class_name, drawn, self._likely(drawn, names)),
+        )
+
+    @property
+    def _camera_known(self) -> bool:
+        allowed = self._document.foresight.allowed
+        return allowed and self._fit is not None and self._fit.camera is not None
+
+    def _named(self, size: tuple[int, int]) -> dict[str, FloatArray]:
+        """The elements of the frame that have names, px."""
+        document = self._document
+        return {
+            p.class_name: np.asarray(points_px(p, size))
+            for p in document.annotation
+            if p.points and document.field.element(p.class_name) is not None
+        }
 
     def _ask(self, class_name: str, drawn: FloatArray, likely: tuple[str, ...]) -> None:
         document = self._document
@@ -86,9 +110,9 @@ class Naming(QObject):
             self._edits.change_class(name)
             self._document.select_class(None)  # the next line is drawn first, too
 
-    def _likely(self, drawn: FloatArray) -> tuple[str, ...]:
-        """By the camera that is known, else by what the frame before had; then by what usually
-        comes next."""
+    def _likely(self, drawn: FloatArray, by_views: tuple[str, ...] = ()) -> tuple[str, ...]:
+        """By the camera that is known, else by what the frame before had there and by the usual
+        views of such a field; then by what usually comes next."""
         document = self._document
         field, annotation = document.field, document.annotation
         there = {p.class_name for p in annotation}
@@ -105,7 +129,8 @@ class Naming(QObject):
             for stretch in stretches_in_sight(field, fit.camera, fit.size, there):
                 courses.setdefault(stretch.name, []).append(stretch.points_px)
             return likeliest(drawn, courses, usual, farthest=_FARTHEST * size[0])
-        return likeliest(drawn, self._before(size, there), usual)
+        expected = self._before(size, there)
+        return likeliest(drawn, expected, (*by_views, *usual), farthest=_FARTHEST * size[0])
 
     def _before(self, size: tuple[int, int], there: set[str]) -> dict[str, list[FloatArray]]:
         """What the frame before had and this one has not yet, px of this picture."""

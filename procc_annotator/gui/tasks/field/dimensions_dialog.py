@@ -64,7 +64,6 @@ class FieldDimensionsDialog(QDialog):
         super().__init__(parent)
         self.setObjectName("fieldDimensionsDialog")
         self.setWindowTitle(tr("Field dimensions: {field}", field=tr(field.title)))
-        self.setMinimumWidth(_WIDTH)
         self._field = field
         self._dimensions = [d for d in field.dimensions if d.is_open]
         self.boxes: dict[str, RangeBox] = {}
@@ -88,6 +87,7 @@ class FieldDimensionsDialog(QDialog):
         layout.addStretch(1)
         layout.addWidget(self._buttons())
         self._tell_official()
+        self.setMinimumWidth(max(_WIDTH, self.minimumSizeHint().width()))
 
     def _form(self) -> QFormLayout:
         """A row a dimension, with what the rules say of it, and where the clicks lie."""

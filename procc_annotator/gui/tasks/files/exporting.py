@@ -56,12 +56,15 @@ class Exporter:
         def work(workspace: Workspace, progress: Callable[[int, int], None]) -> Exported:
             return export_provenance(workspace, database, path, progress)
 
-        self._run(work)
+        self._run(work, "export_provenance")
 
     def write_annotations(self, path: Path) -> None:
         """Write SoccerNet JSON of all annotated frames to a folder or zip archive."""
         self._run(
-            lambda workspace, progress: export_annotations(DatasetFrames(workspace), path, progress)
+            lambda workspace, progress: export_annotations(
+                DatasetFrames(workspace), path, progress
+            ),
+            "export_annotations",
         )
 
     def write_scores(self, path: Path) -> None:
@@ -76,7 +79,8 @@ class Exporter:
         self._run(
             lambda workspace, progress: export_scores(
                 DatasetFrames(workspace), path, scoring, progress, only=only
-            )
+            ),
+            "export_scores",
         )
 
     @property
@@ -105,7 +109,7 @@ class Exporter:
         if (path := ask_where(self._document, self._parent, tr("Export"), name, kinds)) is not None:
             then(path)
 
-    def _run(self, work: Work) -> None:
+    def _run(self, work: Work, again: str) -> None:
         document = self._document
         if opened_frame(document) is None:
             return
@@ -121,7 +125,7 @@ class Exporter:
         run_in_background(
             export,
             on_result=self._tell,
-            on_error=lambda text: document.say(text, "error"),
+            on_error=lambda text: document.say(text, "error", again),
             on_progress=lambda done, total: document.say(
                 tr("exporting {done} / {total}", done=done, total=total)
             ),

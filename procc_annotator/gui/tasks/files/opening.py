@@ -67,13 +67,13 @@ class OpeningTask(QObject):
     def open_picture(self) -> None:
         """Ask for one picture."""
         kind = tr("Pictures"), sorted(PICTURE_SUFFIXES)
-        if (chosen := self._ask_file("Open a picture", FOLDER, *kind)) is not None:
+        if (chosen := self._ask_file(tr("Open a picture"), FOLDER, *kind)) is not None:
             self.open_path(chosen)
 
     def open_video(self) -> None:
         """Ask for a video."""
         kind = tr("Videos"), sorted(VIDEO_SUFFIXES)
-        if (chosen := self._ask_file("Open a video", FOLDER, *kind)) is not None:
+        if (chosen := self._ask_file(tr("Open a video"), FOLDER, *kind)) is not None:
             self.open_path(chosen)
 
     def keep_frame(self) -> None:

@@ -138,7 +138,9 @@ class OverlaySaving:
             return False
         if path.resolve() == frame.image_path.resolve():
             document.say(
-                tr("{path}: is the picture itself, choose another name", path=path), "error"
+                tr("{path}: is the picture itself, choose another name", path=path),
+                "error",
+                "save_overlay",
             )
             return False
         scene = Scene(
@@ -154,12 +156,13 @@ class OverlaySaving:
         try:
             draw = OverlayPictures(path.suffix.lower(), look)
         except ProccError as error:
-            document.say(str(error), "error")
+            document.say(str(error), "error", "save_overlay")
             return False
         document.say(tr("writing the overlay picture {path} …", path=path))
         write(
             document,
             lambda _: write_atomic(path, draw(scene)),
             lambda _: tr("overlay picture written to {path}", path=path),
+            again="save_overlay",
         )
         return True

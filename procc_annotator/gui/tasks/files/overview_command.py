@@ -76,7 +76,7 @@ class OverviewCommand:
             more = tr("the set was being scored still: some frames have no JaC yet")
             return f"{done}; {more}" if scoring else done
 
-        write(document, self._rows_for(as_csv, complete=True), said)
+        write(document, self._rows_for(as_csv, complete=True), said, again="export_overview")
 
     def _rows_for(
         self, use: Callable[[list[OverviewRow]], T], *, complete: bool = False

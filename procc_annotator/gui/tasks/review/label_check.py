@@ -107,7 +107,7 @@ class LabelCheckCommands(QObject):
             severity=tr(_SEVERITIES[finding.severity], "a finding"),
             elements=self._named(finding.elements),
         )
-        remedy = f"F12: {finding.remedies[0].text}" if finding.remedies else ""
+        remedy = f"F12: {tr(finding.remedies[0].text)}" if finding.remedies else ""
         self._document.say("; ".join(filter(None, (said, remedy))))
 
     def _named(self, elements: tuple[str, ...]) -> str:
@@ -179,7 +179,7 @@ class LabelCheckCommands(QObject):
         document, finding = self._document, found.finding
         if remedy.kind is RemedyKind.LOOK:
             self.look(found)
-            document.say(finding.reason)
+            document.say(tr(finding.reason))
             return
         document.aboutToLeave.emit()
         if found.key not in {known.key for known in self._check.shown}:
@@ -296,7 +296,7 @@ class LabelCheckCommands(QObject):
         try:
             write_atomic(path, findings_csv(CheckReport(found=found, unreadable=unreadable)))
         except ProccError as error:
-            document.say(str(error), "error")
+            document.say(str(error), "error", "export_findings")
             return
         frames = tr_count(known, "{n:,} checked frame", "{n:,} checked frames")
         document.say(

@@ -127,7 +127,13 @@ class Triage(QObject):
             )
             return f"{done}; {more}" if left else done
 
-        write(document, self._writing(path, self._in_order(verdicts)), said, owner=self)
+        write(
+            document,
+            self._writing(path, self._in_order(verdicts)),
+            said,
+            owner=self,
+            again="export_verdicts",
+        )
 
     def _in_order(self, verdicts: list[Verdict]) -> list[Verdict]:
         """As the frames lie in the set; those of frames that are gone behind."""

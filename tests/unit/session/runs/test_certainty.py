@@ -199,6 +199,8 @@ def test_clusters() -> None:
     assert tagged.described == "4 clusters by match, 2 frames without"
     order = FrameOrder("frames.csv", {"1": "p", "2": "p", "3": "q"}, {"1": 1, "2": 2, "3": 3})
     assert clusters_of(["1", "2", "3"], SHOT, {}, order).numbers.tolist() == [0, 0, 1]
+    one = FrameOrder("frames.csv", {"1": "a", "2": "a"}, {"1": 1, "2": 2})
+    assert "all frames are of one shot, by frames.csv" in clusters_of("12", None, {}, one).described
     with pytest.raises(UsageError, match="tell no shots"):
         clusters_of(["1", "2"], SHOT, {})
     with pytest.raises(UsageError, match="no frame has a value of 'match'"):

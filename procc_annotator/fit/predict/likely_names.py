@@ -1,0 +1,148 @@
+"""What a line without a name likely is where no camera is known: seen by all usual cameras at once.
+
+Each usual camera of the field says where its elements would appear. A camera counts by how well it
+explains the elements of the picture that have names; a line is what the cameras that count have
+there, running the same way.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.camera.base import FloatArray
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.model import Element, Field
+from procc_annotator.field.sample import sample_every
+from procc_annotator.fit.solving.surroundings import Surroundings, surroundings_of
+
+_PLACES = 10  # along an element
+_SPACING_M = 0.25
+_WIDTHS = (0.42, 0.6, 0.85, 1.2, 1.7)  # of the view at the middle, of half the field's length
+_AT_X, _AT_Y = np.linspace(-0.9, 0.9, 13), (-0.5, 0.0, 0.4)  # looked at, of half its size
+_ALONG = (-0.3, 0.0, 0.3)
+_BEYOND = 0.08  # of the picture around it: a line is drawn up to its edge
+_OFF = 0.07  # of the picture's width that usual cameras are off by
+_TURNED = 3.0  # how much farther a line counts that runs across
+_DRAWN = 5  # places along what was drawn
+
+Float32 = NDArray[np.float32]
+
+
+@dataclass(frozen=True, eq=False)
+class _Views:
+    """Where usual cameras show elements, shares of the picture's width.
+
+    Attributes:
+        names: (E,) elements.
+        places: (B, E, P, 2), not a number outside the picture.
+    """
+
+    names: tuple[str, ...]
+    places: Float32
+
+
+def likely_names(
+    field: Field,
+    drawn: FloatArray,
+    size: tuple[int, int],
+    known: Mapping[str, FloatArray],
+) -> tuple[str, ...]:
+    """The elements that a line likely is, likeliest first; those of no camera are left out.
+
+    Args:
+        field: its elements, and where its cameras stand.
+        drawn: (n, 2) px, n >= 1.
+        size: (width, height) of the picture, px.
+        known: the elements of the picture that have names, (n, 2) px each; none of them is offered.
+    """
+    views = _views(field.elements, surroundings_of(field), round(size[1] / size[0], 3))
+    weight = np.ones(len(views.places), dtype=np.float32)
+    for name, line in known.items():
+        if name in views.names:
+            weight *= _likelihood(views, line / size[0], [views.names.index(name)])[:, 0] + 1e-3
+    rows = [i for i, name in enumerate(views.names) if name not in known]
+    if not rows:
+        return ()
+    score = weight @ _likelihood(views, drawn / size[0], rows)
+    order = np.argsort(-score, kind="stable")
+    return tuple(views.names[rows[i]] for i in order.tolist() if score[i] > 0)
+
+
+def _likelihood(views: _Views, line: FloatArray, rows: list[int]) -> Float32:
+    """(B, R) of a line, in shares of the width, being each of some elements."""
+    at = np.linspace(0, len(line) - 1, _DRAWN)
+    whole = np.arange(len(line))
+    px = np.stack([np.interp(at, whole, line[:, axis]) for axis in (0, 1)], axis=1)
+    px = px.astype(np.float32)
+    places = views.places[:, rows]
+    starts, along = places[:, :, :-1], np.diff(places, axis=2)
+    squares = np.maximum((along**2).sum(axis=-1), 1e-12)
+    least = np.full((*places.shape[:2], _DRAWN), np.inf, dtype=np.float32)
+    for i, point in enumerate(px):
+        offset = point - starts
+        share = np.clip((offset * along).sum(axis=-1) / squares, 0, 1)
+        gap = offset - share[..., None] * along
+        away = np.hypot(gap[..., 0], gap[..., 1])
+        least[..., i] = np.fmin.reduce(np.where(np.isnan(away), np.inf, away), axis=-1)
+    mean = least.mean(axis=-1)
+    course = np.nansum(along, axis=2)
+    runs = px[-1] - px[0]
+    lengths = np.maximum(np.hypot(course[..., 0], course[..., 1]) * np.hypot(*runs), 1e-12)
+    sine = (course[..., 0] * runs[1] - course[..., 1] * runs[0]) / lengths
+    off = mean * (1 + _TURNED * sine**2) + _OFF / 2 * np.abs(sine)
+    return np.asarray(np.exp(-0.5 * (off / _OFF) ** 2), dtype=np.float32)
+
+
+@lru_cache(maxsize=4)
+def _views(elements: tuple[Element, ...], around: Surroundings, ratio: float) -> _Views:
+    lines = [e for e in elements if not e.is_spot and not e.optional]
+    samples = sample_every(Field("", "", (), tuple(lines)), _SPACING_M)
+    rows = []
+    for i in range(len(lines)):
+        own = samples.of(i)
+        rows.append(own[np.linspace(0, len(own) - 1, _PLACES).round().astype(int)])
+    world = np.concatenate(rows) if rows else np.empty((0, 3))
+    found = []
+    for camera in _cameras(around, ratio):
+        px, shown = camera.project(world)
+        inside = (px > -_BEYOND).all(axis=1) & (px < np.array([1 + _BEYOND, ratio + _BEYOND])).all(
+            axis=1
+        )
+        px[~(shown & inside)] = np.nan
+        if np.isfinite(px[:, 0]).any():
+            found.append(px.reshape(len(lines), _PLACES, 2).astype(np.float32))
+    places = np.array(found, dtype=np.float32).reshape(-1, len(lines), _PLACES, 2)
+    return _Views(tuple(e.name for e in lines), places)
+
+
+def _cameras(around: Surroundings, ratio: float) -> list[PinholeCamera]:
+    """All usual ones; px in shares of the picture's width."""
+    # Of two sides from which a field looks the same one is enough.
+    sides = ("near",) if around.has_main_side else ("near", "right")
+    found = []
+    for side, along, height, x, y, width in itertools.product(
+        sides, _ALONG, around.height[1:], _AT_X, _AT_Y, _WIDTHS
+    ):
+        half = around.half_length, around.half_width
+        reach = half[1 if side == "near" else 0] + around.distance[1]
+        place = (along * half[0], reach) if side == "near" else (reach, along * half[1])
+        dx, dy = x * half[0] - place[0], y * half[1] - place[1]
+        focal = math.hypot(*place, height) / (width * half[0])
+        found.append(
+            PinholeCamera(
+                math.atan2(dx, -dy),
+                math.atan2(math.hypot(dx, dy), height),
+                0.0,
+                (*place, -height),
+                (focal, focal),
+                (0.5, ratio / 2),
+            )
+        )
+    return found

@@ -1,0 +1,50 @@
+"""The mouse rests on a sign of the label check in the picture: what it says there."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, QPointF
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtWidgets import QToolTip
+
+from procc_annotator.annotation import points_px
+from procc_annotator.gui.panels.findings.signs import reasons_of
+from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.state.document import Document
+from procc_annotator.session.facts.frame_check import FoundInFrame
+
+_REACH = 32.0  # screen px: a sign stands beside its point, on whichever side there is room
+
+
+class FindingTips(QObject):
+    """Answers when the canvas is asked for a tip."""
+
+    def __init__(self, document: Document, canvas: Canvas) -> None:
+        super().__init__(canvas)
+        self._document, self._canvas = document, canvas
+        canvas.viewport().installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if not isinstance(event, QHelpEvent) or event.type() != QEvent.Type.ToolTip:
+            return False
+        text = self.tip_at(QPointF(event.pos()))
+        if text:
+            QToolTip.showText(event.globalPos(), text, self._canvas.viewport())
+        return bool(text)
+
+    def tip_at(self, cursor: QPointF) -> str:
+        """What was found at a place of the viewport; empty where no sign is."""
+        if self._canvas.overlays_hidden:
+            return ""
+        near = [f for f in self._document.label_check.shown if self._stands_at(f, cursor)]
+        return reasons_of(near)
+
+    def _stands_at(self, found: FoundInFrame, cursor: QPointF) -> bool:
+        size, annotation = self._document.picture_size, self._document.annotation
+        for name, row in found.places:
+            drawn = annotation.get(name)
+            if drawn is None or size is None or row >= len(drawn.points):
+                continue
+            at = self._canvas.to_view(*points_px(drawn, size)[row].tolist())
+            if (at - cursor).manhattanLength() <= _REACH:
+                return True
+        return False
