@@ -70,12 +70,8 @@ def _doubt(seen: Evidence) -> str:
     if seen.unlikeliness > _MOST_UNLIKELY:
         return said("cameras hardly stand there")
     if seen.elements < _SURE_ELEMENTS - (share >= _ALL_FOUND):
-<<<<<<< HEAD
-        return "too few lines are in sight to tell"
+        return said("too few lines are in sight to tell")
     if seen.beside:
         return seen.beside
-=======
-        return said("too few lines are in sight to tell")
->>>>>>> main
     open_ = hardly_determined(seen.fit)
     return said("the lines in sight leave the camera open: {what}", what=open_) if open_ else ""
