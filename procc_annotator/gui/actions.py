@@ -307,6 +307,9 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("Element/Ghosts", "accept_ghosts", "Accept all ghosts", "", "ghost_tasks.accept_all",
           "Accept all ghosts whose painted lines are seen well enough (Shift+Enter while nothing "
           "is being drawn)"),
+    _spec("Element/Ghosts", "accept_go_on", "Accept all and go on", "Alt+Return Alt+Enter",
+          "ghost_tasks.accept_and_go_on",
+          "Accept all ghosts of this frame and show the next one: one key a frame"),
     _spec("Element/Ghosts", "ghost_support", "Line seen to accept all…", "",
           "ghost_tasks.accepting.ask_support",
           "How much of its painted line must be seen for a ghost to be accepted with all others"),

@@ -33,6 +33,7 @@ from procc_annotator.session.strokes.ghost_points import GhostPoints, find_point
 from tests.gui.conftest import KEPT, Hand, let_work_end, wait_for_ghosts
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
+ALT = Qt.KeyboardModifier.AltModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
 Key = Qt.Key
 
@@ -277,6 +278,30 @@ class TestAccept:
         for name in left:
             assert document.field.title_of(name) in said
         begun.canvas.undo()
+        assert document.annotation.annotated == KEPT
+
+    def test_one_key_accepts_all_and_goes_on(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        document, here = begun.document, begun.document.frame_index
+        hand.key(Key.Key_Return, ALT)
+        qtbot.waitUntil(lambda: document.frame_index == here + 1, timeout=20_000)
+        let_work_end(qtbot)
+        assert document.frame_index == here + 1
+        document.go_to(here)
+        qtbot.waitUntil(lambda: document.frame_index == here, timeout=20_000)
+        assert len(document.annotation.annotated) >= len(KEPT) + 4
+
+    def test_where_nothing_can_be_accepted_it_goes_on_all_the_same(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        """The frame is annotated: what is left of its lines cannot be seen."""
+        document, here = begun.document, begun.document.frame_index
+        document.store.set(picture=np.full_like(document.picture, 90))
+        hand.key(Key.Key_Return, ALT)
+        qtbot.waitUntil(lambda: document.frame_index == here + 1, timeout=20_000)
+        document.go_to(here)
+        qtbot.waitUntil(lambda: document.frame_index == here, timeout=20_000)
         assert document.annotation.annotated == KEPT
 
     def test_the_share_asked_for_is_kept(

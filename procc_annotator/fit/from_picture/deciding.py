@@ -29,6 +29,7 @@ class Evidence:
         margin: see `Proposal`.
         unlikeliness: half the squared deviations from where cameras are expected.
         elements: how many of the field were found on paint.
+        beside: which lie beside their paint, in words; "" for none.
     """
 
     fit: FitResult
@@ -37,6 +38,7 @@ class Evidence:
     margin: float
     unlikeliness: float
     elements: int
+    beside: str = ""
 
 
 def decide(seen: Evidence) -> tuple[State, str]:
@@ -69,5 +71,7 @@ def _doubt(seen: Evidence) -> str:
         return said("cameras hardly stand there")
     if seen.elements < _SURE_ELEMENTS - (share >= _ALL_FOUND):
         return said("too few lines are in sight to tell")
+    if seen.beside:
+        return seen.beside
     open_ = hardly_determined(seen.fit)
     return said("the lines in sight leave the camera open: {what}", what=open_) if open_ else ""

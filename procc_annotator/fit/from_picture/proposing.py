@@ -17,6 +17,8 @@ from procc_annotator.fit.from_picture.proposal import NONE, KnownPosition, Propo
 from procc_annotator.fit.from_picture.searching import STAGES, STAGES_KNOWN, search
 from procc_annotator.fit.from_picture.seen_paint import SeenPaint, see_paint
 from procc_annotator.fit.on_paint.belief import Belief
+from procc_annotator.fit.on_paint.beside import beside_in
+from procc_annotator.fit.on_paint.painted import painted_of
 from procc_annotator.fit.on_paint.refining import OnPaint, refine_on_paint
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import (
@@ -80,7 +82,7 @@ def propose_camera(
     found = [best for best in tried if best is not None]
     if not found:
         return _none(size, "no camera has its lines on the paint of this picture")
-    return max(found, key=lambda best: best.score).proposal(paint.frame)
+    return max(found, key=lambda best: best.score).proposal(picture, field, paint.frame)
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +125,7 @@ class _Best:
     def score(self) -> float:
         return self.candidate.score
 
-    def proposal(self, frame: PictureFrame) -> Proposal:
+    def proposal(self, picture: PixelArray, field: Field, frame: PictureFrame) -> Proposal:
         """What is proposed."""
         best, other = self.candidate, self.other
         margin = min(max(1 - self.other_score / max(self.score, 1e-6), 0.0), 1.0)
@@ -137,6 +139,7 @@ class _Best:
                 margin,
                 best.unlikeliness,
                 elements,
+                beside_in(picture, best.vector, painted_of(field), frame),
             )
         )
         if state == NONE:

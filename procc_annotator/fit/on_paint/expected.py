@@ -34,6 +34,17 @@ class Expected:
     run: IntArray
     length_px: FloatArray
 
+    def chosen(self, places: IntArray) -> Expected:
+        """Some of them, in order."""
+        return Expected(
+            self.rows[places],
+            self.px[:, places],
+            self.normal[:, places],
+            self.width_px[places],
+            self.run[places],
+            self.length_px[places],
+        )
+
 
 def expect(
     vector: FloatArray, painted: Painted, frame: PictureFrame, spacing_px: float

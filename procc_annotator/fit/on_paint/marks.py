@@ -5,12 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import FREE
-from procc_annotator.fit.solving.observations import FloatArray, IntArray
+from procc_annotator.fit.solving.observations import FloatArray
 
 PARAMETERS_FREE = FREE["R"]
+
+Floats = NDArray[np.floating]
+Integers = NDArray[np.integer]
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,14 +32,24 @@ class Marks:
         run: (n,) which stretch in sight.
     """
 
-    world: FloatArray
-    across: FloatArray
-    normal: FloatArray
-    element: IntArray
-    run: IntArray
+    world: Floats
+    across: Floats
+    normal: Floats
+    element: Integers
+    run: Integers
 
     def __len__(self) -> int:
         return len(self.across)
+
+    def small(self) -> Marks:
+        """The same in less than half the room, to be kept: places to some micrometres."""
+        return Marks(
+            self.world.astype(np.float32),
+            self.across.astype(np.float32),
+            self.normal.astype(np.float32),
+            self.element.astype(np.int16),
+            self.run.astype(np.int16),
+        )
 
     def chosen(self, rows: np.ndarray) -> Marks:
         """Some of them."""
@@ -63,7 +77,8 @@ def residuals(
         (B, n) solver px, and (B, n, free) derivatives of where the cameras show them.
     """
     lens = Lens.of(vectors, half_diagonal)
-    world = np.broadcast_to(marks.world, (len(vectors), *marks.world.shape))
+    places = marks.world.astype(np.float64)
+    world = np.broadcast_to(places, (len(vectors), *places.shape))
     px, _, derivatives = project(lens, world, np.zeros_like(world), free)
     shown = (px * marks.normal).sum(axis=1)
     by = (derivatives * marks.normal).sum(axis=2)

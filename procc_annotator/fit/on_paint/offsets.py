@@ -8,6 +8,7 @@ nearly as much finds nothing.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import cv2
@@ -15,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.on_paint.expected import Expected
+from procc_annotator.fit.on_paint.narrow import AROUND, STEP_PX, middles
 from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
 from procc_annotator.image.pixels import PixelArray
@@ -22,13 +24,16 @@ from procc_annotator.image.pixels import PixelArray
 Values = NDArray[np.float32]
 
 # A cut is sampled in steps of a quarter of the band's width; of half a pixel where it is narrow.
-_WIDTH_STEPS, _LEAST_STEP_PX = 4, 0.5
+_WIDTH_STEPS, _LEAST_STEP_PX = 4, STEP_PX
 _GAP_STEPS, _FLANK_STEPS = 1, 3
 _NEIGHBOURS = 2  # to either side, whose cuts are averaged with a place's own
 _BEYOND = _WIDTH_STEPS // 2 + _GAP_STEPS + _FLANK_STEPS
 _LEAST_CONTRAST = 5.0  # grey levels, of the band against the nearer of its flanks
 _RIVAL = 0.75  # of a band's contrast: another one that convinces as much
 _RIVAL_STEPS = 5  # from the band's middle: nearer ones are itself
+# Of a band's contrast: what the grounds beside a narrow line differ by, for its brightest place not
+# to be its middle.
+_UNLIKE = 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,11 +75,20 @@ def offsets_of(
     half = int(np.ceil((reach / step).max()))
     cuts = _cuts(picture, expected, frame, step, half + _BEYOND)
     tone = painted.tone[expected.rows]
-    response = _responses(cuts, tone, painted.element[expected.rows])
-    response = _averaged(response, expected.run)
+    values = _values(cuts, tone, painted.element[expected.rows])
+    response = _averaged(_standing_out(values), expected.run)
     within = np.abs(np.arange(-half, half + 1)) * step[:, None] <= reach[:, None]
     at, contrast, found = _best(response, within)
-    return Offsets((at - half) * step * frame.scale, found, contrast)
+    px = (at - half) * step
+    narrow = np.flatnonzero(found & (step == _LEAST_STEP_PX))
+    column = _BEYOND + np.rint(at[narrow]).astype(np.intp)
+    unlike = _between_unlike(values, narrow, column, contrast[narrow])
+    if unlike.any():
+        narrow, column = narrow[unlike], column[unlike]
+        cut = _mean_rows(cuts, narrow, column[:, None] + np.arange(-AROUND, AROUND + 1), expected)
+        shift = middles(cut, expected.width_px[narrow] / frame.scale)
+        px[narrow] = (column - _BEYOND - half) * _LEAST_STEP_PX + shift
+    return Offsets(px * frame.scale, found, contrast)
 
 
 def _cuts(
@@ -92,22 +106,21 @@ def _cuts(
     return np.asarray(cut[..., :3], dtype=np.uint8)
 
 
-def _responses(cuts: PixelArray, tone: IntArray, element: IntArray) -> Values:
-    """(n, m) how much a band of its width, in the middle, stands out from both flanks."""
+def _values(cuts: PixelArray, tone: IntArray, element: IntArray) -> Values:
+    """(n, m) of cuts, in which paint is lighter than what is beside it."""
     # White paint is light in all colours, coloured paint dark in one of them.
     lowest = np.minimum(np.minimum(cuts[..., 0], cuts[..., 1]), cuts[..., 2])
     values = lowest.astype(np.float32)
-    known = _standing_out(values * np.where(tone < 0, -1, 1).astype(np.float32)[:, None])
+    values *= np.where(tone < 0, -1, 1).astype(np.float32)[:, None]
     unknown = np.flatnonzero(tone == 0)
     if len(unknown):
         grey = cuts[unknown].astype(np.float32).mean(axis=2)
-        both = np.stack([_standing_out(grey), _standing_out(-grey)])
         # An element is painted in one colour: all of its places tell which.
-        strength = np.maximum(both, 0).max(axis=2)
+        strength = [np.maximum(_standing_out(own), 0).max(axis=1) for own in (grey, -grey)]
         own = element[unknown]
         votes = np.stack([np.bincount(own, s) for s in strength])
-        known[unknown] = np.where((votes[0] >= votes[1])[own][:, None], both[0], both[1])
-    return known
+        values[unknown] = np.where((votes[0] >= votes[1])[own][:, None], grey, -grey)
+    return values
 
 
 def _standing_out(values: Values) -> Values:
@@ -138,6 +151,35 @@ def _averaged(response: Values, run: IntArray) -> Values:
             found += response[np.clip(other, first, last)]
     found /= 2 * _NEIGHBOURS + 1
     return found
+
+
+def _between_unlike(
+    values: Values, rows: IntArray, columns: IntArray, contrast: FloatArray
+) -> NDArray[np.bool_]:
+    """(k,) whether a line at a column lies between grounds of different tones."""
+    away = np.arange(_BEYOND - _FLANK_STEPS + 1, _BEYOND + 1)
+    one, other = (
+        values[rows[:, None], columns[:, None] + side * away].mean(axis=1) for side in (1, -1)
+    )
+    return np.asarray(np.abs(one - other) > _UNLIKE * contrast)
+
+
+def _mean_rows(cuts: PixelArray, rows: IntArray, columns: IntArray, expected: Expected) -> Values:
+    """(k, m, 3) of some rows and their neighbours on the same stretch, at (k, m) columns."""
+    total = np.zeros((*columns.shape, 3), dtype=np.float32)
+    for other in _neighbours(expected.run):
+        total += cuts[other[rows][:, None], columns]
+    total /= 2 * _NEIGHBOURS + 1
+    return total
+
+
+def _neighbours(run: IntArray) -> Iterator[IntArray]:
+    """Each place itself, and those beside it on the same stretch, or its end."""
+    rows = np.arange(len(run))
+    first = np.searchsorted(run, run)
+    last = np.searchsorted(run, run, side="right") - 1
+    for away in range(-_NEIGHBOURS, _NEIGHBOURS + 1):
+        yield np.clip(rows + away, first, last)
 
 
 def _best(

@@ -179,7 +179,7 @@ class _Work:
         def told(number: int, step: Stepped) -> None:
             if number not in given:
                 distance = int(np.abs(places - number).min())
-                self.on_frame(tracked(number, step, distance, self.picture))
+                self.on_frame(self._tracked(number, step, distance))
 
         followed = follow(
             self.frame,
@@ -215,9 +215,12 @@ class _Work:
         places = np.array(list(given))
         for number, step in zip(chain.numbers, chain.steps, strict=True):
             distance = int(np.abs(places - number).min())
-            self.found[number] = tracked(number, step, distance, self.picture)
+            self.found[number] = self._tracked(number, step, distance)
         # What looked like a cut and could be followed across is none: a banner that slid in.
         self.begins -= set(chain.numbers[1:])
+
+    def _tracked(self, number: int, step: Stepped, distance: int) -> TrackedFrame:
+        return tracked(number, step, distance, self.painted, self.picture)
 
     def fill(self, gap: range) -> None:
         """Find cameras in a run of frames of which nothing is known, and follow them."""
@@ -300,13 +303,16 @@ def _missing(found: Smoothed, asked: int) -> float:
     return 1 - float(found.coverages().sum()) / asked
 
 
-def tracked(number: int, step: Stepped, distance: int, frame: PictureFrame) -> TrackedFrame:
+def tracked(
+    number: int, step: Stepped, distance: int, painted: Painted, frame: PictureFrame
+) -> TrackedFrame:
     """A frame as it is handed back."""
     belief = step.belief
     fit = fit_result(belief.vector, belief.covariance, frame, step.worth.error_px)
     residual = None if step.residual_px is None else step.residual_px / frame.scale
     state: FrameState = "bridged" if step.marks is None else "followed"
-    return TrackedFrame(number, state, step.reason, fit, step.coverage, residual, distance)
+    reason = step.reason or step.beside(painted, frame)
+    return TrackedFrame(number, state, reason, fit, step.coverage, residual, distance)
 
 
 def _as_anchor(found: TrackedFrame, camera: Camera) -> TrackedFrame:

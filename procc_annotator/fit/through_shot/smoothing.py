@@ -13,10 +13,10 @@ import numpy as np
 
 from procc_annotator.field.model import Field
 from procc_annotator.fit.on_paint.belief import COUNTS, Belief, usual, weights_of
-from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE
+from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, Floats, Integers
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, LOG_FOCAL, X, Z
-from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.through_shot.banded import BandedSolution, Normal, solve_normal
 from procc_annotator.fit.through_shot.chain import FrameChain
 from procc_annotator.fit.through_shot.stand import TRIPOD, Stand, lens_change
@@ -47,11 +47,11 @@ class _Data:
         element: (K, m) which element each is on.
     """
 
-    world: FloatArray
-    across: FloatArray
-    normal: FloatArray
-    trust: FloatArray
-    element: IntArray
+    world: Floats
+    across: Floats
+    normal: Floats
+    trust: Floats
+    element: Integers
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,9 +112,10 @@ def smoothed(
 def _data_of(steps: tuple[Stepped, ...]) -> _Data:
     most = max((len(s.marks) for s in steps if s.marks is not None), default=0)
     count = len(steps)
-    world, normal = np.zeros((count, 3, most)), np.zeros((count, 2, most))
-    across, trust = np.zeros((count, most)), np.zeros((count, most))
-    element = np.zeros((count, most), dtype=np.intp)
+    # As the marks are kept: a shot may have many thousand frames.
+    world, normal = (np.zeros((count, axes, most), dtype=np.float32) for axes in (3, 2))
+    across, trust = (np.zeros((count, most), dtype=np.float32) for _ in range(2))
+    element = np.zeros((count, most), dtype=np.int16)
     for k, step in enumerate(steps):
         if step.marks is None:
             continue
@@ -183,7 +184,7 @@ def _seen(
     """Of the marks of b frames: (b, 8, m) derivatives of where they appear, across; (b, m) solver
     px they are off; (b, m) what they count."""
     lens = Lens.of(vectors[rows], frame.half_diagonal)
-    world = data.world[rows]
+    world = data.world[rows].astype(np.float64)
     empty = data.trust[rows] == 0
     if empty.any():  # anything in front of the camera will do
         ahead = (lens.rotation[:, 2] + vectors[rows, X : Z + 1])[:, :, None]
@@ -218,14 +219,14 @@ def _beside(
     Returns:
         Solver px by which they do, root mean square, and (K, 8, E) what 1 px does.
     """
-    elements = int(data.element.max(initial=0)) + 1
+    elements = np.unique(data.element[data.trust > 0])
     count = len(vectors)
-    pulls = np.zeros((count, PARAMETERS_FREE, elements))
+    pulls = np.zeros((count, PARAMETERS_FREE, len(elements)))
     squares = counted = 0.0
     for rows in _in_parts(count):
         across, off, trust = _seen(data, rows, vectors, frame, _SCALES_PX[-1])
         weighted = across * trust[:, None]
-        of = (data.element[rows][:, :, None] == np.arange(elements)) & (trust > 0)[:, :, None]
+        of = (data.element[rows][:, :, None] == elements) & (trust > 0)[:, :, None]
         pulls[rows] = weighted @ of
         total = (trust[:, :, None] * of).sum(axis=1)
         mean = ((trust * off)[:, None, :] @ of)[:, 0] / np.maximum(total, 1e-12)

@@ -13,6 +13,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve, weights_of
+from procc_annotator.fit.on_paint.beside import (
+    FoundAround,
+    elements_beside,
+    look_beside,
+    off_px,
+    words_of,
+)
 from procc_annotator.fit.on_paint.expected import Expected, expect, pixels_of
 from procc_annotator.fit.on_paint.looking import SPACING_PX, Look, look, look_at, shares_on_paint
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, Marks
@@ -55,6 +62,7 @@ class Stepped:
         coverage, residual_px: of what should be in sight; solver px.
         sd_px: how surely its wireframe is known, solver px, where it is least sure.
         reason: why paint had no say, in words; "" if it had.
+        around: where the elements of which little was found were seen, farther out.
     """
 
     belief: Belief
@@ -66,6 +74,15 @@ class Stepped:
     sd_px: float
     reason: str = ""
     standing_for: float = 1.0
+    around: FoundAround | None = None
+
+    def beside(self, painted: Painted, frame: PictureFrame) -> str:
+        """Which elements its camera shows beside their paint, in words; "" for none."""
+        if self.marks is None:
+            return ""
+        length = np.full(len(self.marks), self.standing_for * _THIN * SPACING_PX)
+        found = elements_beside(self.belief.vector, self.marks, length, self.around, frame)
+        return words_of(found, painted, frame)
 
 
 def foretold(belief: Belief, turn: Turn | None, last: FloatArray, stand: Stand = TRIPOD) -> Belief:
@@ -134,7 +151,7 @@ def stepped(
         if len(seen.marks) < _FEWEST:
             return replace(none, reason=said("too little paint in sight"))
         solved, marks = _solved(seen, believed, solved.vector, frame, worth, _LEAST_REACH_PX)
-    off = _off(solved.vector, seen.marks, frame)
+    off = off_px(solved.vector, seen.marks, frame)
     weights = weights_of(off)
     coverage, _ = shares_on_paint(seen, weights, painted)
     least = _LEAST_COVERAGE_FAR if reach > _SURE_REACH_PX else _LEAST_COVERAGE
@@ -145,7 +162,8 @@ def stepped(
     if moved > _MOST_IN_SD * sd_px + _MOST_BESIDE_PX:
         return replace(none, reason=said("the paint that was found would move the camera too far"))
     residual = float(np.median(np.abs(off[weights > COUNTS])))
-    none = replace(none, residual_px=residual)
+    around = look_beside(picture, solved.vector, painted, frame, seen, weights)
+    none = replace(none, residual_px=residual, around=around)
     return _surer(none, solved, marks, painted.world[:, seen.expected.rows], frame)
 
 
@@ -161,7 +179,7 @@ def _surer(
     return replace(
         before,
         belief=belief,
-        marks=marks.chosen(kept),
+        marks=marks.chosen(kept).small(),
         worth=worth,
         sd_px=wireframe_sd(belief, seen, frame),
         standing_for=float(counted.sum()) / len(kept),
@@ -187,12 +205,6 @@ def _solved(
         scale_px=reach_px / 2,
     )
     return solved, marks
-
-
-def _off(vector: FloatArray, marks: Marks, frame: PictureFrame) -> FloatArray:
-    """(n,) solver px that marks are off from where a camera shows them."""
-    px, _ = pixels_of(Lens.of(vector[None], frame.half_diagonal), marks.world)
-    return np.asarray(marks.across - (px * marks.normal).sum(axis=0))
 
 
 def wireframe_apart(

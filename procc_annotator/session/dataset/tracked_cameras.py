@@ -41,7 +41,7 @@ def doubt_about(frame: TrackedFrame) -> str:
     most = most_residual_px(frame.fit.size[0])
     if frame.residual_px is not None and frame.residual_px > most:
         return said("the paint is {px:.1f} px from the lines", px=frame.residual_px)
-    return ""
+    return frame.reason
 
 
 @dataclass(frozen=True, eq=False)

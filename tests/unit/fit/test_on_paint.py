@@ -8,12 +8,18 @@ import numpy as np
 import pytest
 
 from procc_annotator.field.appearance import Appearance
+from procc_annotator.field.geometry import Line
+from procc_annotator.field.model import Field
+from procc_annotator.fit.on_paint.beside import beside_in
 from procc_annotator.fit.on_paint.expected import expect
 from procc_annotator.fit.on_paint.looking import look, shares_on_paint
 from procc_annotator.fit.on_paint.marks import residuals
 from procc_annotator.fit.on_paint.painted import painted_of
 from procc_annotator.fit.on_paint.refining import refine_on_paint
 from procc_annotator.fit.solving.models import vector_from_camera
+from procc_annotator.fit.solving.observations import PictureFrame
+from tests.drawn_shots import draw as draw_scene
+from tests.drawn_shots import looking_at, stage_of
 from tests.unit.fit.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
 
 TRUE = camera()
@@ -94,3 +100,44 @@ def test_derivatives_of_marks_are_those_of_where_they_appear() -> None:
         assert (off[1] - off[0]) / (2 * step) == pytest.approx(
             by[0, :, parameter], rel=1e-3, abs=1e-3
         )
+
+
+def _with_a_line_elsewhere(name: str, metres: float) -> Field:
+    """The field as a file has it that puts one of its lines beside where it is painted."""
+    changed = []
+    for element in FIELD.elements:
+        if element.name == name:
+            line = element.geometry
+            assert isinstance(line, Line)
+            (ax, ay, az), (bx, by, bz) = line.start, line.end
+            moved = replace(line, start=(ax + metres, ay, az), end=(bx + metres, by, bz))
+            element = replace(element, geometry=moved)
+        changed.append(element)
+    return replace(FIELD, elements=tuple(changed))
+
+
+@pytest.mark.parametrize("metres", [0.35, -0.35])
+def test_a_line_that_lies_beside_its_paint_is_named(metres: float) -> None:
+    picture, moved = draw(TRUE), _with_a_line_elsewhere("Big rect. right main", metres)
+    assert not beside_in(picture, VECTOR, painted_of(FIELD), FRAME)
+    said = beside_in(picture, VECTOR, painted_of(moved), FRAME)
+    assert said.startswith("Big rect. right main lies ")
+    assert said.endswith(" px beside its paint")
+
+
+def test_a_line_that_is_not_painted_lies_beside_nothing() -> None:
+    """Somebody forgot it, or it is worn: that is no other place."""
+    assert not beside_in(draw(TRUE, lines=False), VECTOR, painted_of(FIELD), FRAME)
+
+
+def test_a_narrow_line_between_two_colours_is_found_in_its_middle() -> None:
+    """Its brightest place lies towards the lighter of the two."""
+    stage, size = stage_of("basketball_fiba"), (960, 540)
+    shown = looking_at((0, 21.5, -6.5), (-6, 0, 0), 640, size, kappa=0.03)
+    painted, frame = painted_of(stage.field), PictureFrame(size)
+    seen = look(draw_scene(stage, shown, size), vector_from_camera(shown, frame), painted, frame, 5)
+    own = painted.element[seen.expected.rows] == painted.names.index("Court edge bottom")
+    off = seen.offsets.px[own & seen.offsets.found]
+    assert len(off) > 50
+    assert np.median(seen.expected.width_px[own]) < 1
+    assert abs(np.median(off)) < 0.25

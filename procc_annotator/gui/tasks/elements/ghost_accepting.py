@@ -30,14 +30,19 @@ _MOST_WAIT_S = 1.0
 AllPoints = tuple[GhostPoints, ...]
 
 
+def _nothing() -> None:
+    """Nothing comes after it."""
+
+
 @dataclass(frozen=True, eq=False)
 class _Accepting:
-    """Ghosts to be accepted once their points are found."""
+    """Ghosts to be accepted once their points are found, and what comes after that."""
 
     ghosts: tuple[Ghost, ...]
     made_for: Insight
     frame: str
     all: bool
+    then: Callable[[], None]
 
 
 class GhostAccepting(QObject):
@@ -110,8 +115,12 @@ class GhostAccepting(QObject):
             title = self._title(ghost.name)
             self._say(tr("{element} is accepted once its points are found", element=title))
 
-    def accept_all(self) -> None:
-        """Make all ghosts elements whose lines are seen well enough."""
+    def accept_all(self, then: Callable[[], None] = _nothing) -> None:
+        """Make all ghosts elements whose lines are seen well enough.
+
+        Args:
+            then: called after that if their frame is still on screen and holds anything.
+        """
         document = self._document
         if self._asked is not None and self._asked.all:
             return  # they are under way
@@ -126,9 +135,10 @@ class GhostAccepting(QObject):
                 else tr("what was being drawn is finished: accept the ghosts of the new fit")
             )
             return
-        self._find(document.ghosts.known, everything=True)
+        self._find(document.ghosts.known, everything=True, then=then)
 
-    def _accept_good(self, made_for: Insight, found: AllPoints) -> None:
+    def _accept_good(self, made_for: Insight, found: AllPoints) -> bool:
+        """Make those elements whose lines are seen well enough; whether there are some."""
         least = self.least_support
         done = accept_all(made_for.annotation, found, least)
         good, left = done.accepted, done.left
@@ -142,22 +152,24 @@ class GhostAccepting(QObject):
                     ghosts=why,
                 )
             )
-            return
+            return False
 
         def what() -> str:
             if len(good) == 1:
                 return self._title(good[0].name)
             return tr_count(len(good), "{n} ghost", "{n} ghosts")
 
-        if self._commit(made_for, done.annotation, what):
-            share = what()
-            if left:
-                share = tr("{n} of {total} ghosts", n=len(good), total=len(found))
-            too_little = tr(
-                "left, less than {least:.0%} of the line is seen: {ghosts}", least=least, ghosts=why
-            )
-            self._say_with_unsure(self._accepted_words(share), good, too_little if left else "")
-            self.accepted.emit(tuple(f.name for f in good))
+        if not self._commit(made_for, done.annotation, what):
+            return False
+        share = what()
+        if left:
+            share = tr("{n} of {total} ghosts", n=len(good), total=len(found))
+        too_little = tr(
+            "left, less than {least:.0%} of the line is seen: {ghosts}", least=least, ghosts=why
+        )
+        self._say_with_unsure(self._accepted_words(share), good, too_little if left else "")
+        self.accepted.emit(tuple(f.name for f in good))
+        return True
 
     def _accepted_words(self, what: str, found: GhostPoints | None = None) -> str:
         """What was accepted and, while the frame is left, where; of one ghost how its line is."""
@@ -221,7 +233,13 @@ class GhostAccepting(QObject):
         """The classes that are elements once their points are found."""
         return tuple(ghost.name for ghost in self._asked.ghosts) if self._asked is not None else ()
 
-    def _find(self, ghosts: tuple[Ghost, ...], *, everything: bool) -> bool:
+    def _find(
+        self,
+        ghosts: tuple[Ghost, ...],
+        *,
+        everything: bool,
+        then: Callable[[], None] = _nothing,
+    ) -> bool:
         """Have the points of ghosts found in the background; most are known already."""
         document, field = self._document, self._document.state.sized_field
         made_for = document.ghosts.insight
@@ -243,11 +261,14 @@ class GhostAccepting(QObject):
         def take(found: AllPoints) -> None:
             self._end()
             if everything:
-                self._accept_good(made_for, found)
+                leaving = bool(self._where)
+                accepted = self._accept_good(made_for, found)
+                if (accepted or made_for.annotation.annotated) and not leaving:
+                    then()
             else:
                 self.accept_one(made_for, found[0])
 
-        self._asked = _Accepting(ghosts, made_for, frame.name, everything)
+        self._asked = _Accepting(ghosts, made_for, frame.name, everything, then)
         self._job = run_in_background(
             work,
             on_result=take,

@@ -262,6 +262,17 @@ class GhostTasks(QObject):
         else:
             self.accepting.accept_all()
 
+    def accept_and_go_on(self) -> None:
+        """Accept all ghosts and show the next frame: going through a shot, one key a frame. A frame
+        that has none left because it is annotated is passed over."""
+        document = self._document
+        if self._why_none() and document.annotation.annotated and not self._why_off():
+            document.next_frame()
+        elif why_none := self._why_none():
+            self._say(why_none)
+        else:
+            self.accepting.accept_all(then=document.next_frame)
+
     # --- not visible here -----------------------------------------------------------------
 
     def say_not_visible(self) -> None:

@@ -1,0 +1,182 @@
+"""Elements whose paint lies beside where a camera shows them.
+
+What is found close to a camera's lines says nothing of a line that is not where it should be: it
+only makes the share that was found a little smaller. So elements of which little was found are
+looked for once more, farther out. A whole stretch of one that lies to one side tells that the
+camera, or the field's file, is not right there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.fit.on_paint.belief import COUNTS, weights_of
+from procc_annotator.fit.on_paint.expected import Expected, expect, pixels_of
+from procc_annotator.fit.on_paint.looking import SPACING_PX, Look, look, look_at, shares_on_paint
+from procc_annotator.fit.on_paint.marks import Marks
+from procc_annotator.fit.on_paint.painted import Painted
+from procc_annotator.fit.solving.jacobian import Lens
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.language import said
+
+# All in solver px.
+_NEAR_PX, _REACH_PX = 5.0, 12.0
+_BESIDE_PX = 2.5  # nearer, it is where it should be
+_LEAST_LENGTH_PX, _LEAST_SHARE = 100.0, 0.5  # of what was found of an element lies to one side
+_WELL_FOUND = 0.7  # of an element: it is where the camera has it
+_FAINTEST = 0.4  # of the usual contrast: the edge of a board is no paint
+_STEADY_PX = 1.0  # between neighbours: other paint, and what is none, jumps
+_THIN = 3  # of places that were averaged with their neighbours every third tells it all
+
+
+@dataclass(frozen=True, eq=False)
+class FoundAround:
+    """Paint on and beside elements.
+
+    Attributes:
+        marks: n places.
+        length_px: (n,) solver px of the element that each stands for.
+    """
+
+    marks: Marks
+    length_px: FloatArray
+
+
+def beside_in(
+    picture: PixelArray, vector: FloatArray, painted: Painted, frame: PictureFrame
+) -> str:
+    """Which elements a camera (11,) shows beside the paint of its picture (H, W, 4), in words; ""
+    for none."""
+    seen = look(picture, vector, painted, frame, _NEAR_PX)
+    if not len(seen.marks):
+        return ""
+    weights = weights_of(off_px(vector, seen.marks, frame))
+    around = look_beside(picture, vector, painted, frame, seen, weights)
+    marks = seen.marks.chosen(np.flatnonzero(weights > COUNTS))
+    length = np.full(len(marks), SPACING_PX)
+    return words_of(elements_beside(vector, marks, length, around, frame), painted, frame)
+
+
+def look_beside(
+    picture: PixelArray,
+    vector: FloatArray,
+    painted: Painted,
+    frame: PictureFrame,
+    seen: Look,
+    weights: FloatArray,
+) -> FoundAround | None:
+    """Look farther out for the elements of which a camera (11,) finds little.
+
+    Args:
+        picture: (H, W, 4) BGRA.
+        vector: the camera.
+        painted: the field's paint.
+        frame: the picture.
+        seen: what was found near it.
+        weights: of the marks, 0 for those that the camera does not explain.
+
+    Returns:
+        None where none of length has to be looked for.
+    """
+    _, shares = shares_on_paint(seen, weights, painted)
+    poor = np.array([shares.get(name, 1.0) < _WELL_FOUND for name in painted.names])
+    if not poor.any():
+        return None
+    expected = expect(vector, painted, frame, SPACING_PX)
+    own = painted.element[expected.rows]
+    length = np.bincount(own, expected.length_px, minlength=len(painted.names))
+    sought = (poor & (length >= _LEAST_LENGTH_PX))[own]
+    if not sought.any():
+        return None
+    expected = expected.chosen(np.flatnonzero(sought))
+    usual = float(np.median(seen.offsets.contrast[seen.offsets.found]))
+    near = look_at(picture, expected, painted, frame, _BESIDE_PX)
+    far = look_at(picture, expected, painted, frame, _REACH_PX)
+    return _steady(expected, near, far, painted, _FAINTEST * usual)
+
+
+def _steady(
+    expected: Expected, near: Look, far: Look, painted: Painted, least_contrast: float
+) -> FoundAround | None:
+    """What was found near, else farther out, where it goes on as its neighbour does."""
+    px = np.where(near.offsets.found, near.offsets.px, far.offsets.px)
+    found = near.offsets.found | (far.offsets.found & (far.offsets.contrast >= least_contrast))
+    goes_on = found[1:] & found[:-1] & (np.abs(np.diff(px)) < _STEADY_PX)
+    goes_on &= np.diff(expected.run) == 0
+    rows = np.flatnonzero(np.append(goes_on, False) | np.append(False, goes_on))[::_THIN]
+    if not len(rows):
+        return None
+    normal, own = expected.normal[:, rows], expected.rows[rows]
+    across = (expected.px[:, rows] * normal).sum(axis=0) + px[rows]
+    marks = Marks(painted.world[:, own], across, normal, painted.element[own], expected.run[rows])
+    return FoundAround(marks.small(), _THIN * expected.length_px[rows])
+
+
+def elements_beside(
+    vector: FloatArray,
+    marks: Marks,
+    length_px: FloatArray,
+    around: FoundAround | None,
+    frame: PictureFrame,
+) -> dict[int, float]:
+    """Elements that a camera (11,) shows beside their paint, by number in `Painted.names`: how far
+    the paint lies off, solver px.
+
+    Args:
+        vector: the camera.
+        marks: paint the camera goes by.
+        length_px: (n,) what each of them stands for.
+        around: what was looked for farther out; these elements are judged by it alone.
+        frame: the picture.
+    """
+    if around is not None:
+        others = np.flatnonzero(~np.isin(marks.element, around.marks.element))
+        marks, length_px = marks.chosen(others), length_px[others]
+    found = {}
+    for some, length in [
+        (marks, length_px),
+        *([(around.marks, around.length_px)] if around else []),
+    ]:
+        off = off_px(vector, some, frame)
+        for number in np.unique(some.element[np.abs(off) >= _BESIDE_PX]).tolist():
+            own = some.element == number
+            away = _to_one_side(off[own], length[own])
+            if away is not None:
+                found[number] = away
+    return found
+
+
+def _to_one_side(off: FloatArray, length: FloatArray) -> float | None:
+    """How far off the paint of one element lies, if a stretch of it does, all to one side."""
+    on = length[np.abs(off) < _BESIDE_PX].sum()
+    sides = [np.flatnonzero(side * off >= _BESIDE_PX) for side in (1, -1)]
+    side = max(sides, key=lambda rows: float(length[rows].sum()))
+    beside = float(length[side].sum())
+    if beside < _LEAST_LENGTH_PX or beside < _LEAST_SHARE * (on + beside):
+        return None
+    return float(np.abs(np.median(off[side])))
+
+
+def off_px(vector: FloatArray, marks: Marks, frame: PictureFrame) -> FloatArray:
+    """(n,) solver px that marks are off from where a camera (11,) shows them."""
+    px, _ = pixels_of(Lens.of(vector[None], frame.half_diagonal), marks.world.astype(np.float64))
+    return np.asarray(marks.across - (px * marks.normal).sum(axis=0))
+
+
+def words_of(beside: dict[int, float], painted: Painted, frame: PictureFrame) -> str:
+    """That elements lie beside their paint, the farthest first; "" of none."""
+    if not beside:
+        return ""
+    number = max(beside, key=lambda own: beside[own])
+    name, px, more = painted.names[number], beside[number] / frame.scale, len(beside) - 1
+    if not more:
+        return said("{name} lies {px:.0f} px beside its paint", name=name, px=px)
+    return said(
+        "{name} lies {px:.0f} px beside its paint, as {more} more do theirs",
+        name=name,
+        px=px,
+        more=more,
+    )
