@@ -386,6 +386,16 @@
    <translation>keine Farbe unter {title} gegen eines seiner Enden, unter dem ganzen Rest schon</translation>
   </message>
   <message>
+   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
+   <translation>{name} liegt {px:.0f} px neben seiner Farbe, {more} weitere ebenso</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint</source>
+   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
+   <translation>{name} liegt {px:.0f} px neben seiner Farbe</translation>
+  </message>
+  <message>
    <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
    <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
    <translation>keine Kamera erklärt diese Elemente zusammen: die beste verfehlt die Hälfte davon um mehr als {px:.0f} px (sind die Klassen richtig?)</translation>
@@ -660,7 +670,7 @@
   </message>
   <message>
    <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/poses.py]</extracomment>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
    <translation>verschieben</translation>
   </message>
   <message>
@@ -2145,8 +2155,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   </message>
   <message>
    <source>Pan</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py, the action pan]</extracomment>
-   <translation>Verschieben</translation>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Schwenk</translation>
   </message>
   <message>
    <source>Tilt</source>
@@ -3676,6 +3687,12 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>Noch keine Posen. Sie werden Bild für Bild im Hintergrund gesammelt.</translation>
   </message>
   <message>
+   <source>pan</source>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>Schwenk</translation>
+  </message>
+  <message>
    <source>The shown sources are of models without a pose (homographies, projections alone).</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
    <translation>Die gezeigten Quellen haben Modelle ohne Pose (Homographien, bloße Projektionen).</translation>
@@ -4544,6 +4561,11 @@ Laden oder zeigen Sie eine weitere.</translation>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>{element} wurde anderswo geändert: sehen Sie noch einmal hin</translation>
   </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>gelassen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}</translation>
+  </message>
   <message numerus="yes">
    <source>{n} points</source>
    <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
@@ -4579,9 +4601,9 @@ Laden oder zeigen Sie eine weitere.</translation>
    </translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <source>{n} of {total} ghosts</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>gelassen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}</translation>
+   <translation>{n} von {total} Geistern</translation>
   </message>
   <message>
    <source>accepted {what}</source>
@@ -4635,11 +4657,6 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>kein Geist angenommen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}; Tab geht sie durch</translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{n} von {total} Geistern</translation>
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -8903,6 +8920,16 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Alle Geister annehmen, deren gemalte Linien gut genug zu sehen sind (Umschalt+Eingabe, solange nichts gezeichnet wird)</translation>
   </message>
   <message>
+   <source>Accept all and go on</source>
+   <extracomment>[the action accept_go_on]</extracomment>
+   <translation>Alle annehmen und weiter</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts of this frame and show the next one: one key a frame</source>
+   <extracomment>[the action accept_go_on]</extracomment>
+   <translation>Alle Geister dieses Bildes annehmen und das nächste zeigen: eine Taste je Bild</translation>
+  </message>
+  <message>
    <source>Line seen to accept all…</source>
    <extracomment>[the action ghost_support]</extracomment>
    <translation>Sichtbarer Teil, um alle anzunehmen…</translation>
@@ -8996,6 +9023,11 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>Reduce (the mouse wheel does it at the cursor)</source>
    <extracomment>[the action zoom_out]</extracomment>
    <translation>Verkleinern (das Mausrad tut es am Mauszeiger)</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <extracomment>[the action pan]</extracomment>
+   <translation>Verschieben</translation>
   </message>
   <message>
    <source>The left button moves the picture (or hold Space, or the middle button); Esc ends it</source>

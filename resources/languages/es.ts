@@ -386,6 +386,16 @@
    <translation>no hay pintura bajo {title} hacia uno de sus extremos, bajo todo el resto sí</translation>
   </message>
   <message>
+   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
+   <translation>{name} está a {px:.0f} px de su pintura, y otros {more} también</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint</source>
+   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
+   <translation>{name} está a {px:.0f} px de su pintura</translation>
+  </message>
+  <message>
    <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
    <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
    <translation>ninguna cámara explica estos elementos juntos: la mejor falla la mitad por más de {px:.0f} px (¿son correctas las clases?)</translation>
@@ -660,7 +670,7 @@
   </message>
   <message>
    <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/poses.py]</extracomment>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
    <translation>desplazar</translation>
   </message>
   <message>
@@ -2145,8 +2155,9 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   </message>
   <message>
    <source>Pan</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py, the action pan]</extracomment>
-   <translation>Desplazar</translation>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Giro</translation>
   </message>
   <message>
    <source>Tilt</source>
@@ -3676,6 +3687,12 @@ Cargue o muestre otra.</translation>
    <translation>Aún no hay poses. Se reúnen en segundo plano, imagen por imagen.</translation>
   </message>
   <message>
+   <source>pan</source>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>giro</translation>
+  </message>
+  <message>
    <source>The shown sources are of models without a pose (homographies, projections alone).</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
    <translation>Las fuentes mostradas son de modelos sin pose (homografías, solo proyecciones).</translation>
@@ -4544,6 +4561,11 @@ Cargue o muestre otra.</translation>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>{element} se cambió en otra parte: mírelo de nuevo</translation>
   </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>dejados, se ve menos del {least:.0%} de la línea: {ghosts}</translation>
+  </message>
   <message numerus="yes">
    <source>{n} points</source>
    <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
@@ -4579,9 +4601,9 @@ Cargue o muestre otra.</translation>
    </translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <source>{n} of {total} ghosts</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>dejados, se ve menos del {least:.0%} de la línea: {ghosts}</translation>
+   <translation>{n} de {total} fantasmas</translation>
   </message>
   <message>
    <source>accepted {what}</source>
@@ -4635,11 +4657,6 @@ Cargue o muestre otra.</translation>
    <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>no se aceptó ningún fantasma, se ve menos del {least:.0%} de la línea: {ghosts}; Tab los recorre</translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{n} de {total} fantasmas</translation>
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -8903,6 +8920,16 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>Aceptar todos los fantasmas cuyas líneas pintadas se ven lo bastante bien (Mayús+Intro mientras no se dibuja nada)</translation>
   </message>
   <message>
+   <source>Accept all and go on</source>
+   <extracomment>[the action accept_go_on]</extracomment>
+   <translation>Aceptar todos y seguir</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts of this frame and show the next one: one key a frame</source>
+   <extracomment>[the action accept_go_on]</extracomment>
+   <translation>Aceptar todos los fantasmas de esta imagen y mostrar la siguiente: una tecla por imagen</translation>
+  </message>
+  <message>
    <source>Line seen to accept all…</source>
    <extracomment>[the action ghost_support]</extracomment>
    <translation>Parte visible para aceptar todos…</translation>
@@ -8996,6 +9023,11 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>Reduce (the mouse wheel does it at the cursor)</source>
    <extracomment>[the action zoom_out]</extracomment>
    <translation>Reducir (la rueda del ratón lo hace en el cursor)</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <extracomment>[the action pan]</extracomment>
+   <translation>Desplazar</translation>
   </message>
   <message>
    <source>The left button moves the picture (or hold Space, or the middle button); Esc ends it</source>

@@ -4,6 +4,573 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>le point principal est loin du centre de l’image, qui semble découpée dans une plus grande</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>avec rapport d’aspect et point principal {px} px : pas nettement mieux</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>sans distorsion les points sont à {without} px, avec elle à {with_it} px : pas nettement mieux</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>rapport d’aspect et point principal amènent les points de {before} à {after} px, plus que trois paramètres par hasard</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>la distorsion de l’objectif amène les points de {before} à {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>les points montrent nettement une distorsion et sont à {px} px</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>panoramique, inclinaison ou roulis ± plus de {degrees:g}°, position ± plus de {way:g} % du chemin vers le centre du terrain, ou focale ± plus de {focal:g} %, ou des clics identiques vus de l’autre bout</translation>
+  </message>
+  <message>
+   <source>pan ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>panoramique ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>tilt ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>inclinaison ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>roll ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>roulis ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>position ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>focale ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>identique vue de l’autre bout</translation>
+  </message>
+  <message>
+   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
+   <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
+   <translation>les coordonnées semblent être des pixels, attendues de 0 à 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>{lines:.0f} % des lignes en vue sont sur de la peinture, ce qui explique {paint:.0f} % de la peinture au sol</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>une autre caméra qui montre d’autres lignes convient presque aussi bien à l’image</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>il manque des lignes qui devraient se voir</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>il y a de la peinture là où le terrain n’en a pas</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>les caméras ne se tiennent guère là</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>trop peu de lignes en vue pour le dire</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>les lignes en vue laissent la caméra ouverte : {what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>aucune caméra ne convient à la peinture de cette image : pour la meilleure {shares}</translation>
+  </message>
+  <message>
+   <source>look at it</source>
+   <extracomment>[procc_annotator/fit/labels/finding.py]</extracomment>
+   <translation>aller voir</translation>
+  </message>
+  <message>
+   <source>all labels fit with far and near exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>toutes les classes conviennent avec lointain et proche échangés</translation>
+  </message>
+  <message>
+   <source>all labels fit with left and right exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>toutes les classes conviennent avec gauche et droite échangées</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>aller voir le point {number}</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>le point {number} de {title} est à {off:.0f} px, ses autres points au plus à {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>les éléments sont en moyenne à {after:.1f} px, aucune caméra ne convient aux classes telles quelles</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>les éléments sont en moyenne à {after:.1f} px, à {before:.1f} px tels quels</translation>
+  </message>
+  <message>
+   <source>{a} and {b} fit with each other's label</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{a} et {b} conviennent avec la classe l’un de l’autre</translation>
+  </message>
+  <message>
+   <source>{titles} fit with each other's labels</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{titles} conviennent avec les classes les uns des autres</translation>
+  </message>
+  <message>
+   <source>relabel {steps}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>renommer : {steps}</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>retirer le point {number}</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>le point {number} de {title} est à {off:.0f} px, son autre point au plus à {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} est jusqu’à {px:.0f} px de là où la caméra des autres le montre</translation>
+  </message>
+  <message>
+   <source>{title} is nowhere near where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} est loin de là où la caméra des autres le montre</translation>
+  </message>
+  <message>
+   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>sans {titles} les autres passent de {before:.1f} à {after:.1f} px</translation>
+  </message>
+  <message>
+   <source>swap {a} and {b}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>échanger {a} et {b}</translation>
+  </message>
+  <message>
+   <source>{a} to {b}</source>
+   <comment>labels</comment>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{a} en {b}</translation>
+  </message>
+  <message>
+   <source>it lies where {title} should be</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>il est là où {title} devrait être</translation>
+  </message>
+  <message>
+   <source>the others are {px:.1f} px off with and without it</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>les autres sont à {px:.1f} px avec et sans lui</translation>
+  </message>
+  <message>
+   <source>more than its own place is uncertain</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>plus que son propre lieu n’est incertain</translation>
+  </message>
+  <message>
+   <source>relabel to {title}</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>renommer en {title}</translation>
+  </message>
+  <message>
+   <source>it lies on {title}, which is annotated as well</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>il est sur {title}, qui est annoté aussi</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>{title} est jusqu’à {px:.0f} px de là où la caméra le montre ; trop peu d’éléments conviennent pour dire lesquels sont faux</translation>
+  </message>
+  <message>
+   <source>no camera fits these labels together</source>
+   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
+   <translation>aucune caméra ne convient à ces classes ensemble</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
+   <translation>échanger lointain et proche sur toute l’image</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
+   <translation>échanger gauche et droite sur toute l’image</translation>
+  </message>
+  <message>
+   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
+   <extracomment>[procc_annotator/fit/labels/overlap.py]</extracomment>
+   <translation>{a} et {b} sont l’un sur l’autre, à moins de {px:.0f} px : une ligne sous deux noms ?</translation>
+  </message>
+  <message>
+   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>{title} est droit sur le terrain, ses points s’écartent jusqu’à {px:.0f} px d’une droite, plus qu’aucun objectif ne la courbe</translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points, a line takes two</source>
+   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} a {n} point, il en faut deux pour une ligne</numerusform>
+    <numerusform>{title} a {n} points, il en faut deux pour une ligne</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; a curve takes at least {least}</source>
+   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} a {n} point ; une courbe en demande au moins {least}</numerusform>
+    <numerusform>{title} a {n} points ; une courbe en demande au moins {least}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
+   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>
+    <numerusform>{title} a {n} point ; moins de {least} ne déterminent pas d’ellipse</numerusform>
+    <numerusform>{title} a {n} points ; moins de {least} ne déterminent pas d’ellipse</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>{title} est un seul lieu, il a {count} points éloignés jusqu’à {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>the points of {title} go back and forth instead of along it</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>les points de {title} vont et viennent au lieu de le suivre</translation>
+  </message>
+  <message>
+   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
+   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
+   <translation>les points de {title} passent plusieurs fois sur le même tronçon : leur parcours est {times:.1f} fois plus long qu’il ne faut</translation>
+  </message>
+  <message>
+   <source>its corner</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>son coin</translation>
+  </message>
+  <message>
+   <source>the picture's edge</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>le bord de l’image</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>à {title} il manque {px:.0f} px pour atteindre {what}</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
+   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
+   <translation>à {title} il manque {px:.0f} px pour atteindre {what}, et {px_2:.0f} px pour atteindre {what_2} à l’autre bout</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>tout est à l’envers : lointain et proche sont échangés</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: left and right, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>tout est à l’envers : gauche et droite sont échangées</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>tout est à l’envers : lointain et proche, ou gauche et droite, sont échangés</translation>
+  </message>
+  <message>
+   <source>{title} is on the wrong side of {others}</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{title} est du mauvais côté de {others}</translation>
+  </message>
+  <message>
+   <source>{titles} lie on each other's side of the elements around them</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{titles} sont chacun du côté de l’autre par rapport aux éléments alentour</translation>
+  </message>
+  <message>
+   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
+   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
+   <translation>{titles} ne peuvent être ainsi l’un par rapport à l’autre, quelle que soit la caméra</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r}, did you mean {title}?</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>pas de telle classe : {name!r}, vouliez-vous dire {title} ?</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>pas de telle classe : {name!r} ne convient à aucune caméra, et compte comme manquée là où l’on note</translation>
+  </message>
+  <message>
+   <source>That is annotated already</source>
+   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
+   <translation>C’est déjà annoté</translation>
+  </message>
+  <message>
+   <source>put its points along the paint</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>mettre ses points le long de la peinture</translation>
+  </message>
+  <message>
+   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>{title} est droit entre ses clics, sa peinture passe jusqu’à {px:.0f} px à côté : régularisez-le (R)</translation>
+  </message>
+  <message>
+   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>un bout de {title} est à environ {px:.0f} px de sa peinture, qui se voit en chemin : mettez ce point dessus</translation>
+  </message>
+  <message>
+   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>pas de peinture sous {title} sur {percent:.0f} %, au plus {px:.0f} px d’affilée</translation>
+  </message>
+  <message>
+   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
+   <translation>pas de peinture sous {title} vers l’un de ses bouts, sous tout le reste il y en a</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
+   <translation>{name} est à {px:.0f} px de sa peinture, comme {more} autres de la leur</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint</source>
+   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
+   <translation>{name} est à {px:.0f} px de sa peinture</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
+   <translation>aucune caméra n’explique ces éléments ensemble : la meilleure en manque la moitié de plus de {px:.0f} px (les classes sont-elles justes ?)</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py, procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>seulement {share:.0%} des lignes en vue sont sur de la peinture</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>il y a trop peu de peinture</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>la peinture voisine ôterait un piquet de sa place</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} élément, il en faut {needed}</numerusform>
+    <numerusform>{n} éléments, il en faut {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{points} points sur {n} élément, il en faut deux différents sur chacun de {needed}</numerusform>
+    <numerusform>{points} points sur {n} éléments, il en faut deux différents sur chacun de {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} élément au sol, il en faut {needed}</numerusform>
+    <numerusform>{n} éléments au sol, il en faut {needed}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>tous les points sont au même endroit de l’image</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>tous les points sont sur une même ligne de l’image</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose peu plausible : l’ajustement ne s’est pas stabilisé</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose peu plausible : au sol</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose peu plausible : {metres:.1f} m sous le sol</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose peu plausible : seulement {metres:.1f} m au-dessus du sol</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose peu plausible : à {metres:.0f} m du centre du terrain</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose peu plausible : roulis de {degrees:.0f} degrés</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>pose peu plausible : focale de {px:.0f} px pour 960 px de large</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>trop peu de peinture en vue</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>trop peu de ce qui devrait se voir a été trouvé</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>la peinture trouvée déplacerait trop la caméra</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>même avec la position connue : {why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>{count} positions, et rien ne dit laquelle est la sienne</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>{count} clics sur {total} sont là où la caméra ne montre rien</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>les vues le regardent presque de la même direction ({degrees:.2f} degrés d’écart, il en faut au moins {least:g})</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>cliqué dans aucune vue qui ait une caméra</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>les caméras qui ne connaissent que le sol (homographies) ne donnent aucun lieu dans l’espace</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>les lignes de visée se croisent derrière la caméra de {names}</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>cliqué dans une seule vue</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>serait à plus de {metres:g} m du terrain</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>les vues ne s’accordent pas : {far} px (est-ce le même lieu dans toutes, et les caméras sont-elles justes ?)</translation>
+  </message>
+  <message>
+   <source>turn the labels by half a turn</source>
+   <extracomment>[procc_annotator/fit/which_side.py]</extracomment>
+   <translation>tourner les classes d’un demi-tour</translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
+   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/fit/which_side.py]</extracomment>
+   <translation>
+    <numerusform>la caméra est d’un côté du terrain où presque aucune autre de {n} image n’est : une caméra à part, ou des classes tournées d’un demi-tour</numerusform>
+    <numerusform>la caméra est d’un côté du terrain où presque aucune autre de {n} images n’est : une caméra à part, ou des classes tournées d’un demi-tour</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
+   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/fit/which_side.py]</extracomment>
+   <translation>
+    <numerusform>la caméra est de l’autre côté du terrain que les autres ; avec ses classes tournées d’un demi-tour elle est là où est celle de {n} image</numerusform>
+    <numerusform>la caméra est de l’autre côté du terrain que les autres ; avec ses classes tournées d’un demi-tour elle est là où est celle de {n} images</numerusform>
+   </translation>
+  </message>
+  <message>
    <source>File</source>
    <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Fichier</translation>
@@ -103,7 +670,7 @@
   </message>
   <message>
    <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/poses.py]</extracomment>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
    <translation>déplacer</translation>
   </message>
   <message>
@@ -392,6 +959,21 @@
    <translation>Panneaux</translation>
   </message>
   <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
+   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
+  </message>
+  <message>
+   <source>Choose another place…</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Choisir un autre lieu…</translation>
+  </message>
+  <message>
+   <source>Save again</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Enregistrer à nouveau</translation>
+  </message>
+  <message>
    <source>{what} is there already, and says something else.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} existe déjà, et dit autre chose.</translation>
@@ -472,195 +1054,195 @@
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ouvrez le dossier d’un second annotateur (menu Fichier) pour comparer les clics des deux.</translation>
   </message>
   <message>
    <source>Apart: the two share (almost) no stretch of this element, which is no agreement. Was its class swapped with a neighbour's?</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>À part : les deux n’ont (presque) aucun tronçon commun de cet élément, ce qui n’est pas un accord. Sa classe a-t-elle été échangée avec celle d’un voisin ?</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} clicks compared</source>
    <extracomment>{n:,} click compared / {n:,} clicks compared [procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} clic comparé</numerusform>
+    <numerusform>{n:,} clics comparés</numerusform>
    </translation>
   </message>
   <message>
    <source>{part} of {total}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{part} sur {total}</translation>
   </message>
   <message>
    <source>apart</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>à part</translation>
   </message>
   <message numerus="yes">
    <source>{compared}, {n} left out: beyond the ends of what the other clicked</source>
    <extracomment>{compared}, {n} left out: beyond the ends of what the other clicked / {compared}, {n} left out: beyond the ends of what the other clicked [procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{compared}, {n} laissé de côté : au-delà des bouts de ce que l’autre a cliqué</numerusform>
+    <numerusform>{compared}, {n} laissés de côté : au-delà des bouts de ce que l’autre a cliqué</numerusform>
    </translation>
   </message>
   <message>
    <source>Distances by element</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Distances par élément</translation>
   </message>
   <message>
    <source>Close the second annotator</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Fermer le second annotateur</translation>
   </message>
   <message>
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC d’accord à {tau:g} px : {jac:.3f}</translation>
   </message>
   <message>
    <source>Measuring the set…</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Mesure du jeu…</translation>
   </message>
   <message>
    <source>No element is annotated by both in any frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun élément n’est annoté par les deux sur une même image.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames unreadable, not compared</source>
    <extracomment>{n:,} frame unreadable, not compared / {n:,} frames unreadable, not compared [procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image illisible, non comparée</numerusform>
+    <numerusform>{n:,} images illisibles, non comparées</numerusform>
    </translation>
   </message>
   <message>
    <source>Median</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Médiane</translation>
   </message>
   <message>
    <source>Points</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Points</translation>
   </message>
   <message>
    <source>The second annotator's file for this frame is unreadable: {error}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le fichier du second annotateur pour cette image est illisible : {error}</translation>
   </message>
   <message>
    <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le second annotateur n’a rien pour cette image.</translation>
   </message>
   <message>
    <source>One of the two seems to label the field turned by 180 degrees.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>L’un des deux semble nommer le terrain tourné de 180 degrés.</translation>
   </message>
   <message>
    <source>Apart: {elements}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>À part : {elements}</translation>
   </message>
   <message>
    <source>Only here: {elements}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Seulement ici : {elements}</translation>
   </message>
   <message>
    <source>Only there: {elements}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Seulement là-bas : {elements}</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} clicks beyond the other's ends, left out</source>
    <extracomment>{n:,} click beyond the other's ends, left out / {n:,} clicks beyond the other's ends, left out [procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} clic au-delà des bouts de l’autre, laissé de côté</numerusform>
+    <numerusform>{n:,} clics au-delà des bouts de l’autre, laissés de côté</numerusform>
    </translation>
   </message>
   <message>
    <source>Nothing to measure noise by: all elements annotated by both are apart.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Rien pour mesurer le bruit : tous les éléments annotés par les deux sont à part.</translation>
   </message>
   <message numerus="yes">
    <source>Human noise over {n:,} frames: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height})</source>
    <extracomment>Human noise over {n:,} frame: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height}) / Human noise over {n:,} frames: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height}) [procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Bruit humain sur {n:,} image : médiane {median:.2f} px, 95 % à moins de {p95:.2f} px (à {width}x{height})</numerusform>
+    <numerusform>Bruit humain sur {n:,} images : médiane {median:.2f} px, 95 % à moins de {p95:.2f} px (à {width}x{height})</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>and {n} more</source>
    <extracomment>and {n} more / and {n} more [procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>et {n} de plus</numerusform>
+    <numerusform>et {n} de plus</numerusform>
    </translation>
   </message>
   <message>
    <source>Source to compare with</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Source à laquelle comparer</translation>
   </message>
   <message>
    <source>Held against the active source: comma, split view, disagreement</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Confrontée à la source active : virgule, vue partagée, désaccord</translation>
   </message>
   <message>
    <source>Compare with</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Comparer à</translation>
   </message>
   <message>
    <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{share:.0f} % à moins de {far:g} m, sur {covered:.0f} % de l’image</translation>
   </message>
   <message>
    <source>min</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>min</translation>
   </message>
   <message>
    <source>median</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>médiane</translation>
   </message>
   <message>
    <source>max</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>max</translation>
   </message>
   <message>
    <source>Between the two points on the ground that a pixel means</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entre les deux points du sol que désigne un pixel</translation>
   </message>
   <message>
    <source>From a pixel to where the compared camera shows its ground point</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>D’un pixel à l’endroit où la caméra comparée montre son point du sol</translation>
   </message>
   <message>
    <source>on the ground, m</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>au sol, m</translation>
   </message>
   <message>
    <source>in the picture, px</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>dans l’image, px</translation>
   </message>
   <message>
    <source>soccernet (official)</source>
@@ -670,69 +1252,71 @@
   <message>
    <source>procc (paper)</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>procc (article)</translation>
   </message>
   <message>
    <source>count as missed</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>compter comme manqués</translation>
   </message>
   <message>
    <source>are left out</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>sont laissés de côté</translation>
   </message>
   <message>
    <source>Cameras ({endings});;All files (*)</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméras ({endings});;Tous les fichiers (*)</translation>
   </message>
   <message>
    <source>No cameras loaded.
 Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune caméra chargée.
+Chargez un dossier de fichiers de caméra SoccerNet ou d’homographies pour les voir jugées d’après vos clics.</translation>
   </message>
   <message>
    <source>Load folder…</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Charger un dossier…</translation>
   </message>
   <message>
    <source>A folder with one camera file a frame</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Un dossier avec un fichier de caméra par image</translation>
   </message>
   <message>
    <source>Load file…</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Charger un fichier…</translation>
   </message>
   <message>
    <source>A zip archive of cameras, or the camera of one frame</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Une archive zip de caméras, ou la caméra d’une image</translation>
   </message>
   <message>
    <source>How the files loaded next are read</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Comment seront lus les prochains fichiers chargés</translation>
   </message>
   <message>
    <source>soccernet: the official evaluation with its quirks
 procc: the paper's definition, closed circles and fine curves</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>soccernet : l’évaluation officielle avec ses bizarreries
+procc : la définition de l’article, cercles fermés et courbes fines</translation>
   </message>
   <message>
    <source>A homography knows the ground only: how posts and crossbars count for it</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Une homographie ne connaît que le sol : comment comptent pour elle poteaux et barres</translation>
   </message>
   <message>
    <source>Read as</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Lus comme</translation>
   </message>
   <message>
    <source>Protocol</source>
@@ -742,74 +1326,76 @@ procc: the paper's definition, closed circles and fine curves</source>
   <message>
    <source>Off the ground</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Hors du sol</translation>
   </message>
   <message>
    <source>Load a folder of cameras</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Charger un dossier de caméras</translation>
   </message>
   <message>
    <source>Load cameras</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py, procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Charger des caméras</translation>
   </message>
   <message>
    <source>This frame: {notice}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cette image : {notice}</translation>
   </message>
   <message>
    <source>⚠ This frame's camera cannot be used: {error}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>⚠ La caméra de cette image n’est pas utilisable : {error}</translation>
   </message>
   <message>
    <source>Blind: the projection is hidden until this frame is committed.</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aveugle : la projection est cachée jusqu’à la remise de cette image.</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Images de ce jeu de données qui ont une caméra (complétude)</translation>
   </message>
   <message>
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Images visitées dans cette fenêtre dont les clics ont donné une caméra ; leur JaC est celui des clics qui ont servi à l’ajustement.
+procc-annotator calibrate ajuste et note tout le jeu</translation>
   </message>
   <message>
    <source>Frames of this dataset that were followed through their shot and have a camera.
 procc-annotator track follows a whole video and writes its cameras</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Images de ce jeu de données suivies à travers leur plan et qui ont une caméra.
+procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames</source>
    <extracomment>{n:,} frame / {n:,} frames [procc_annotator/gui/panels/cameras/source_list.py, procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image</numerusform>
+    <numerusform>{n:,} images</numerusform>
    </translation>
   </message>
   <message>
    <source>Mean JaC at {tau:.1f} px over {frames}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC moyen à {tau:.1f} px sur {frames}</translation>
   </message>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Illisibles (filtre camera:unreadable) : {names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
    <extracomment>{matched} of {total}, {n} unreadable / {matched} of {total}, {n} unreadable [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{matched} sur {total}, {n} illisible</numerusform>
+    <numerusform>{matched} sur {total}, {n} illisibles</numerusform>
    </translation>
   </message>
   <message>
@@ -820,182 +1406,182 @@ procc-annotator track follows a whole video and writes its cameras</source>
   <message>
    <source>Judge nothing, draw no camera</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ne rien juger, ne tracer aucune caméra</translation>
   </message>
   <message>
    <source>{frames} so far</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frames} jusqu’ici</translation>
   </message>
   <message numerus="yes">
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
    <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{mean} ; {n:,} caméra est illisible et ne participe pas</numerusform>
+    <numerusform>{mean} ; {n:,} caméras sont illisibles et ne participent pas</numerusform>
    </translation>
   </message>
   <message>
    <source>{model} (ground)</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{model} (sol)</translation>
   </message>
   <message>
    <source>{model} here, several models</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{model} ici, plusieurs modèles</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
    <extracomment>{n:,} frame followed / {n:,} frames followed [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image suivie</numerusform>
+    <numerusform>{n:,} images suivies</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames fitted</source>
    <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image ajustée</numerusform>
+    <numerusform>{n:,} images ajustées</numerusform>
    </translation>
   </message>
   <message>
    <source>{n} of {total} ({share})</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{n} sur {total} ({share})</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n:,} more</source>
    <extracomment>{names} and {n:,} more / {names} and {n:,} more [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{names} et {n:,} de plus</numerusform>
+    <numerusform>{names} et {n:,} de plus</numerusform>
    </translation>
   </message>
   <message>
    <source>cannot be used here: {error}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>inutilisable ici : {error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de caméra pour cette image</translation>
   </message>
   <message>
    <source>Blind mode hides how the sources do</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le mode aveugle cache ce que valent les sources</translation>
   </message>
   <message>
    <source>No frame has both annotated elements and a camera of this source</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune image n’a à la fois des éléments annotés et une caméra de cette source</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} cameras</source>
    <extracomment>{n:,} camera / {n:,} cameras [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} caméra</numerusform>
+    <numerusform>{n:,} caméras</numerusform>
    </translation>
   </message>
   <message>
    <source>several models</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>plusieurs modèles</translation>
   </message>
   <message>
    <source>Yellow</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Jaune</translation>
   </message>
   <message>
    <source>Violet</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Violet</translation>
   </message>
   <message>
    <source>Blue</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Bleu</translation>
   </message>
   <message>
    <source>Mint</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Menthe</translation>
   </message>
   <message>
    <source>Navy</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Bleu marine</translation>
   </message>
   <message>
    <source>Cyan</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cyan</translation>
   </message>
   <message>
    <source>Switch the live fit off (Ctrl+T switches it on again)</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Désactiver l’ajustement continu (Ctrl+T le réactive)</translation>
   </message>
   <message>
    <source>Remove from the list; the files stay</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Retirer de la liste ; les fichiers restent</translation>
   </message>
   <message>
    <source>Forget what was followed (T follows the shot again)</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Oublier ce qui a été suivi (T suit le plan à nouveau)</translation>
   </message>
   <message>
    <source>Name of the source</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nom de la source</translation>
   </message>
   <message>
    <source>Draw as a wireframe while another source is judged</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tracer en fil de fer pendant qu’une autre source est jugée</translation>
   </message>
   <message>
    <source>Judge against {name}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Juger {name}</translation>
   </message>
   <message>
    <source>Remove {name}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Retirer {name}</translation>
   </message>
   <message>
    <source>Draw {name}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tracer {name}</translation>
   </message>
   <message>
    <source>Colour of {name}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Couleur de {name}</translation>
   </message>
   <message>
    <source>Other…</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Autre…</translation>
   </message>
   <message>
    <source>Colour of the source</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Couleur de la source</translation>
   </message>
   <message>
    <source>Double-click or F2 gives it another name</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Un double-clic ou F2 lui donne un autre nom</translation>
   </message>
   <message>
    <source>Without geometry</source>
@@ -1005,12 +1591,12 @@ procc-annotator track follows a whole video and writes its cameras</source>
   <message>
    <source>Unknown to the field (unknown classes)</source>
    <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Inconnues du terrain (classes inconnues)</translation>
   </message>
   <message>
    <source>Find an element</source>
    <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Trouver un élément</translation>
   </message>
   <message>
    <source>Elements</source>
@@ -1020,40 +1606,42 @@ procc-annotator track follows a whole video and writes its cameras</source>
   <message>
    <source>Annotated points</source>
    <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Points annotés</translation>
   </message>
   <message>
    <source>{title}
 Class in files: {name}</source>
    <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title}
+Classe dans les fichiers : {name}</translation>
   </message>
   <message>
    <source>No element matches “{query}”.
 Esc clears the search.</source>
    <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun élément ne correspond à « {query} ».
+Échap efface la recherche.</translation>
   </message>
   <message>
    <source>Key</source>
    <comment>keyboard</comment>
    <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Touche</translation>
   </message>
   <message>
    <source>Pts</source>
    <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pts</translation>
   </message>
   <message>
    <source>Status</source>
    <extracomment>[procc_annotator/gui/panels/elements.py, procc_annotator/gui/panels/judged/score_table.py, procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>État</translation>
   </message>
   <message>
    <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>L’annoter ensuite apporte le plus : la projection sera connue à {after:.1f} px au lieu de {before:.1f} px</translation>
   </message>
   <message>
    <source>Field map</source>
@@ -1063,27 +1651,27 @@ Esc clears the search.</source>
   <message>
    <source>The arrows choose elements</source>
    <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les flèches choisissent les éléments</translation>
   </message>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Suivant : {title}, {before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
    <source>Click an element to choose its class</source>
    <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cliquez un élément pour choisir sa classe</translation>
   </message>
   <message>
    <source>Findings</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Constats</translation>
   </message>
   <message>
    <source>Which findings are listed</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Quels constats sont listés</translation>
   </message>
   <message>
    <source>Check the whole set</source>
@@ -1098,12 +1686,12 @@ Esc clears the search.</source>
   <message>
    <source>Frames checked</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Images vérifiées</translation>
   </message>
   <message>
    <source>Stop</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Arrêter</translation>
   </message>
   <message>
    <source>Export…</source>
@@ -1113,14 +1701,14 @@ Esc clears the search.</source>
   <message>
    <source>Write the findings of all checked frames as CSV</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Écrire en CSV les constats de toutes les images vérifiées</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} more are not listed: switch the signs above on.</source>
    <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} de plus n’est pas listé : activez les signes ci-dessus.</numerusform>
+    <numerusform>{n:,} de plus ne sont pas listés : activez les signes ci-dessus.</numerusform>
    </translation>
   </message>
   <message>
@@ -1131,48 +1719,48 @@ Esc clears the search.</source>
   <message numerus="yes">
    <source>{n:,} errors</source>
    <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} erreur</numerusform>
+    <numerusform>{n:,} erreurs</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} warnings</source>
    <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} avertissement</numerusform>
+    <numerusform>{n:,} avertissements</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} hints</source>
    <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} indice</numerusform>
+    <numerusform>{n:,} indices</numerusform>
    </translation>
   </message>
   <message>
    <source>This frame</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cette image</translation>
   </message>
   <message>
    <source>Whole set</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tout le jeu</translation>
   </message>
   <message>
    <source>{findings}; click to list them or not</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{findings} ; cliquer pour les lister ou non</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
    <extracomment>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; / {n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt; [procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} ignoré ici. &lt;a href="restore"&gt;Réafficher&lt;/a&gt;</numerusform>
+    <numerusform>{n:,} ignorés ici. &lt;a href="restore"&gt;Réafficher&lt;/a&gt;</numerusform>
    </translation>
   </message>
   <message>
@@ -1183,180 +1771,181 @@ Esc clears the search.</source>
   <message>
    <source>Error</source>
    <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Erreur</translation>
   </message>
   <message>
    <source>Warning</source>
    <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Avertissement</translation>
   </message>
   <message>
    <source>Hint</source>
    <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Indice</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Rien trouvé sur cette image.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found in {n:,} frames.</source>
    <extracomment>Nothing found in {n:,} frame. / Nothing found in {n:,} frames. [procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Rien trouvé sur {n:,} image.</numerusform>
+    <numerusform>Rien trouvé sur {n:,} images.</numerusform>
    </translation>
   </message>
   <message>
    <source>No frames.
 Open a folder of pictures to check their labels.</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune image.
+Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   </message>
   <message>
    <source>Nothing is annotated in this frame.</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Rien n’est annoté sur cette image.</translation>
   </message>
   <message>
    <source>Nothing found by the rules that need no camera.</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les règles qui se passent de caméra n’ont rien trouvé.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
    <extracomment>Nothing found but {n:,} ignored finding. / Nothing found but {n:,} ignored findings. [procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Rien trouvé hormis {n:,} constat ignoré.</numerusform>
+    <numerusform>Rien trouvé hormis {n:,} constats ignorés.</numerusform>
    </translation>
   </message>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aveugle : les constats qui demandent une caméra attendent la remise de cette image (Ctrl+Entrée).</translation>
   </message>
   <message>
    <source>The live fit is off: only the rules that need no camera are looked at.</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>L’ajustement continu est désactivé : seules les règles sans caméra sont appliquées.</translation>
   </message>
   <message>
    <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune caméra ne s’ajuste encore ({why}) : seules les règles qui s’en passent sont appliquées.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aveugle : seules les images remises sont vérifiées avec une caméra.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
    <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image ne peut être vérifiée, comme {name} : {why}</numerusform>
+    <numerusform>{n:,} images ne peuvent être vérifiées, comme {name} : {why}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>The set is not checked yet; {n:,} frames looked at so far.</source>
    <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Le jeu n’est pas encore vérifié ; {n:,} image regardée jusqu’ici.</numerusform>
+    <numerusform>Le jeu n’est pas encore vérifié ; {n:,} images regardées jusqu’ici.</numerusform>
    </translation>
   </message>
   <message>
    <source>Checking this frame…</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Vérification de cette image…</translation>
   </message>
   <message>
    <source>Checking the set…</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Vérification du jeu…</translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
    <extracomment>{n} open / {n} open [procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} ouvert</numerusform>
+    <numerusform>{n} ouverts</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} elements</source>
    <extracomment>{n:,} element / {n:,} elements [procc_annotator/gui/panels/frames/delegate.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} élément</numerusform>
+    <numerusform>{n:,} éléments</numerusform>
    </translation>
   </message>
   <message>
    <source>⚠ unreadable</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>⚠ illisible</translation>
   </message>
   <message>
    <source>⚠ camera</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>⚠ caméra</translation>
   </message>
   <message>
    <source>not annotated</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>non annotée</translation>
   </message>
   <message>
    <source>● not saved</source>
    <extracomment>[procc_annotator/gui/panels/frames/delegate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>● non enregistrée</translation>
   </message>
   <message>
    <source>{shown:,} of {frames}</source>
    <extracomment>[procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{shown:,} sur {frames}</translation>
   </message>
   <message>
    <source>all done</source>
    <extracomment>[procc_annotator/gui/panels/frames/folder_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>toutes terminées</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} done</source>
    <extracomment>{n:,} done / {n:,} done [procc_annotator/gui/panels/frames/folder_row.py, procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} terminée</numerusform>
+    <numerusform>{n:,} terminées</numerusform>
    </translation>
   </message>
   <message>
    <source>the picture cannot be read</source>
    <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’image est illisible</translation>
   </message>
   <message>
    <source>mean JaC {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC moyen {jac:.3f}</translation>
   </message>
   <message>
    <source>folded</source>
    <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>replié</translation>
   </message>
   <message>
    <source>unfolded</source>
    <extracomment>[procc_annotator/gui/panels/frames/model.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>déplié</translation>
   </message>
   <message>
    <source>Filter frames</source>
    <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Filtrer les images</translation>
   </message>
   <message>
    <source>Frames</source>
@@ -1367,546 +1956,550 @@ Open a folder of pictures to check their labels.</source>
    <source>No frames.
 Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune image.
+Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</translation>
   </message>
   <message>
    <source>Nothing matches “{query}”.</source>
    <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Rien ne correspond à « {query} ».</translation>
   </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
    <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{frames} dans {n:,} dossier</numerusform>
+    <numerusform>{frames} dans {n:,} dossiers</numerusform>
    </translation>
   </message>
   <message>
    <source>chosen automatically</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>choisi automatiquement</translation>
   </message>
   <message>
    <source>H: homography of the ground</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>H : homographie du sol</translation>
   </message>
   <message>
    <source>P: pinhole</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>P : sténopé</translation>
   </message>
   <message>
    <source>R: pinhole, lens distortion</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>R : sténopé, distorsion de l’objectif</translation>
   </message>
   <message>
    <source>R+: R, aspect ratio, principal point</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>R+ : R, rapport d’aspect, point principal</translation>
   </message>
   <message>
    <source>R2: R+, second radial coefficient</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>R2 : R+, second coefficient radial</translation>
   </message>
   <message>
    <source>F: fisheye</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>F : fisheye</translation>
   </message>
   <message>
    <source>{model}. Chosen: {why}</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{model}. Choisi : {why}</translation>
   </message>
   <message numerus="yes">
    <source>{passing} of {n:,} annotated elements within {px:g} px</source>
    <extracomment>{passing} of {n:,} annotated element within {px:g} px / {passing} of {n:,} annotated elements within {px:g} px [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{passing} sur {n:,} élément annoté à moins de {px:g} px</numerusform>
+    <numerusform>{passing} sur {n:,} éléments annotés à moins de {px:g} px</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{counted}; {n} in sight not annotated yet</source>
    <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{counted} ; {n} en vue pas encore annoté</numerusform>
+    <numerusform>{counted} ; {n} en vue pas encore annotés</numerusform>
    </translation>
   </message>
   <message>
    <source>Elements in sight that are not annotated count against the JaC</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les éléments en vue non annotés comptent contre le JaC</translation>
   </message>
   <message>
    <source>Hardly determined: {limits}</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>À peine déterminé : {limits}</translation>
   </message>
   <message>
    <source>What is fitted. Automatically: the simplest model that the clicks support</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce qui est ajusté. Automatiquement : le modèle le plus simple que permettent les clics</translation>
   </message>
   <message>
    <source>Model</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Modèle</translation>
   </message>
   <message>
    <source>Mean distance of the points that had a say, px of the picture</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Distance moyenne des points qui ont compté, px de l’image</translation>
   </message>
   <message>
    <source>Residuals by element</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Résidus par élément</translation>
   </message>
   <message>
    <source>Save as the frame's camera</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Enregistrer comme caméra de l’image</translation>
   </message>
   <message>
    <source>Open a folder of pictures to see the camera its clicks give.</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ouvrez un dossier d’images pour voir la caméra que donnent leurs clics.</translation>
   </message>
   <message>
    <source>The live fit is off (Ctrl+T).</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>L’ajustement continu est désactivé (Ctrl+T).</translation>
   </message>
   <message>
    <source>Hidden: blind mode shows the fit once this frame is committed.</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caché : le mode aveugle montre l’ajustement une fois cette image remise.</translation>
   </message>
   <message>
    <source>No camera yet: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pas encore de caméra : {why}.</translation>
   </message>
   <message>
    <source>Fitting the clicks…</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ajustement des clics…</translation>
   </message>
   <message>
    <source>No fit.</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pas d’ajustement.</translation>
   </message>
   <message>
    <source>JaC at {tau:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC à {tau:.1f} px</translation>
   </message>
   <message>
    <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>&lt;b&gt;À peine déterminé&lt;/b&gt; : {what}</translation>
   </message>
   <message>
    <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC : {terms} ; résidus : px de l’image, {width}x{height}</translation>
   </message>
   <message>
    <source>Standard deviation, as the fit estimates it</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Écart type, tel que l’ajustement l’estime</translation>
   </message>
   <message>
    <source>mean residual</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>résidu moyen</translation>
   </message>
   <message>
    <source>Mean</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Moyenne</translation>
   </message>
   <message>
    <source>Largest</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py, procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Plus grand</translation>
   </message>
   <message>
    <source>Worst first; a click shows the worst point</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les pires d’abord ; un clic montre le pire point</translation>
   </message>
   <message>
    <source>Mean distance of its points to the fitted element, px of the picture</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Distance moyenne de ses points à l’élément ajusté, px de l’image</translation>
   </message>
   <message>
    <source>Largest distance of its points to the fitted element, px of the picture</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Plus grande distance de ses points à l’élément ajusté, px de l’image</translation>
   </message>
   <message>
    <source>✕ left out: {title}</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>✕ laissé de côté : {title}</translation>
   </message>
   <message>
    <source>{title}: mean {mean} px, largest {largest} px</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} : moyenne {mean} px, plus grand {largest} px</translation>
   </message>
   <message>
    <source>Pan</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py, the action pan]</extracomment>
-   <translation>Déplacer la vue</translation>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>Panoramique</translation>
   </message>
   <message>
    <source>Tilt</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Inclinaison</translation>
   </message>
   <message>
    <source>Roll</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Roulis</translation>
   </message>
   <message>
    <source>Focal length</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Distance focale</translation>
   </message>
   <message>
    <source>Along (x)</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>En long (x)</translation>
   </message>
   <message>
    <source>Across (y)</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>En large (y)</translation>
   </message>
   <message>
    <source>Height (−z)</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Hauteur (−z)</translation>
   </message>
   <message>
    <source>Taken for a mistake: it had no say in the fit</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pris pour une erreur : n’a pas compté dans l’ajustement</translation>
   </message>
   <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>tau (px)</translation>
   </message>
   <message>
    <source>Point</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Point</translation>
   </message>
   <message>
    <source>Worst</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pire</translation>
   </message>
   <message>
    <source>Passes at</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Passe à</translation>
   </message>
   <message>
    <source>Click a row to see the point that decides</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cliquez une ligne pour voir le point qui décide</translation>
   </message>
   <message>
    <source>How the element counts at tau</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Comment l’élément compte à tau</translation>
   </message>
   <message>
    <source>The point that decides, counted from 1</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le point qui décide, compté à partir de 1</translation>
   </message>
   <message>
    <source>Largest distance of its points to the projection, px</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Plus grande distance de ses points à la projection, px</translation>
   </message>
   <message>
    <source>The smallest tau of the slider at which it passes, px</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le plus petit tau du curseur auquel il passe, px</translation>
   </message>
   <message>
    <source>Scores by element</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Scores par élément</translation>
   </message>
   <message>
    <source>Counts as {class_name}</source>
    <extracomment>[procc_annotator/gui/panels/judged/score_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Compte comme {class_name}</translation>
   </message>
   <message>
    <source>Choose an element to read why it counts as it does.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Choisissez un élément pour lire pourquoi il compte ainsi.</translation>
   </message>
   <message>
    <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la caméra est l’ajustement à ces mêmes clics : ce JaC n’est le score d’aucune méthode</translation>
   </message>
   <message>
    <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les classes en miroir comptent ici : le terrain tourné de 180° convient au moins aussi bien.</translation>
   </message>
   <message>
    <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>bruit humain {median:.2f} px, 95 % à moins de {p95:.2f} px</translation>
   </message>
   <message>
    <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>bruit humain {median:.2f} px, 95 % à moins de {p95:.2f} px – plus que tau</translation>
   </message>
   <message>
    <source>Precision</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Précision</translation>
   </message>
   <message>
    <source>Recall</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Rappel</translation>
   </message>
   <message>
    <source>Mean error</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Erreur moyenne</translation>
   </message>
   <message>
    <source>Mean reprojection error of all points, px</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Erreur de reprojection moyenne de tous les points, px</translation>
   </message>
   <message>
    <source>Median reprojection error, px</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Erreur de reprojection médiane, px</translation>
   </message>
   <message>
    <source>Max</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Max.</translation>
   </message>
   <message>
    <source>Largest reprojection error, px</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Plus grande erreur de reprojection, px</translation>
   </message>
   <message>
    <source>{name} has no camera for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} n’a pas de caméra pour cette image.</translation>
   </message>
   <message>
    <source>points: {kinds}</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>points : {kinds}</translation>
   </message>
   <message>
    <source>Scores and their plot</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Scores et leur graphique</translation>
   </message>
   <message>
    <source>JaC over tau</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC selon tau</translation>
   </message>
   <message>
    <source>Copy this explanation</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Copier cette explication</translation>
   </message>
   <message>
    <source>Copy all explanations</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Copier toutes les explications</translation>
   </message>
   <message>
    <source>Open a folder of pictures to see scores.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ouvrez un dossier d’images pour voir des scores.</translation>
   </message>
   <message>
    <source>No camera to judge.
 Load cameras to see how well they agree with your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune caméra à juger.
+Chargez des caméras pour voir comme elles s’accordent à vos clics.</translation>
   </message>
   <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caché : le mode aveugle montre le score une fois cette image remise.</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC – : {why}.</translation>
   </message>
   <message>
    <source>This frame's camera cannot be used:
 {error}</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>La caméra de cette image n’est pas utilisable :
+{error}</translation>
   </message>
   <message>
    <source>No fit to judge: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun ajustement à juger : {why}.</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Éléments dont tous les points sont plus proches que tau</translation>
   </message>
   <message>
    <source>Elements too far, or projected and not annotated</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Éléments trop loin, ou projetés et non annotés</translation>
   </message>
   <message>
    <source>Annotated elements that the camera does not project</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Éléments annotés que la caméra ne projette pas</translation>
   </message>
   <message>
    <source>Camera</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra</translation>
   </message>
   <message>
    <source>Annotation</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotation</translation>
   </message>
   <message>
    <source>Fine</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Correct</translation>
   </message>
   <message>
    <source>The active camera is wrong in this frame</source>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>La caméra active est fausse sur cette image</translation>
   </message>
   <message>
    <source>The clicks are wrong in this frame</source>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les clics sont faux sur cette image</translation>
   </message>
   <message>
    <source>Camera and clicks are right in this frame</source>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra et clics sont justes sur cette image</translation>
   </message>
   <message>
    <source>Fault</source>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Faute</translation>
   </message>
   <message>
    <source>Whose fault the score of this frame is; kept with the dataset</source>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>À qui la faute du score de cette image ; conservé avec le jeu de données</translation>
   </message>
   <message>
    <source>Verdict: {verdict}</source>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Verdict : {verdict}</translation>
   </message>
   <message>
    <source>{verdict}; once more takes it back ({key})</source>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{verdict} ; une fois de plus le retire ({key})</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun repère. Un repère est un lieu de ce stade que le terrain n’a pas : un siège, le coin d’un panneau, un projecteur. Nommez-en un ci-dessous, et cliquez-le dans deux vues calibrées.</translation>
   </message>
   <message>
    <source>Find its place from the views it is clicked in; cameras are those of the active source, else fits to the clicks</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Trouver son lieu d’après les vues où il est cliqué ; les caméras sont celles de la source active, sinon des ajustements aux clics</translation>
   </message>
   <message>
    <source>Other views of this instant</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Autres vues de cet instant</translation>
   </message>
   <message>
    <source>No other views</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pas d’autres vues</translation>
   </message>
   <message>
    <source>Its place cannot be brought back with undo. Clicks on it stay in the annotations.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annuler ne ramène pas son lieu. Les clics restent dans les annotations.</translation>
   </message>
   <message>
    <source>Landmark</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Repère</translation>
   </message>
   <message>
    <source>Views</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Vues</translation>
   </message>
   <message>
    <source>Triangulated from {frames}</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Triangulé d’après {frames}</translation>
   </message>
   <message>
    <source>{title} is clicked in no frame yet: click it in two calibrated views to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} n’est encore cliqué sur aucune image : cliquez-le dans deux vues calibrées pour qu’il soit triangulé.</translation>
   </message>
   <message>
    <source>Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cliqués ici, mais pas encore des repères : {names}. Écrivez un nom à côté d’Ajouter pour les trianguler.</translation>
   </message>
   <message>
    <source>Its place is not known yet</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Son lieu n’est pas encore connu</translation>
   </message>
   <message>
    <source>Surveyed</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Mesuré sur place</translation>
   </message>
   <message>
    <source>Landmarks</source>
@@ -1916,7 +2509,7 @@ Load cameras to see how well they agree with your clicks.</source>
   <message>
    <source>New landmark</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nouveau repère</translation>
   </message>
   <message>
    <source>Add</source>
@@ -1926,160 +2519,160 @@ Load cameras to see how well they agree with your clicks.</source>
   <message>
    <source>Have a new landmark, to be clicked (Enter)</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Créer un nouveau repère, à cliquer (Entrée)</translation>
   </message>
   <message>
    <source>What people call it</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Comment on l’appelle</translation>
   </message>
   <message>
    <source>x, y, z in metres, z down</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>x, y, z en mètres, z vers le bas</translation>
   </message>
   <message>
    <source>Set</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Fixer</translation>
   </message>
   <message>
    <source>The place was measured: it stays as it is from now on (Enter)</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le lieu a été mesuré : il reste désormais ce qu’il est (Entrée)</translation>
   </message>
   <message>
    <source>Triangulate</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Trianguler</translation>
   </message>
   <message>
    <source>Forget this landmark; clicks on it stay in the annotations</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Oublier ce repère ; les clics restent dans les annotations</translation>
   </message>
   <message>
    <source>Other views of this instant: go to one with a click</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Autres vues de cet instant : y aller d’un clic</translation>
   </message>
   <message>
    <source>Standard deviation in the direction where it is largest</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Écart type dans la direction où il est le plus grand</translation>
   </message>
   <message>
    <source>{name} is being triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} est en cours de triangulation.</translation>
   </message>
   <message>
    <source>{why}. Delete the landmark and name it again to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{why}. Supprimez le repère et nommez-le à nouveau pour qu’il soit triangulé.</translation>
   </message>
   <message>
    <source>Looking for the frames in which {title} is clicked…</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Recherche des images où {title} est cliqué…</translation>
   </message>
   <message>
    <source>{title} is clicked in {frame} alone: click it in another calibrated view to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} n’est cliqué que sur {frame} : cliquez-le dans une autre vue calibrée pour qu’il soit triangulé.</translation>
   </message>
   <message>
    <source>Choose a landmark in the list to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Choisissez un repère dans la liste pour le trianguler.</translation>
   </message>
   <message>
    <source>Only a landmark that has a name can be triangulated: write one beside Add.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Seul un repère qui a un nom peut être triangulé : écrivez-en un à côté d’Ajouter.</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n} more</source>
    <extracomment>{names} and {n} more / {names} and {n} more [procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{names} et {n} de plus</numerusform>
+    <numerusform>{names} et {n} de plus</numerusform>
    </translation>
   </message>
   <message>
    <source>Title</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Titre</translation>
   </message>
   <message>
    <source>Place</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Lieu</translation>
   </message>
   <message>
    <source>Not clicked in any frame yet</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Encore cliqué sur aucune image</translation>
   </message>
   <message>
    <source>Triangulating…</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Triangulation…</translation>
   </message>
   <message>
    <source>a landmark needs a name: write one beside Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un repère a besoin d’un nom : écrivez-en un à côté d’Ajouter</translation>
   </message>
   <message>
    <source>deleted the landmark {title}; clicks on it stay in the annotations</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>repère {title} supprimé ; les clics restent dans les annotations</translation>
   </message>
   <message>
    <source>the landmark {title}</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le repère {title}</translation>
   </message>
   <message>
    <source>Share</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Part</translation>
   </message>
   <message>
    <source>Median time</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Temps médian</translation>
   </message>
   <message>
    <source>Total time</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Temps total</translation>
   </message>
   <message>
    <source>Where the frame is in its life</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Où en est l’image dans sa vie</translation>
   </message>
   <message>
    <source>How many frames have this status</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Combien d’images ont cet état</translation>
   </message>
   <message>
    <source>Of all frames</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>De toutes les images</translation>
   </message>
   <message>
    <source>Of the frames that somebody worked on</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Des images sur lesquelles quelqu’un a travaillé</translation>
   </message>
   <message>
    <source>Of all frames with this status</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>De toutes les images dans cet état</translation>
   </message>
   <message>
    <source>Class</source>
@@ -2089,488 +2682,489 @@ Load cameras to see how well they agree with your clicks.</source>
   <message>
    <source>An element of the field, or another class that occurs</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Un élément du terrain, ou une autre classe rencontrée</translation>
   </message>
   <message>
    <source>How many frames it is annotated in</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Sur combien d’images il est annoté</translation>
   </message>
   <message>
    <source>Its points in all frames</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ses points sur toutes les images</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} points</source>
    <extracomment>{n:,} point / {n:,} points [procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} point</numerusform>
+    <numerusform>{n:,} points</numerusform>
    </translation>
   </message>
   <message>
    <source>Overview of the set</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Vue d’ensemble du jeu</translation>
   </message>
   <message>
    <source>Export CSV…</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Exporter en CSV…</translation>
   </message>
   <message>
    <source>Write one row a frame to a table for a spreadsheet</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Écrire une ligne par image dans une table pour tableur</translation>
   </message>
   <message>
    <source>Share of frames that are done or approved</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Part des images terminées ou approuvées</translation>
   </message>
   <message>
    <source>Frames by status</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py, procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Images par état</translation>
   </message>
   <message>
    <source>Frames and points by class</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Images et points par classe</translation>
   </message>
   <message numerus="yes">
    <source>frames, {points}</source>
    <extracomment>frame, {points} / frames, {points} [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>image, {points}</numerusform>
+    <numerusform>images, {points}</numerusform>
    </translation>
   </message>
   <message>
    <source>done or approved</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>terminées ou approuvées</translation>
   </message>
   <message>
    <source>a frame (median)</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>par image (médiane)</translation>
   </message>
   <message>
    <source>median JaC of {n:,}</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC médian de {n:,}</translation>
   </message>
   <message numerus="yes">
    <source>of {n:,} comments open</source>
    <extracomment>of {n:,} comment open / of {n:,} comments open [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>sur {n:,} commentaire ouverts</numerusform>
+    <numerusform>sur {n:,} commentaires ouverts</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>In {n:,} frames</source>
    <extracomment>In {n:,} frame / In {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Sur {n:,} image</numerusform>
+    <numerusform>Sur {n:,} images</numerusform>
    </translation>
   </message>
   <message>
    <source>Nothing to sum up: no frames are open.
 Open a folder of pictures first.</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Rien à résumer : aucune image n’est ouverte.
+Ouvrez d’abord un dossier d’images.</translation>
   </message>
   <message>
    <source>Points by origin: {origins}</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Points par origine : {origins}</translation>
   </message>
   <message numerus="yes">
    <source>on {n:,} frames</source>
    <extracomment>on {n:,} frame / on {n:,} frames [procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>sur {n:,} image</numerusform>
+    <numerusform>sur {n:,} images</numerusform>
    </translation>
   </message>
   <message>
    <source>no time taken yet</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas encore de temps mesuré</translation>
   </message>
   <message>
    <source>Time per frame in hours</source>
    <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Temps par image en heures</translation>
   </message>
   <message>
    <source>Time per frame in minutes</source>
    <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Temps par image en minutes</translation>
   </message>
   <message>
    <source>Time per frame in seconds</source>
    <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Temps par image en secondes</translation>
   </message>
   <message>
    <source>No frames</source>
    <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune image</translation>
   </message>
   <message>
    <source>Elements per frame</source>
    <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Éléments par image</translation>
   </message>
   <message>
    <source>Time per frame</source>
    <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Temps par image</translation>
   </message>
   <message>
    <source>No time yet: it is taken while somebody works on a frame</source>
    <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pas encore de temps : il est mesuré pendant que quelqu’un travaille sur une image</translation>
   </message>
   <message>
    <source>{caption}; last bar: longer</source>
    <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{caption} ; dernière barre : plus long</translation>
   </message>
   <message>
    <source>{hours:,} h {minutes:02d} min</source>
    <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{hours:,} h {minutes:02d} min</translation>
   </message>
   <message>
    <source>{seconds:.1f} s</source>
    <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{seconds:.1f} s</translation>
   </message>
   <message>
    <source>{seconds} s</source>
    <extracomment>[procc_annotator/gui/panels/overview/tables.py, procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{seconds} s</translation>
   </message>
   <message>
    <source>{minutes} min {seconds:02d} s</source>
    <extracomment>[procc_annotator/gui/panels/overview/tables.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{minutes} min {seconds:02d} s</translation>
   </message>
   <message>
    <source>Nobody has edited this frame here</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Personne n’a encore modifié cette image ici</translation>
   </message>
   <message>
    <source>Begun, not done</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Commencée, pas terminée</translation>
   </message>
   <message>
    <source>The annotator is done (Ctrl+Enter)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>L’annotateur a terminé (Ctrl+Entrée)</translation>
   </message>
   <message>
    <source>A reviewer found it right (Ctrl+Shift+A)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Un relecteur l’a trouvée correcte (Ctrl+Maj+A)</translation>
   </message>
   <message>
    <source>A reviewer sent it back (Ctrl+Shift+X)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Un relecteur l’a renvoyée (Ctrl+Maj+X)</translation>
   </message>
   <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Remise en mode aveugle, et restée telle quelle.</translation>
   </message>
   <message>
    <source>Edited after the cameras were shown.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Modifiée après que les caméras ont été montrées.</translation>
   </message>
   <message>
    <source>Committed in blind mode by {author}</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Remise en mode aveugle par {author}</translation>
   </message>
   <message>
    <source>{minutes}:{seconds:02d} min</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{minutes}:{seconds:02d} min</translation>
   </message>
   <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Temps passé sur cette image ; les pauses de plus de 30 s ne comptent pas</translation>
   </message>
   <message>
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Comment les points de cette image sont nés</translation>
   </message>
   <message>
    <source>Comments</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Commentaires</translation>
   </message>
   <message>
    <source>No comments on this frame.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun commentaire sur cette image.</translation>
   </message>
   <message>
    <source>Comment on this frame</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Commentaire sur cette image</translation>
   </message>
   <message>
    <source>Add the comment to the thread (Enter)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ajouter le commentaire à la discussion (Entrée)</translation>
   </message>
   <message>
    <source>Open a folder of pictures first.</source>
    <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ouvrez d’abord un dossier d’images.</translation>
   </message>
   <message>
    <source>Points: {kinds}</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Points : {kinds}</translation>
   </message>
   <message>
    <source>Points: none</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Points : aucun</translation>
   </message>
   <message numerus="yes">
    <source>to be confirmed (Shift+V): {n:,} copied elements</source>
    <extracomment>to be confirmed (Shift+V): {n:,} copied element / to be confirmed (Shift+V): {n:,} copied elements [procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>à confirmer (Maj+V) : {n:,} élément copié</numerusform>
+    <numerusform>à confirmer (Maj+V) : {n:,} éléments copiés</numerusform>
    </translation>
   </message>
   <message>
    <source>Ticked: settled</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Coché : réglé</translation>
   </message>
   <message>
    <source>somebody</source>
    <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/set_edits.py, procc_annotator/gui/state/state.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>quelqu’un</translation>
   </message>
   <message>
    <source>annotated</source>
    <extracomment>[procc_annotator/gui/panels/states.py, procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>annoté</translation>
   </message>
   <message>
    <source>unconfirmed</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>non confirmé</translation>
   </message>
   <message>
    <source>not visible</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas visible</translation>
   </message>
   <message>
    <source>next</source>
    <comment>element</comment>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>suivant</translation>
   </message>
   <message>
    <source>Not annotated in this frame</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Non annoté sur cette image</translation>
   </message>
   <message>
    <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annoté, mais non jugé : aucune caméra n’est montrée, ou il ne participe pas à l’évaluation</translation>
   </message>
   <message>
    <source>Copied; it does not count until it is touched or confirmed</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Copié ; il ne compte pas avant d’être touché ou confirmé</translation>
   </message>
   <message>
    <source>Passes: all its points are closer than tau to the projection</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Passe : tous ses points sont plus proches de la projection que tau</translation>
   </message>
   <message>
    <source>Too far: at least one point is tau or more away (false positive)</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Trop loin : au moins un point est à tau ou plus (faux positif)</translation>
   </message>
   <message>
    <source>The camera projects it, it is not annotated (false positive)</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>La caméra le projette, il n’est pas annoté (faux positif)</translation>
   </message>
   <message>
    <source>Annotated, the camera does not project it (false negative)</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annoté, la caméra ne le projette pas (faux négatif)</translation>
   </message>
   <message>
    <source>Somebody said that it cannot be seen in this frame</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Quelqu’un a dit qu’il ne se voit pas sur cette image</translation>
   </message>
   <message>
    <source>To be annotated next, as on the field map and in the picture</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>À annoter ensuite, comme sur le plan du terrain et dans l’image</translation>
   </message>
   <message>
    <source>{title} (unknown class)</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} (classe inconnue)</translation>
   </message>
   <message>
    <source>The picture cannot be shown</source>
    <extracomment>[procc_annotator/gui/picture/annotation_preview.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>L’image ne peut être montrée</translation>
   </message>
   <message>
    <source>Blind: no camera is shown before Ctrl+Enter</source>
    <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aveugle : aucune caméra n’est montrée avant Ctrl+Entrée</translation>
   </message>
   <message>
    <source>Blind mode, this frame is committed</source>
    <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Mode aveugle, cette image est remise</translation>
   </message>
   <message>
    <source>no camera is known here that could be dragged</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune caméra à faire glisser n’est connue ici</translation>
   </message>
   <message>
    <source>taken back: the camera is as before it was dragged</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>revenu en arrière : la caméra est comme avant le glissement</translation>
   </message>
   <message>
    <source>blind mode: no camera is shown</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>mode aveugle : aucune caméra n’est montrée</translation>
   </message>
   <message>
    <source>overlays are hidden (Ctrl+H)</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les superpositions sont cachées (Ctrl+H)</translation>
   </message>
   <message>
    <source>a homography cannot be turned: choose another model (panel Fit)</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>une homographie ne peut être tournée : choisissez un autre modèle (panneau Ajustement)</translation>
   </message>
   <message>
    <source>release leaves it here</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>relâcher la laisse ici</translation>
   </message>
   <message>
    <source>Esc puts it back</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Échap la remet en place</translation>
   </message>
   <message numerus="yes">
    <source>{n} pegs hold the camera</source>
    <extracomment>{n} peg hold the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} piquet tient la caméra</numerusform>
+    <numerusform>{n} piquets tiennent la caméra</numerusform>
    </translation>
   </message>
   <message>
    <source>CAMERA</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>CAMÉRA</translation>
   </message>
   <message numerus="yes">
    <source>peg taken away: {n} pegs left</source>
    <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>piquet retiré : il reste {n} piquet</numerusform>
+    <numerusform>piquet retiré : il reste {n} piquets</numerusform>
    </translation>
   </message>
   <message>
    <source>peg taken away: the camera is as it was found</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>piquet retiré : la caméra est comme elle a été trouvée</translation>
   </message>
   <message>
    <source>peg</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>piquet</translation>
   </message>
   <message>
    <source>press on a line of the wireframe</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pressez sur une ligne du fil de fer</translation>
   </message>
   <message>
    <source>drag moves this peg</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>glisser déplace ce piquet</translation>
   </message>
   <message>
    <source>click takes it away</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic le retire</translation>
   </message>
   <message>
    <source>drag a place of the wireframe to where it belongs</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>glissez un endroit du fil de fer à sa place</translation>
   </message>
   <message>
    <source>drag {title} to where it belongs: the camera follows</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>glissez {title} à sa place : la caméra suit</translation>
   </message>
   <message>
    <source>Ctrl+Z takes it back</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ctrl+Z y revient</translation>
   </message>
   <message>
    <source>PAN</source>
    <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>DÉPLACER</translation>
   </message>
   <message>
    <source>drag moves the picture</source>
    <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>glisser déplace l’image</translation>
   </message>
   <message>
    <source>click and Enter do nothing</source>
    <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>clic et Entrée ne font rien</translation>
   </message>
   <message>
    <source>Esc takes the tool again</source>
    <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Échap reprend l’outil</translation>
   </message>
   <message>
    <source>Picture</source>
@@ -2580,7 +3174,7 @@ Open a folder of pictures first.</source>
   <message>
    <source>load a second set of cameras to blink between two (Ctrl+L)</source>
    <extracomment>[procc_annotator/gui/picture/canvas.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>chargez un second jeu de caméras pour alterner entre deux (Ctrl+L)</translation>
   </message>
   <message>
    <source>camera unreadable</source>
@@ -2595,664 +3189,681 @@ Open a folder of pictures first.</source>
   <message>
    <source>{titles}: changed elsewhere, look again first</source>
    <extracomment>[procc_annotator/gui/picture/editor.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{titles} : changé ailleurs, regardez d’abord</translation>
   </message>
   <message>
    <source>{title} has no points in this frame: choose the element to delete</source>
    <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} n’a pas de points sur cette image : choisissez l’élément à supprimer</translation>
   </message>
   <message numerus="yes">
    <source>finished {title} with {n} points on {frame}</source>
    <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{title} terminé avec {n} point sur {frame}</numerusform>
+    <numerusform>{title} terminé avec {n} points sur {frame}</numerusform>
    </translation>
   </message>
   <message>
    <source>choose the element to delete first: field map, list, or its key</source>
    <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>choisissez d’abord l’élément à supprimer : plan du terrain, liste ou touche</translation>
   </message>
   <message numerus="yes">
    <source>dropped {n} points of {title}</source>
    <extracomment>dropped {n} point of {title} / dropped {n} points of {title} [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} point de {title} abandonné</numerusform>
+    <numerusform>{n} points de {title} abandonnés</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>finished {title} with {n} points</source>
    <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{title} terminé avec {n} point</numerusform>
+    <numerusform>{title} terminé avec {n} points</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n} pegs</source>
    <extracomment>{n} peg / {n} pegs [procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} piquet</numerusform>
+    <numerusform>{n} piquets</numerusform>
    </translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra glissée, {pegs}, précisée sur la peinture : {share:.0%} de ses lignes</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}, not made exact: {why}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra glissée, {pegs}, non précisée : {why}</translation>
   </message>
   <message>
    <source>Camera found, unsure: {why}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra trouvée, incertaine : {why}</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra glissée, {pegs}</translation>
   </message>
   <message>
    <source>Camera of the track: Shift+Enter accepts its elements</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra du suivi : Maj+Entrée accepte ses éléments</translation>
   </message>
   <message>
    <source>Looking for the camera in the picture …</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Recherche de la caméra dans l’image …</translation>
   </message>
   <message>
    <source>No camera found: {why}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune caméra trouvée : {why}</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra trouvée, sûre : {why}</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}: its lines are looked for …</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra glissée, {pegs} : ses lignes sont recherchées …</translation>
   </message>
   <message>
    <source>Camera of the track, unsure: {why}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra du suivi, incertaine : {why}</translation>
   </message>
   <message>
    <source>{title}  ±{sd:.1f} px  unsure</source>
    <extracomment>[procc_annotator/gui/picture/ghost_layer.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title}  ±{sd:.1f} px  incertain</translation>
   </message>
   <message>
    <source>next: {title}</source>
    <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>suivant : {title}</translation>
   </message>
   <message>
    <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
    <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>réticule : les flèches le déplacent (Maj 0.1 px, Ctrl 10 px, Ctrl+Maj 100 px), Espace clique, Échap le range</translation>
+  </message>
+  <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>pointez d’abord une ligne : avec la souris ou avec les flèches</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>il n’y a pas de ligne ici où mettre un point</translation>
   </message>
   <message>
    <source>Brightness</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Luminosité</translation>
   </message>
   <message>
    <source>Contrast</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Contraste</translation>
   </message>
   <message>
    <source>Gamma</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Gamma</translation>
   </message>
   <message>
    <source>Line enhance</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Rehausser les lignes</translation>
   </message>
   <message>
    <source>Bring out worn and shaded lines</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Faire ressortir les lignes usées ou dans l’ombre</translation>
   </message>
   <message>
    <source>Reset</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Réinitialiser</translation>
   </message>
   <message>
    <source>Show the picture as it is</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Montrer l’image telle qu’elle est</translation>
   </message>
   <message>
    <source>Only what you see changes, never the file</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Seul ce que vous voyez change, jamais le fichier</translation>
   </message>
   <message>
    <source>Shift all values</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Décaler toutes les valeurs</translation>
   </message>
   <message>
    <source>Stretch values about middle grey</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Étirer les valeurs autour du gris moyen</translation>
   </message>
   <message>
    <source>To the right, dark parts become lighter</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Vers la droite, les parties sombres s’éclaircissent</translation>
   </message>
   <message>
    <source>How good the fitted camera is</source>
    <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce que vaut la caméra ajustée</translation>
   </message>
   <message>
    <source>metres on the ground, 1 sd</source>
    <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>mètres au sol, 1 σ</translation>
   </message>
   <message>
    <source>How good the fitted camera ({model}) is</source>
    <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce que vaut la caméra ajustée ({model})</translation>
   </message>
   <message>
    <source>{metres:g} m, asked of offside technology</source>
    <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{metres:g} m, exigés de la technologie du hors-jeu</translation>
   </message>
   <message>
    <source>metres on the ground, 1 sd, median {median:.2f}</source>
    <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>mètres au sol, 1 σ, médiane {median:.2f}</translation>
   </message>
   <message>
    <source>metres on the ground</source>
    <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>mètres au sol</translation>
   </message>
   <message>
    <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
    <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{metres:g} m : {percent:.0f} % du terrain en vue</translation>
   </message>
   <message>
    <source>Drag to move the divider (arrow keys do it too)</source>
    <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Glisser déplace la séparation (les flèches aussi)</translation>
   </message>
   <message>
    <source>Divider of the split view</source>
    <extracomment>[procc_annotator/gui/picture/split_view.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Séparation de la vue partagée</translation>
   </message>
   <message>
    <source>JaC over tau, differences</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC selon tau, différences</translation>
   </message>
   <message>
    <source>No frame that two of the shown sources have is scored yet.</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune image que deux des sources affichées ont n’est encore notée.</translation>
   </message>
   <message>
    <source>JaC over the frames</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC selon les images</translation>
   </message>
   <message>
    <source>No scores yet. They are computed in the background, frame by frame.</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pas encore de scores. Ils sont calculés en arrière-plan, image par image.</translation>
   </message>
   <message>
    <source>{name} less each other source, on the frames both have. Beyond chance where the 95 % band lies beside 0; {drawn}.</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} moins chacune des autres sources, sur les images que les deux ont. Au-delà du hasard là où la bande à 95 % est à côté de 0 ; {drawn}.</translation>
   </message>
   <message>
    <source>One source alone has nothing to be compared with.
 Load or show another one.</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Une source seule n’a rien à quoi se comparer.
+Chargez-en ou affichez-en une autre.</translation>
   </message>
   <message>
    <source>{name} (frame {n})</source>
    <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} (image {n})</translation>
   </message>
   <message>
    <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pas de score de cette image : elle n’est pas annotée, ou aucune source affichée n’a sa caméra.</translation>
   </message>
   <message>
    <source>JaC, difference</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC, différence</translation>
   </message>
   <message>
    <source>frame</source>
    <extracomment>[procc_annotator/gui/plots/curves.py, procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>image</translation>
   </message>
   <message>
    <source>Each curve is the mean of the frames that source has a camera for.</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Chaque courbe est la moyenne des images pour lesquelles cette source a une caméra.</translation>
   </message>
   <message>
    <source>Shaded: 95 % bands, {drawn}.</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ombré : bandes à 95 %, {drawn}.</translation>
   </message>
   <message>
    <source>tau {px:.1f} px</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>tau {px:.1f} px</translation>
   </message>
   <message>
    <source>Errors, as a histogram</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Erreurs, en histogramme</translation>
   </message>
   <message>
    <source>Errors, by image radius</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Erreurs, selon le rayon dans l’image</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} points without a distance left out.</source>
    <extracomment>{n:,} point without a distance left out. / {n:,} points without a distance left out. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} point sans distance laissé de côté.</numerusform>
+    <numerusform>{n:,} points sans distance laissés de côté.</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>Dots: {painted:,} of {n:,} points, the largest errors among them.</source>
    <extracomment>Dots: {painted:,} of {n:,} point, the largest errors among them. / Dots: {painted:,} of {n:,} points, the largest errors among them. [procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Marques : {painted:,} sur {n:,} point, dont les plus grandes erreurs.</numerusform>
+    <numerusform>Marques : {painted:,} sur {n:,} points, dont les plus grandes erreurs.</numerusform>
    </translation>
   </message>
   <message>
    <source>reprojection error (px)</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>erreur de reprojection (px)</translation>
   </message>
   <message>
    <source>points</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>points</translation>
   </message>
   <message>
    <source>The last bar holds all larger errors.</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>La dernière barre réunit toutes les erreurs plus grandes.</translation>
   </message>
   <message>
    <source>{px:g} px or more</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{px:g} px ou plus</translation>
   </message>
   <message>
    <source>{name} {part:,} of {total:,}</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} {part:,} sur {total:,}</translation>
   </message>
   <message>
    <source>distance from the centre (corner = 1)</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>distance au centre (coin = 1)</translation>
   </message>
   <message>
    <source>No point of {element} in this frame.</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun point de {element} sur cette image.</translation>
   </message>
   <message>
    <source>No point of {element} so far.</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun point de {element} jusqu’ici.</translation>
   </message>
   <message>
    <source>No annotated point that a shown source projects in this frame.</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun point annoté de cette image n’est projeté par une source affichée.</translation>
   </message>
   <message>
    <source>No annotated point that a shown source projects so far.</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun point annoté n’est encore projeté par une source affichée.</translation>
   </message>
   <message>
    <source>Lines: running median of all points.</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Lignes : médiane glissante de tous les points.</translation>
   </message>
   <message>
    <source>Sources: {names}</source>
    <extracomment>[procc_annotator/gui/plots/legend.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Sources : {names}</translation>
   </message>
   <message>
    <source>({n:,} of {total:,})</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>({n:,} sur {total:,})</translation>
   </message>
   <message>
    <source>All elements</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tous les éléments</translation>
   </message>
   <message>
    <source>Save</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Garder</translation>
   </message>
   <message>
    <source>Copy or save the plot and its numbers</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Copier ou enregistrer le graphique et ses nombres</translation>
   </message>
   <message>
    <source>Copy or save the plot</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Copier ou enregistrer le graphique</translation>
   </message>
   <message>
    <source>Plot</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Graphique</translation>
   </message>
   <message>
    <source>Plot the frame on screen, or all frames scored so far</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tracer l’image à l’écran, ou toutes celles notées jusqu’ici</translation>
   </message>
   <message>
    <source>Plot the points of one element only</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tracer les points d’un seul élément</translation>
   </message>
   <message>
    <source>Open a folder of pictures to see plots.</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ouvrez un dossier d’images pour voir des graphiques.</translation>
   </message>
   <message>
    <source>This plot could not be computed: {error}.</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce graphique n’a pu être calculé : {error}.</translation>
   </message>
   <message>
    <source>({n:,} committed)</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>({n:,} remises)</translation>
   </message>
   <message>
    <source>Copy picture</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Copier l’image</translation>
   </message>
   <message>
    <source>Copy numbers</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Copier les nombres</translation>
   </message>
   <message>
    <source>Save picture…</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Enregistrer l’image…</translation>
   </message>
   <message>
    <source>Save numbers…</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Enregistrer les nombres…</translation>
   </message>
   <message>
    <source>Computing…</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Calcul…</translation>
   </message>
   <message>
    <source>(hidden)</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>(caché)</translation>
   </message>
   <message>
    <source>(no score)</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>(sans score)</translation>
   </message>
   <message>
    <source>Pan, tilt, roll, zoom over the frames</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Panoramique, inclinaison, roulis, zoom selon les images</translation>
   </message>
   <message>
    <source>Position over the frames</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Position selon les images</translation>
   </message>
   <message>
    <source>tilt</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>inclinaison</translation>
   </message>
   <message>
    <source>roll</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>roulis</translation>
   </message>
   <message>
    <source>focal</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>focale</translation>
   </message>
   <message>
    <source>height</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>hauteur</translation>
   </message>
   <message>
    <source>No poses yet. They are gathered in the background, frame by frame.</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pas encore de poses. Elles sont réunies en arrière-plan, image par image.</translation>
+  </message>
+  <message>
+   <source>pan</source>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>panoramique</translation>
   </message>
   <message>
    <source>The shown sources are of models without a pose (homographies, projections alone).</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les sources affichées sont de modèles sans pose (homographies, simples projections).</translation>
   </message>
   <message numerus="yes">
    <source>{name}: {n:,} jumps (rings).</source>
    <extracomment>{name}: {n:,} jump (rings). / {name}: {n:,} jumps (rings). [procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{name} : {n:,} saut (anneau).</numerusform>
+    <numerusform>{name} : {n:,} sauts (anneaux).</numerusform>
    </translation>
   </message>
   <message>
    <source>{name}: its model has no pose.</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} : son modèle n’a pas de pose.</translation>
   </message>
   <message>
    <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
    <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caché : le mode aveugle ne montre que les images remises, et aucune n’est dans ce graphique.</translation>
   </message>
   <message>
    <source>Hidden: blind mode shows this plot once this frame is committed.</source>
    <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caché : le mode aveugle montre ce graphique une fois cette image remise.</translation>
   </message>
   <message>
    <source>Shots are told by names, since {error}.</source>
    <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les plans sont reconnus d’après les noms, car {error}.</translation>
   </message>
   <message>
    <source>Residuals over the picture</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Résidus sur l’image</translation>
   </message>
   <message>
    <source>Residuals, by direction</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Résidus, par direction</translation>
   </message>
   <message>
    <source>{px:.2f} px right</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{px:.2f} px à droite</translation>
   </message>
   <message>
    <source>{px:.2f} px left</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{px:.2f} px à gauche</translation>
   </message>
   <message>
    <source>{px:.2f} px down</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{px:.2f} px en bas</translation>
   </message>
   <message>
    <source>{px:.2f} px up</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{px:.2f} px en haut</translation>
   </message>
   <message>
    <source>Arrows drawn longer</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Flèches allongées</translation>
   </message>
   <message>
    <source>How many times longer than they are arrows are drawn</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Combien de fois plus longues qu’en vérité les flèches sont tracées</translation>
   </message>
   <message>
    <source>automatic</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>automatique</translation>
   </message>
   <message>
    <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Flèches {factor} fois plus longues qu’en vérité : du clic vers la projection.</translation>
   </message>
   <message>
    <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Flèches {factor} fois plus longues qu’en vérité : le résidu médian de chaque partie de l’image qui a 5 points ou plus.</translation>
   </message>
   <message>
    <source>to the right (px)</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>vers la droite (px)</translation>
   </message>
   <message>
    <source>down (px)</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>vers le bas (px)</translation>
   </message>
   <message>
    <source>Median of clicks to projection: {ways}.</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Médiane des clics à la projection : {ways}.</translation>
   </message>
   <message>
    <source>Too few points so far: five in a part of the picture make an arrow.</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Trop peu de points pour l’instant : cinq dans une partie de l’image font une flèche.</translation>
   </message>
   <message>
    <source>No three frames in a row have a camera that goes from one to the next.</source>
    <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nulle part trois images de suite n’ont une caméra qui passe de l’une à l’autre.</translation>
   </message>
   <message>
    <source>Jitter over the frames</source>
    <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tremblement selon les images</translation>
   </message>
   <message>
    <source>How far each frame is from steady motion between its neighbours.</source>
    <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>De combien chaque image s’écarte d’un mouvement régulier entre ses voisines.</translation>
   </message>
   <message>
    <source>jitter (px)</source>
    <extracomment>[procc_annotator/gui/plots/steady.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>tremblement (px)</translation>
   </message>
   <message>
    <source>Picture (*.png);;Vector graphics (*.svg)</source>
    <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Image (*.png);;Image vectorielle (*.svg)</translation>
   </message>
   <message>
    <source>Table (*.csv)</source>
    <extracomment>[procc_annotator/gui/plots/taking.py, procc_annotator/gui/tasks/files/overview_command.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Table (*.csv)</translation>
   </message>
   <message>
    <source>the plotted numbers are on the clipboard</source>
    <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les nombres du graphique sont dans le presse-papiers</translation>
   </message>
   <message>
    <source>Save the plot</source>
    <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Enregistrer le graphique</translation>
   </message>
   <message>
    <source>wrote {path}, as far as scored</source>
    <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{path} écrit, pour ce qui est noté</translation>
   </message>
   <message>
    <source>wrote {path}</source>
    <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{path} écrit</translation>
   </message>
   <message>
    <source>the plot is on the clipboard as a picture</source>
    <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le graphique est dans le presse-papiers comme image</translation>
   </message>
   <message>
    <source>there is nothing plotted to take along</source>
    <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>il n’y a rien de tracé à emporter</translation>
   </message>
   <message>
    <source>{frames}, as far as scored</source>
    <extracomment>[procc_annotator/gui/plots/taking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frames}, pour ce qui est noté</translation>
   </message>
   <message>
    <source>Fit and ghosts</source>
@@ -3267,32 +3878,32 @@ Load or show another one.</source>
   <message>
    <source>{who} unlocked this dataset from blind mode on {day}</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{who} a levé le mode aveugle de ce jeu le {day}</translation>
   </message>
   <message>
    <source>{reason}: there is no live fit in it</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{reason} : il n’y a pas d’ajustement continu</translation>
   </message>
   <message>
    <source>Somebody</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Quelqu’un</translation>
   </message>
   <message>
    <source>{who} locked this dataset to blind mode on {day}</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{who} a imposé le mode aveugle à ce jeu le {day}</translation>
   </message>
   <message>
    <source>This dataset is locked to blind mode</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le mode aveugle est imposé à ce jeu de données</translation>
   </message>
   <message>
    <source>{reason}: menu Frame unlocks it, which is recorded</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{reason} : le menu Image le lève, ce qui est consigné</translation>
   </message>
   <message>
    <source>open a folder of pictures first</source>
@@ -3302,643 +3913,658 @@ Load or show another one.</source>
   <message>
    <source>this dataset is locked to blind mode</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le mode aveugle est imposé à ce jeu de données</translation>
   </message>
   <message>
    <source>this dataset is not locked to blind mode any more</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le mode aveugle n’est plus imposé à ce jeu de données</translation>
   </message>
   <message>
    <source>expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix</source>
    <extracomment>[procc_annotator/gui/state/camera_sources.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>fichiers attendus comme camera_00037.json, 00037.npy ou 00037.homographyMatrix</translation>
   </message>
   <message>
    <source>load one of its folders: {names}</source>
    <extracomment>[procc_annotator/gui/state/camera_sources.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>chargez un de ses dossiers : {names}</translation>
   </message>
   <message>
    <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{names} ne disent que où se voient les éléments, sans caméra : pas de sol à comparer.</translation>
   </message>
   <message>
    <source>{names}: no camera for this frame.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{names} : pas de caméra pour cette image.</translation>
   </message>
   <message>
    <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} ne dit que où se voient les éléments, sans caméra : pas de sol à comparer.</translation>
   </message>
   <message>
    <source>{a} and {b}</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{a} et {b}</translation>
   </message>
   <message>
    <source>The two see no part of the field in common in this frame.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les deux ne voient aucune partie commune du terrain sur cette image.</translation>
   </message>
   <message>
    <source>Both cameras are the same in this frame.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les deux caméras sont identiques sur cette image.</translation>
   </message>
   <message>
    <source>Blind: hidden until this frame is committed.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aveugle : caché jusqu’à la remise de cette image.</translation>
   </message>
   <message>
    <source>No source is judged: choose one first.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune source n’est jugée : choisissez-en d’abord une.</translation>
   </message>
   <message>
    <source>Two sources of cameras are needed: load another one.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Il faut deux sources de caméras : chargez-en une autre.</translation>
   </message>
   <message>
    <source>blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked after that is no blind work</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aveugle : rien n’est annoté ici ; Ctrl+Entrée encore montre les caméras, et ce qui est cliqué ensuite n’est plus du travail à l’aveugle</translation>
   </message>
   <message>
    <source>{frame} is done</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frame} est terminée</translation>
   </message>
   <message>
    <source>nothing to undo on this frame</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien à annuler sur cette image</translation>
   </message>
   <message>
    <source>undo once more takes that away</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>annuler encore l’enlève</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere and read again: {so}</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frame} a été changée ailleurs et relue : {so}</translation>
   </message>
   <message>
    <source>unconfirmed elements do not count: {count}</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les éléments non confirmés ne comptent pas : {count}</translation>
   </message>
   <message>
    <source>undone: {step}</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>annulé : {step}</translation>
   </message>
   <message>
    <source>redone: {step}</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rétabli : {step}</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere: read again</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frame} a été changée ailleurs : relue</translation>
   </message>
   <message>
    <source>nothing is undone</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien n’est annulé</translation>
   </message>
   <message>
    <source>nothing is redone</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien n’est rétabli</translation>
   </message>
   <message>
    <source>nothing to redo on this frame</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien à rétablir sur cette image</translation>
   </message>
   <message>
    <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
    <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{file} dit quel est le terrain de ce jeu : pour en choisir un autre, écartez ce fichier et rouvrez le jeu</translation>
   </message>
   <message>
    <source>field: {field}</source>
    <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>terrain : {field}</translation>
   </message>
   <message>
    <source>this dataset's field from now on: {field}</source>
    <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le terrain de ce jeu désormais : {field}</translation>
   </message>
   <message>
    <source>this dataset's field from now on, {reach}: {field}</source>
    <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le terrain de ce jeu désormais, {reach} : {field}</translation>
   </message>
   <message>
    <source>no other field knows the classes here better</source>
    <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun autre terrain ne connaît mieux ces classes</translation>
   </message>
   <message>
    <source>every frame after this one is annotated</source>
    <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>toutes les images après celle-ci sont annotées</translation>
   </message>
   <message>
    <source>every frame before this one is annotated</source>
    <extracomment>[procc_annotator/gui/state/frame_walk.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>toutes les images avant celle-ci sont annotées</translation>
   </message>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
    <extracomment>[procc_annotator/gui/state/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} : sa ligne n’a pu être recherchée : {why}</translation>
   </message>
   <message>
    <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
    <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} est à {place} m, ± {deviations}, d’après {views} vues</translation>
   </message>
   <message>
    <source>{title} was deleted meanwhile: its place was not kept</source>
    <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} a été supprimé entre-temps : son lieu n’a pas été gardé</translation>
   </message>
   <message>
    <source>left out: {names}</source>
    <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>laissés de côté : {names}</translation>
   </message>
   <message>
    <source>the dataset's landmarks stay as they were: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les repères du jeu restent ce qu’ils étaient : {why}</translation>
   </message>
   <message>
    <source>the dataset's landmarks are not used: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les repères du jeu ne sont pas utilisés : {why}</translation>
   </message>
   <message>
    <source>the dataset's landmarks can be used again</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les repères du jeu sont de nouveau utilisables</translation>
   </message>
   <message>
    <source>the live fit is off</source>
    <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’ajustement continu est désactivé</translation>
   </message>
   <message>
    <source>the fit failed: {why}</source>
    <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’ajustement a échoué : {why}</translation>
   </message>
   <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
    <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>impossible d’écrire dans {folder} : rien de ce qui est annoté ici ne peut être enregistré</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
    <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>tout n’est pas encore enregistré : l’autre jeu n’a pas été ouvert</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
    <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>tout n’est pas encore enregistré : la vidéo n’a pas été ouverte</translation>
   </message>
   <message>
    <source>nothing is open</source>
    <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien n’est ouvert</translation>
   </message>
   <message>
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le terrain de ce jeu : {field}</translation>
   </message>
   <message>
    <source>cameras of {name} changed: {why}</source>
    <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les caméras de {name} ont changé : {why}</translation>
   </message>
   <message>
    <source>cameras of {name} changed on disk: read again</source>
    <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les caméras de {name} ont changé sur le disque : relues</translation>
   </message>
   <message>
    <source>the painted width cannot be drawn: {why}</source>
    <extracomment>[procc_annotator/gui/state/painted_width.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la largeur peinte ne peut être tracée : {why}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frame} était {status} et est de nouveau en cours</translation>
   </message>
   <message>
    <source>for you alone: the dataset's folder cannot be written</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pour vous seul : impossible d’écrire dans le dossier du jeu</translation>
   </message>
   <message>
    <source>{frame} is {status} again</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frame} est de nouveau {status}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again: edited after the cameras were shown, it is no blind work any more</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frame} était {status} et est de nouveau en cours : modifiée après l’affichage des caméras, ce n’est plus du travail à l’aveugle</translation>
   </message>
   <message>
    <source>in this window only: nothing can be written</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>dans cette fenêtre seulement : rien ne peut être écrit</translation>
   </message>
   <message>
    <source>not saved: {why}</source>
    <extracomment>[procc_annotator/gui/state/saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>non enregistré : {why}</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
    <extracomment>no class of this field: {n} label ({names}) / no class of this field: {n} labels ({names}) [procc_annotator/gui/state/second.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>sans classe sur ce terrain : {n} étiquette ({names})</numerusform>
+    <numerusform>sans classe sur ce terrain : {n} étiquettes ({names})</numerusform>
    </translation>
   </message>
   <message>
    <source>{path}: holds no annotation (*.json)</source>
    <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{path} : ne contient aucune annotation (*.json)</translation>
   </message>
   <message>
    <source>second annotator: {why}</source>
    <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>second annotateur : {why}</translation>
   </message>
   <message>
    <source>it holds the same already</source>
    <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>elle contient déjà la même chose</translation>
   </message>
   <message>
    <source>it is annotated already</source>
    <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>elle est déjà annotée</translation>
   </message>
   <message>
    <source>{who} is editing it</source>
    <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{who} la modifie</translation>
   </message>
   <message>
    <source>it cannot be edited</source>
    <extracomment>[procc_annotator/gui/state/set_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>elle ne peut être modifiée</translation>
   </message>
   <message>
    <source>{path}: no cameras in it ({what_to_do})</source>
    <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{path} : pas de caméras dedans ({what_to_do})</translation>
   </message>
   <message>
    <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
    <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{path} : aucune caméra n’a le nom d’une image (les caméras s’appellent comme {camera!r}, les images comme {frame!r})</translation>
   </message>
   <message>
    <source>{who} is editing it; it opens by itself once they leave it</source>
    <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{who} la modifie ; elle s’ouvre d’elle-même dès qu’elle est quittée</translation>
   </message>
   <message>
    <source>nothing annotated yet</source>
    <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien n’est encore annoté</translation>
   </message>
   <message>
    <source>{who} on {machine}</source>
    <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{who} sur {machine}</translation>
   </message>
   <message>
    <source>annotation cannot be read</source>
    <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’annotation est illisible</translation>
   </message>
   <message>
    <source>The fitted camera sees no part of the field.</source>
    <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>La caméra ajustée ne voit aucune partie du terrain.</translation>
   </message>
   <message>
    <source>The live fit is off, so there is no uncertainty map (Ctrl+T switches it on).</source>
    <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>L’ajustement continu est désactivé, donc pas de carte d’incertitude (Ctrl+T l’active).</translation>
   </message>
   <message>
    <source>There is no fit of this frame, so no uncertainty map.</source>
    <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pas d’ajustement de cette image, donc pas de carte d’incertitude.</translation>
   </message>
   <message>
    <source>No camera yet, so no uncertainty map: {why}.</source>
    <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pas encore de caméra, donc pas de carte d’incertitude : {why}.</translation>
   </message>
   <message>
    <source>Frames as small pictures</source>
    <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Images en vignettes</translation>
+  </message>
+  <message>
+   <source>The arrows go along, Enter shows the frame</source>
+   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
+   <translation>Les flèches avancent, Entrée montre l’image</translation>
   </message>
   <message>
    <source>Frames of the shot</source>
    <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Images du plan</translation>
+  </message>
+  <message>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
+   <translation>Les flèches vont d’image en image, avec Maj elles marquent un passage, Échap l’oublie</translation>
   </message>
   <message>
    <source>anchor</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ancre</translation>
   </message>
   <message>
    <source>followed</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>suivie</translation>
   </message>
   <message>
    <source>bridged</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pontée</translation>
   </message>
   <message>
    <source>lost</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>perdue</translation>
   </message>
   <message>
    <source>frame {number} of {first}–{last}</source>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>image {number} de {first}–{last}</translation>
   </message>
   <message>
    <source>{state}, {share:.0%} of the lines on paint</source>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{state}, {share:.0%} des lignes sur de la peinture</translation>
   </message>
   <message>
    <source>names count by {step}</source>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les noms comptent de {step} en {step}</translation>
   </message>
   <message>
    <source>its camera was dragged</source>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>sa caméra a été glissée</translation>
   </message>
   <message>
    <source>blind: its camera is hidden</source>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aveugle : sa caméra est cachée</translation>
   </message>
   <message>
    <source>{found}, {far:.1f} px from it</source>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{found}, à {far:.1f} px</translation>
   </message>
   <message>
    <source>doubtful: {why}</source>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>douteuse : {why}</translation>
   </message>
   <message>
    <source>nothing changed: regular already, or no painted line was found there</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien n’a changé : déjà régulier, ou aucune ligne peinte n’y a été trouvée</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{what} copié de {frame}, le long du suivi ; Maj+V confirme tout</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{what} copié de {frame}, déplacé avec la caméra ; Maj+V confirme tout</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{what} copié de {frame}, tel quel : aucun mouvement trouvé ; Maj+V confirme tout</translation>
   </message>
   <message>
    <source>taken back: nothing is regularised</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>revenu en arrière : rien n’est régularisé</translation>
   </message>
   <message>
    <source>taken back: nothing is copied</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>revenu en arrière : rien n’est copié</translation>
   </message>
   <message>
    <source>the frame was left: nothing was regularised</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’image a été quittée : rien n’a été régularisé</translation>
   </message>
   <message>
    <source>the frame was left: nothing was copied</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’image a été quittée : rien n’a été copié</translation>
   </message>
   <message numerus="yes">
    <source>{n} points unconfirmed by paint</source>
    <extracomment>{n} point unconfirmed by paint / {n} points unconfirmed by paint [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} point non confirmé par la peinture</numerusform>
+    <numerusform>{n} points non confirmés par la peinture</numerusform>
    </translation>
   </message>
   <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>choisissez d’abord un élément annoté</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
    <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} élément</numerusform>
+    <numerusform>{n} éléments</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>regularised {what}: {n} points</source>
    <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{what} régularisé : {n} point</numerusform>
+    <numerusform>{what} régularisé : {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>{element} has corners or is one place: it stays as it is</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} a des coins ou n’est qu’un seul lieu : il reste tel quel</translation>
   </message>
   <message>
    <source>no element of the field is annotated here</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun élément du terrain n’est annoté ici</translation>
   </message>
   <message>
    <source>regularise {what}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>régulariser {what}</translation>
   </message>
   <message>
    <source>no frame before this one is annotated</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image avant celle-ci n’est annotée</translation>
   </message>
   <message>
    <source>{frame} has no element that is missing here</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frame} n’a aucun élément qui manque ici</translation>
   </message>
   <message>
    <source>copy from {frame}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>copier de {frame}</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} devient {other}</translation>
   </message>
   <message>
    <source>swap {element} and {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>échanger {element} et {other}</translation>
   </message>
   <message>
    <source>duplicate {element} as {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>dupliquer {element} en {other}</translation>
   </message>
   <message>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>fusionner {element} dans {other}</translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} est sa propre classe symétrique</translation>
   </message>
   <message numerus="yes">
    <source>{elements} are annotated already</source>
    <extracomment>{elements} is annotated already / {elements} are annotated already [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{elements} est déjà annoté</numerusform>
+    <numerusform>{elements} sont déjà annotés</numerusform>
    </translation>
   </message>
   <message>
    <source>{element} lies where {other} is: drag it to its place</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} est là où est {other} : glissez-le à sa place</translation>
   </message>
   <message>
    <source>reverse {element}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>inverser {element}</translation>
   </message>
   <message>
    <source>choose the point to split at first (edit mode)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>choisissez d’abord le point où couper (mode édition)</translation>
   </message>
   <message>
    <source>split {element}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>couper {element}</translation>
   </message>
   <message numerus="yes">
    <source>confirmed {n} elements</source>
    <extracomment>confirmed {n} element / confirmed {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} élément confirmé</numerusform>
+    <numerusform>{n} éléments confirmés</numerusform>
    </translation>
   </message>
   <message>
    <source>nothing is unconfirmed on this frame</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien n’est à confirmer sur cette image</translation>
   </message>
   <message>
    <source>no end is that near to a corner or the picture's edge</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun bout n’est si près d’un coin ou du bord de l’image</translation>
   </message>
   <message>
    <source>close gaps</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>fermer les écarts</translation>
   </message>
   <message numerus="yes">
    <source>confirm {n} elements</source>
    <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>confirmer {n} élément</numerusform>
+    <numerusform>confirmer {n} éléments</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>drop {n} unconfirmed elements</source>
    <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>écarter {n} élément non confirmé</numerusform>
+    <numerusform>écarter {n} éléments non confirmés</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
    <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} élément non confirmé écarté</numerusform>
+    <numerusform>{n} éléments non confirmés écartés</numerusform>
    </translation>
   </message>
   <message>
    <source>an element is split at a point between its ends, into a class that is free</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un élément se coupe à un point entre ses bouts, vers une classe libre</translation>
   </message>
   <message>
    <source>{element} was changed elsewhere: look at it again</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} a été changé ailleurs : regardez-le à nouveau</translation>
+  </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>laissés, moins de {least:.0%} de la ligne se voit : {ghosts}</translation>
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -3951,61 +4577,61 @@ Load or show another one.</source>
   <message>
    <source>{accepted}: {points}, line seen along {share:.0%}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{accepted} : {points}, ligne vue sur {share:.0%}</translation>
   </message>
   <message numerus="yes">
    <source>{n} ends of {elements} cannot be seen: the points stop before</source>
    <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} bout de {elements} ne se voit pas : les points s’arrêtent avant</numerusform>
+    <numerusform>{n} bouts de {elements} ne se voient pas : les points s’arrêtent avant</numerusform>
    </translation>
   </message>
   <message>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la caméra est une autre entre-temps</translation>
   </message>
   <message numerus="yes">
    <source>{n} ghosts</source>
    <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} fantôme</numerusform>
+    <numerusform>{n} fantômes</numerusform>
    </translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <source>{n} of {total} ghosts</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{n} fantômes sur {total}</translation>
   </message>
   <message>
    <source>accepted {what}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{what} accepté</translation>
   </message>
   <message numerus="yes">
    <source>{n} ends cannot be seen: the points stop before</source>
    <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} bout ne se voit pas : les points s’arrêtent avant</numerusform>
+    <numerusform>{n} bouts ne se voient pas : les points s’arrêtent avant</numerusform>
    </translation>
   </message>
   <message>
    <source>the frame was edited meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’image a été modifiée entre-temps</translation>
   </message>
   <message>
    <source>looking for the line on {frame} took too long</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la recherche de la ligne sur {frame} a pris trop de temps</translation>
   </message>
   <message>
    <source>{element} is not accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} n’est pas accepté : {why}</translation>
   </message>
   <message>
    <source>Accept all ghosts</source>
@@ -4015,193 +4641,188 @@ Load or show another one.</source>
   <message>
    <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Quelle part de la ligne d’un fantôme doit se voir pour l’accepter avec tous les autres (%) :</translation>
   </message>
   <message>
    <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} : aucune ligne peinte n’est trouvée dessus ; cliquez-le à la main, ou dites qu’il n’est pas visible ici (.)</translation>
   </message>
   <message>
    <source>the camera is being fitted: accept its ghosts in a moment</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la caméra est en cours d’ajustement : acceptez ses fantômes dans un instant</translation>
   </message>
   <message>
    <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun fantôme accepté, moins de {least:.0%} de la ligne se voit : {ghosts} ; Tab les parcourt</translation>
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{what} accepté sur {frame}</translation>
   </message>
   <message>
    <source>accept {what}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>accepter {what}</translation>
   </message>
   <message>
    <source>no ghost was accepted: there is no picture to look for their lines in</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun fantôme accepté : il n’y a pas d’image où chercher leurs lignes</translation>
   </message>
   <message>
    <source>no ghost was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun fantôme accepté : {why}</translation>
   </message>
   <message>
    <source>{element} is not accepted</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} n’est pas accepté</translation>
   </message>
   <message>
    <source>the ghost is accepted: accept the ghosts of the new fit</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le fantôme est accepté : acceptez les fantômes du nouvel ajustement</translation>
   </message>
   <message>
    <source>what was being drawn is finished: accept the ghosts of the new fit</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ce qui était dessiné est terminé : acceptez les fantômes du nouvel ajustement</translation>
   </message>
   <message>
    <source>no ghost was accepted</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun fantôme accepté</translation>
   </message>
   <message>
    <source>{element} is accepted once its points are found</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} est accepté dès que ses points sont trouvés</translation>
   </message>
   <message>
    <source>go to a ghost (Tab) or choose an element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>allez d’abord à un fantôme (Tab) ou choisissez un élément</translation>
   </message>
   <message numerus="yes">
    <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
    <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>c’était le premier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
+    <numerusform>c’était le premier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
    </translation>
   </message>
   <message>
    <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments, ou suivez le plan (T)</translation>
   </message>
   <message numerus="yes">
    <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
    <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>c’était le dernier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
+    <numerusform>c’était le dernier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
    </translation>
   </message>
   <message>
    <source>the camera is being fitted: ghosts come in a moment</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la caméra est en cours d’ajustement : les fantômes arrivent</translation>
   </message>
   <message>
    <source>no ghosts: the camera is looked for in the picture</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de fantômes : la caméra est recherchée dans l’image</translation>
   </message>
   <message>
    <source>no ghosts: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de fantômes : {why}</translation>
   </message>
   <message>
    <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de fantômes : le reste en vue est annoté, ou pas assez bien connu</translation>
   </message>
   <message>
    <source>no ghosts: annotate three or four elements, a camera follows from them</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de fantômes : annotez trois ou quatre éléments, une caméra en découle</translation>
   </message>
   <message>
    <source>no camera was found in this picture: draw three or four elements</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments</translation>
   </message>
   <message>
    <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de fantômes en mode aveugle, jusqu’à la remise de l’image (Ctrl+Entrée)</translation>
   </message>
   <message>
    <source>no ghosts: the live fit is off (Ctrl+T)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de fantômes : l’ajustement continu est désactivé (Ctrl+T)</translation>
   </message>
   <message>
    <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de fantômes : ils sont désactivés (Élément &gt; Fantômes &gt; Afficher les fantômes)</translation>
   </message>
   <message>
    <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les superpositions sont cachées : aucun fantôme ne se voit (Ctrl+H, ou lâchez X)</translation>
   </message>
   <message>
    <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>terminez d’abord ce qui est dessiné (Entrée), ou abandonnez-le (Échap)</translation>
   </message>
   <message>
    <source>no ghosts: no camera could be fitted</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de fantômes : aucune caméra n’a pu être ajustée</translation>
   </message>
   <message>
    <source>no camera fits yet</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune caméra ne s’ajuste encore</translation>
   </message>
   <message>
    <source>it is being drawn by hand</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>il est dessiné à la main</translation>
   </message>
   <message>
    <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} est annoté ici : supprimez-le d’abord (Ctrl+Suppr)</translation>
   </message>
   <message>
    <source>{title} is not visible here; Ctrl+. takes it back</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} n’est pas visible ici ; Ctrl+. y revient</translation>
   </message>
   <message>
    <source>{title} may be visible here again</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} est peut-être de nouveau visible ici</translation>
   </message>
   <message>
    <source>no element of this frame was said to be not visible</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun élément de cette image n’a été dit non visible</translation>
   </message>
   <message>
    <source>that was the last ghost</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>c’était le dernier fantôme</translation>
   </message>
   <message>
    <source>taken back</source>
@@ -4211,423 +4832,424 @@ Load or show another one.</source>
   <message>
    <source>go to a ghost first (Tab)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>allez d’abord à un fantôme (Tab)</translation>
   </message>
   <message>
    <source>{off}; choose an element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{off} ; choisissez d’abord un élément</translation>
   </message>
   <message>
    <source>Name of the line</source>
    <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nom de la ligne</translation>
   </message>
   <message>
    <source>What is this line?</source>
    <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Quelle est cette ligne ?</translation>
   </message>
   <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>La laisser sans nom</translation>
   </message>
   <message>
    <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les scores diffèrent alors de ceux du terrain nominal ({nominal}), celui des évaluations officielles ; ils nomment les dimensions qui ont servi.</translation>
   </message>
   <message>
    <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Dimensions propres (stadiums.csv) : {frames} de {stadiums}. Ce qui est saisi ici vaut pour toutes les autres, et pour ce que les stades laissent ouvert.</translation>
   </message>
   <message>
    <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les scores diffèrent alors de ceux des évaluations officielles, qui prennent les lignes là où les règles les mesurent ; ils le disent.</translation>
   </message>
   <message>
    <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les règles mesurent beaucoup de lignes à un bord de leur peinture. Les clics sont mis en son milieu, à une demi-largeur : choisissez-le là où cela compte, comme en salle et près de la caméra.</translation>
   </message>
   <message>
    <source>Only length and width are found from frames, and the rules fix those of this field</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Seules la longueur et la largeur se trouvent d’après les images, et les règles fixent celles de ce terrain</translation>
   </message>
   <message>
    <source>where the rules measure</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>là où les règles mesurent</translation>
   </message>
   <message>
    <source>the middle of the paint</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le milieu de la peinture</translation>
   </message>
   <message>
    <source>Field dimensions: {field}</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Dimensions du terrain : {field}</translation>
   </message>
   <message>
    <source>Estimate from this set</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Estimer d’après ce jeu</translation>
   </message>
   <message>
    <source>Keep for this dataset</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Garder pour ce jeu de données</translation>
   </message>
   <message>
    <source>Nominal</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nominales</translation>
   </message>
   <message>
    <source>The field as official evaluations take it</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le terrain tel que le prennent les évaluations officielles</translation>
   </message>
   <message>
    <source>nominal {nominal:g} m, the rules allow {minimum:g} to {maximum:g} m</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>nominal {nominal:g} m, les règles permettent de {minimum:g} à {maximum:g} m</translation>
   </message>
   <message>
    <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>&lt;b&gt;pas {number:g} m : les règles permettent de {minimum:g} à {maximum:g} m&lt;/b&gt;</translation>
   </message>
   <message numerus="yes">
    <source>{n} frames</source>
    <extracomment>{n} frame / {n} frames [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} image</numerusform>
+    <numerusform>{n} images</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n} stadiums</source>
    <extracomment>{n} stadium / {n} stadiums [procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} stade</numerusform>
+    <numerusform>{n} stades</numerusform>
    </translation>
   </message>
   <message>
    <source>Clicks lie on:</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les clics sont sur :</translation>
   </message>
   <message>
    <source>Keep the field, and say nothing more of these classes</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Garder le terrain, et ne plus parler de ces classes</translation>
   </message>
   <message>
    <source>The dataset remembers it, and is not asked about again</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le jeu de données s’en souvient et n’est plus interrogé</translation>
   </message>
   <message>
    <source>No, {field}</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Non, {field}</translation>
   </message>
   <message>
    <source>The field of this dataset</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le terrain de ce jeu de données</translation>
   </message>
   <message>
    <source>Descriptions of fields (*.toml)</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Descriptions de terrains (*.toml)</translation>
   </message>
   <message>
    <source>Is this {field}? The classes annotated here are those of {field}</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Est-ce {field} ? Les classes annotées ici sont celles de {field}</translation>
   </message>
   <message>
    <source>{why}, but {file} in the dataset's folder decides</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{why}, mais {file} dans le dossier du jeu décide</translation>
   </message>
   <message>
    <source>Yes, {field}</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Oui, {field}</translation>
   </message>
   <message>
    <source>Switch to {field}</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Passer à {field}</translation>
   </message>
   <message>
    <source>{problem}; the field stays as it was: {field}</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{problem} ; le terrain est resté ce qu’il était : {field}</translation>
   </message>
   <message numerus="yes">
    <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
    <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} image.</numerusform>
+    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} images.</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>From the cameras of {n} frames; ± is one standard deviation.</source>
    <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>D’après la caméra de {n} image ; ± est un écart type.</numerusform>
+    <numerusform>D’après les caméras de {n} images ; ± est un écart type.</numerusform>
    </translation>
   </message>
   <message>
    <source>{remark}; it stays as it was.</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{remark} ; elle est restée ce qu’elle était.</translation>
   </message>
   <message>
    <source>Blind: frames that are not committed took no part ({n}).</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aveugle : les images non remises n’ont pas participé ({n}).</translation>
   </message>
   <message>
    <source>Frames that cannot be read took no part: {n}.</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les images illisibles n’ont pas participé : {n}.</translation>
   </message>
   <message>
    <source>the rules fix every dimension of the field {field}</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les règles fixent toutes les dimensions du terrain {field}</translation>
   </message>
   <message>
    <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aveugle : le jeu est regardé dès qu’une de ses images est remise (Ctrl+Entrée).</translation>
   </message>
   <message>
    <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les images d’un même instant depuis plusieurs caméras forment un groupe. Leurs noms le disent, selon un motif : &lt;b&gt;{instant}&lt;/b&gt; y tient lieu du moment de la prise, &lt;b&gt;{view}&lt;/b&gt; de la caméra, et tout le reste de lui-même. Une expression régulière avec &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; et &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; convient aussi.</translation>
   </message>
   <message>
    <source>No pattern was found that fits these names: write one.</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun motif trouvé qui convienne à ces noms : écrivez-en un.</translation>
   </message>
   <message>
    <source>Instant</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Instant</translation>
   </message>
   <message numerus="yes">
    <source>{frames} in {n:,} groups of {least} to {most}</source>
    <extracomment>{frames} in {n:,} group of {least} to {most} / {frames} in {n:,} groups of {least} to {most} [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{frames} en {n:,} groupe de {least} à {most}</numerusform>
+    <numerusform>{frames} en {n:,} groupes de {least} à {most}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{frames} in {n:,} groups</source>
    <extracomment>{frames} in {n:,} group / {frames} in {n:,} groups [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{frames} en {n:,} groupe</numerusform>
+    <numerusform>{frames} en {n:,} groupes</numerusform>
    </translation>
   </message>
   <message>
    <source>Groups of frames</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Groupes d’images</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} instants with one frame only</source>
    <extracomment>{n:,} instant with one frame only / {n:,} instants with one frame only [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} instant avec une seule image</numerusform>
+    <numerusform>{n:,} instants avec une seule image</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} names do not fit (last in the table)</source>
    <extracomment>{n:,} name does not fit (last in the table) / {n:,} names do not fit (last in the table) [procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} nom ne convient pas (à la fin de la table)</numerusform>
+    <numerusform>{n:,} noms ne conviennent pas (à la fin de la table)</numerusform>
    </translation>
   </message>
   <message>
    <source>This name does not fit the pattern: the frame stands alone</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce nom ne suit pas le motif : l’image reste seule</translation>
   </message>
   <message>
    <source>Group views</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Grouper les vues</translation>
   </message>
   <message>
    <source>Pattern of the frames' names</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Motif des noms d’images</translation>
   </message>
   <message>
    <source>Write {file}</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Écrire {file}</translation>
   </message>
   <message>
    <source>Keep these groups in the dataset's folder</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Garder ces groupes dans le dossier du jeu</translation>
   </message>
   <message>
    <source>What it says now is lost, with everything else that is written in it.</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce qu’il dit maintenant est perdu, avec tout ce qui y est écrit.</translation>
   </message>
   <message numerus="yes">
    <source>{frames} of {n:,} instants</source>
    <extracomment>{frames} of {n:,} instant / {frames} of {n:,} instants [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{frames} de {n:,} instant</numerusform>
+    <numerusform>{frames} de {n:,} instants</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames, none grouped.</source>
    <extracomment>{n:,} frame, none grouped. / {n:,} frames, none grouped. [procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image, non groupée.</numerusform>
+    <numerusform>{n:,} images, aucune groupée.</numerusform>
    </translation>
   </message>
   <message>
    <source>{file} is there already: {sizes}.</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{file} existe déjà : {sizes}.</translation>
   </message>
   <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{file} groupe désormais {sizes}</translation>
   </message>
   <message>
    <source>What came of it</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce qui en est sorti</translation>
   </message>
   <message>
    <source>Import annotations</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Importer des annotations</translation>
   </message>
   <message>
    <source>Import</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py, procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Importer</translation>
   </message>
   <message>
    <source>Annotations to import</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotations à importer</translation>
   </message>
   <message>
    <source>Look into the files</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Regarder dans les fichiers</translation>
   </message>
   <message>
    <source>Only frames where nothing is annotated yet</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Seulement les images où rien n’est encore annoté</translation>
   </message>
   <message>
    <source>Replace what is annotated in the others, too</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Remplacer aussi ce qui est annoté dans les autres</translation>
   </message>
   <message>
    <source>What was there stays among the earlier versions of its frame, and undo brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce qui y était reste parmi les versions antérieures de l’image, et annuler le ramène</translation>
   </message>
   <message>
    <source>Annotations</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotations</translation>
   </message>
   <message>
    <source>Format</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Format</translation>
   </message>
   <message>
    <source>Import into</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Importer dans</translation>
   </message>
   <message>
    <source>Frames are matched by the name of their picture.</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les images sont appariées par le nom de leur fichier.</translation>
   </message>
   <message>
    <source>Annotations (*.json *.xml *.zip);;All files (*)</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotations (*.json *.xml *.zip);;Tous les fichiers (*)</translation>
   </message>
   <message>
    <source>Export as</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Exporter sous</translation>
   </message>
   <message>
    <source>One zip archive instead of a folder</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Une archive zip au lieu d’un dossier</translation>
   </message>
   <message>
    <source>Replace files that are there</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Remplacer les fichiers existants</translation>
   </message>
   <message>
    <source>Keep elements that SoccerNet has no class for</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Garder les éléments pour lesquels SoccerNet n’a pas de classe</translation>
   </message>
   <message>
    <source>Width of the lines</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Largeur des lignes</translation>
   </message>
   <message>
    <source>Copy the pictures as well</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Copier aussi les images</translation>
   </message>
   <message>
    <source>Export to a folder</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Exporter dans un dossier</translation>
   </message>
   <message>
    <source>Keeps {holds}.
 Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Garde {holds}.
+Perd {loses}.</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -4637,194 +5259,194 @@ Loses {loses}.</source>
   <message>
    <source>Close</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Fermer</translation>
   </message>
   <message>
    <source>A folder, a zip archive, or one file</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Un dossier, une archive zip ou un seul fichier</translation>
   </message>
   <message>
    <source>File…</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Fichier…</translation>
   </message>
   <message>
    <source>Folder…</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Dossier…</translation>
   </message>
   <message>
    <source>Zip archive (*.zip)</source>
    <extracomment>[procc_annotator/gui/tasks/files/dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Archive zip (*.zip)</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} annotations</source>
    <extracomment>{n:,} annotation / {n:,} annotations [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} annotation</numerusform>
+    <numerusform>{n:,} annotations</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>JaC of {n:,} frames</source>
    <extracomment>JaC of {n:,} frame / JaC of {n:,} frames [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>JaC de {n:,} image</numerusform>
+    <numerusform>JaC de {n:,} images</numerusform>
    </translation>
   </message>
   <message>
    <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{source} est fait des clics d’après lesquels il serait noté : jugez les caméras à noter (procc-annotator calibrate ajuste et note un jeu)</translation>
   </message>
   <message>
    <source>{annotations} and {scores}</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{annotations} et {scores}</translation>
   </message>
   <message>
    <source>nothing: no frame is annotated</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien : aucune image n’est annotée</translation>
   </message>
   <message>
    <source>Zip archive (*.zip);;Folder (*)</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Archive zip (*.zip);;Dossier (*)</translation>
   </message>
   <message>
    <source>Table (*.csv);;JSON (*.json)</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Table (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
    <source>load cameras first: there is nothing to score</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>chargez d’abord des caméras : il n’y a rien à noter</translation>
   </message>
   <message>
    <source>blind: no frame is committed yet, so there is no JaC to show</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aveugle : aucune image n’est encore remise, donc pas de JaC à montrer</translation>
   </message>
   <message>
    <source>exported {what} to {path}</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{what} exporté vers {path}</translation>
   </message>
   <message>
    <source>not everything could be saved: the export has the last saved state</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>tout n’a pas pu être enregistré : l’export a le dernier état enregistré</translation>
   </message>
   <message numerus="yes">
    <source>blind mode leaves out {n:,} frames not committed yet</source>
    <extracomment>blind mode leaves out {n:,} frame not committed yet / blind mode leaves out {n:,} frames not committed yet [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>le mode aveugle laisse de côté {n:,} image pas encore remise</numerusform>
+    <numerusform>le mode aveugle laisse de côté {n:,} images pas encore remises</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} files could not be read: {problem}</source>
    <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} fichier illisible : {problem}</numerusform>
+    <numerusform>{n:,} fichiers illisibles : {problem}</numerusform>
    </translation>
   </message>
   <message>
    <source>Export</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Exporter</translation>
   </message>
   <message>
    <source>exporting {done} / {total}</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>export {done} / {total}</translation>
   </message>
   <message>
    <source>{frames}, {elements} and {points} written to {path} ({format}).</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frames}, {elements} et {points} écrits dans {path} ({format}).</translation>
   </message>
   <message>
    <source>Not everything could be saved: what is on disk goes.</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tout n’a pas pu être enregistré : ce qui est sur le disque vaut.</translation>
   </message>
   <message>
    <source>export: cancelled; files that were written already are still there</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>export : annulé ; les fichiers déjà écrits sont encore là</translation>
   </message>
   <message>
    <source>Nothing was written: no frame is annotated, or none could be written.</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Rien n’a été écrit : aucune image n’est annotée, ou aucune n’a pu l’être.</translation>
   </message>
   <message>
    <source>Cancelled; files that were written already are still there.</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annulé ; les fichiers déjà écrits sont encore là.</translation>
   </message>
   <message>
    <source>Not written</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Non écrits</translation>
   </message>
   <message>
    <source>What the format cannot hold</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce que le format ne peut pas contenir</translation>
   </message>
   <message>
    <source>the fit of {frame} is saved as {path}</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’ajustement de {frame} est enregistré comme {path}</translation>
   </message>
   <message>
    <source>no camera to save: the fit is not there yet</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de caméra à enregistrer : l’ajustement n’est pas encore là</translation>
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’ajustement continu est désactivé (Ctrl+T)</translation>
   </message>
   <message>
    <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aveugle : l’ajustement est caché jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
   </message>
   <message>
    <source>no camera to save: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de caméra à enregistrer : {why}</translation>
   </message>
   <message>
    <source>the fit is worked out again: save it in a moment</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’ajustement est en cours de recalcul : enregistrez-le dans un instant</translation>
   </message>
   <message>
    <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frame} : l’image est illisible, si bien que les pixels de la caméra n’ont pas de taille ; non enregistré</translation>
   </message>
   <message>
    <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>enregistré comme {path}, mais les caméras chargées n’ont pu être relues : {problem}</translation>
   </message>
   <message>
    <source>{saved}; it is hardly determined: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{saved} ; il est à peine déterminé : {why}</translation>
   </message>
   <message>
    <source>Import…</source>
@@ -4834,98 +5456,98 @@ Loses {loses}.</source>
   <message>
    <source>Take these annotations in; their files stay as they are</source>
    <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Reprendre ces annotations ; leurs fichiers restent tels quels</translation>
   </message>
   <message>
    <source>Leave them, and say nothing more of them</source>
    <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les laisser, et ne plus en parler</translation>
   </message>
   <message>
    <source>Annotations of another program lie in this dataset: {format}.</source>
    <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Des annotations d’un autre programme se trouvent dans ce jeu : {format}.</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported ({format}).</source>
    <extracomment>{edited} of {n:,} frame imported ({format}). / {edited} of {n:,} frames imported ({format}). [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{edited} sur {n:,} image importée ({format}).</numerusform>
+    <numerusform>{edited} sur {n:,} images importées ({format}).</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>Cancelled: {n:,} frames were not looked at.</source>
    <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Annulé : {n:,} image n’a pas été regardée.</numerusform>
+    <numerusform>Annulé : {n:,} images n’ont pas été regardées.</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames are annotated already and left unchanged.</source>
    <extracomment>{n:,} frame is annotated already and left unchanged. / {n:,} frames are annotated already and left unchanged. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image est déjà annotée et reste inchangée.</numerusform>
+    <numerusform>{n:,} images sont déjà annotées et restent inchangées.</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames hold the same already.</source>
    <extracomment>{n:,} frame holds the same already. / {n:,} frames hold the same already. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image contient déjà la même chose.</numerusform>
+    <numerusform>{n:,} images contiennent déjà la même chose.</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{edited} sur {n:,} image importée</numerusform>
+    <numerusform>{edited} sur {n:,} images importées</numerusform>
    </translation>
   </message>
   <message>
    <source>Cancelled; nothing was imported.</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annulé ; rien n’a été importé.</translation>
   </message>
   <message>
    <source>Left as they were</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Laissées telles quelles</translation>
   </message>
   <message>
    <source>Could not be read</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Illisibles</translation>
   </message>
   <message>
    <source>Without a picture here ({n})</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Sans image ici ({n})</translation>
   </message>
   <message>
    <source>Changed or left out</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Changées ou laissées de côté</translation>
   </message>
   <message>
    <source>it could not be saved: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>elle n’a pas pu être enregistrée : {why}</translation>
   </message>
   <message>
    <source>import</source>
    <comment>a step</comment>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>importer</translation>
   </message>
   <message>
    <source>? (stays as it is, an unknown class)</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>? (reste telle quelle, une classe inconnue)</translation>
   </message>
   <message>
    <source>Leave out</source>
@@ -4935,93 +5557,93 @@ Loses {loses}.</source>
   <message>
    <source>Label</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Étiquette</translation>
   </message>
   <message>
    <source>Shapes</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Formes</translation>
   </message>
   <message>
    <source>Stands for</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Signifie</translation>
   </message>
   <message>
    <source>Why</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Pourquoi</translation>
   </message>
   <message>
    <source>sure</source>
    <comment>a proposal</comment>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>sûr</translation>
   </message>
   <message>
    <source>likely</source>
    <comment>a proposal</comment>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>probable</translation>
   </message>
   <message>
    <source>to be said</source>
    <comment>a proposal</comment>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>à dire</translation>
   </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ces noms ressemblent plus à ceux de {field} : choisissez d’abord ce terrain (Fichier &gt; Terrain).</translation>
   </message>
   <message>
    <source>Names of another program</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Noms d’un autre programme</translation>
   </message>
   <message numerus="yes">
    <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
    <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} étiquette n’est pas une classe de {field}. Dites ce qu’elle signifie ; la proposition vient de ses mots et des éléments sur lesquels sont ses formes.</numerusform>
+    <numerusform>{n} étiquettes ne sont pas des classes de {field}. Dites ce qu’elles signifient ; les propositions viennent de leurs mots et des éléments sur lesquels sont leurs formes.</numerusform>
    </translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Garder ces noms avec le jeu de données ({file})</translation>
   </message>
   <message>
    <source>What {label} stands for</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce que signifie {label}</translation>
   </message>
   <message>
    <source>Add these names to the dataset's {file}, written anew</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ajouter ces noms à {file} du jeu, réécrit</translation>
   </message>
   <message>
    <source>Pictures</source>
    <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Images</translation>
   </message>
   <message>
    <source>Videos</source>
    <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Vidéos</translation>
   </message>
   <message>
    <source>the sample comes with the source, not here</source>
    <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’exemple vient avec le code source, pas ici</translation>
   </message>
   <message>
    <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
    <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>votre propre copie, dans {folder} ; chargez ses caméras par le menu Caméra</translation>
   </message>
   <message>
    <source>Cameras</source>
@@ -5031,768 +5653,773 @@ Loses {loses}.</source>
   <message>
    <source>Open a folder of pictures</source>
    <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ouvrir un dossier d’images</translation>
+  </message>
+  <message>
+   <source>Open a picture</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
+   <translation>Ouvrir une image</translation>
+  </message>
+  <message>
+   <source>Open a video</source>
+   <extracomment>[procc_annotator/gui/tasks/files/opening.py, procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
+   <translation>Ouvrir une vidéo</translation>
   </message>
   <message>
    <source>Open a second annotator's folder</source>
    <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ouvrir le dossier d’un second annotateur</translation>
   </message>
   <message>
    <source>{width} x {height} px, without the legend</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{width} x {height} px, sans la légende</translation>
   </message>
   <message>
    <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{width} x {height} px, trop grand : choisissez une échelle plus petite ou SVG</translation>
   </message>
   <message>
    <source>PNG: pixels, nothing is lost</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>PNG : pixels, rien n’est perdu</translation>
   </message>
   <message>
    <source>JPEG: pixels, small</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JPEG : pixels, petit</translation>
   </message>
   <message>
    <source>SVG: lines and text stay sharp</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>SVG : lignes et texte restent nets</translation>
   </message>
   <message>
    <source>Picture (*{suffix})</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Image (*{suffix})</translation>
   </message>
   <message>
    <source>Save overlay picture</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Enregistrer l’image superposée</translation>
   </message>
   <message>
    <source>Px of the result per px of the picture; lines and text grow with it</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Px du résultat par px de l’image ; lignes et texte grandissent avec elle</translation>
   </message>
   <message>
    <source>Explain colours, dashes and marks below the picture</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Expliquer couleurs, tirets et marques sous l’image</translation>
   </message>
   <message>
    <source>&amp;Kind</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>&amp;Type</translation>
   </message>
   <message>
    <source>&amp;Scale</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>&amp;Échelle</translation>
   </message>
   <message>
    <source>Result</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Résultat</translation>
   </message>
   <message>
    <source>&amp;Legend</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>&amp;Légende</translation>
   </message>
   <message>
    <source>writing the overlay picture {path} …</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>écriture de l’image superposée {path} …</translation>
   </message>
   <message>
    <source>open a picture first</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ouvrez d’abord une image</translation>
   </message>
   <message>
    <source>{path}: is the picture itself, choose another name</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{path} : est l’image elle-même, choisissez un autre nom</translation>
   </message>
   <message>
    <source>overlay picture written to {path}</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>image superposée écrite dans {path}</translation>
   </message>
   <message>
    <source>Export the overview</source>
    <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Exporter la vue d’ensemble</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
    <extracomment>exported {n:,} frame to {path} / exported {n:,} frames to {path} [procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image exportée vers {path}</numerusform>
+    <numerusform>{n:,} images exportées vers {path}</numerusform>
    </translation>
   </message>
   <message>
    <source>the set was being scored still: some frames have no JaC yet</source>
    <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le jeu était encore en cours de notation : des images n’ont pas encore de JaC</translation>
   </message>
   <message>
    <source>cameras opened here before are not there any more: {paths}</source>
    <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>des caméras ouvertes ici auparavant ne sont plus là : {paths}</translation>
   </message>
   <message>
    <source>cameras opened here before are not opened again: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation type="unfinished" />
-  </message>
-  <message>
-   <source>Open a video</source>
-   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>des caméras ouvertes ici auparavant ne sont pas rouvertes : {why}</translation>
   </message>
   <message>
    <source>One frame every</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Une image toutes les</translation>
   </message>
   <message>
    <source>The first frame of every scene</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>La première image de chaque scène</translation>
   </message>
   <message>
    <source>Looks through the whole video for cuts; this takes a while</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cherche les coupes dans toute la vidéo ; cela prend un moment</translation>
   </message>
   <message>
    <source>Reading {file}</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Lecture de {file}</translation>
   </message>
   <message>
    <source>Looking for cuts in {file}</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Recherche de coupes dans {file}</translation>
   </message>
   <message>
    <source>this frame is a picture already</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>cette image est déjà un fichier</translation>
   </message>
   <message>
    <source>kept as {path}</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>gardée comme {path}</translation>
   </message>
   <message>
    <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Rien n’est extrait ; « Garder cette image de la vidéo » écrit un fichier.</translation>
   </message>
   <message>
    <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
    <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le lever montre caméras, fantômes et ajustement à tous ceux qui l’annotent. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
   </message>
   <message>
    <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
    <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le lever vous montre caméras, fantômes et ajustement ; pour d’autres il n’était pas imposé. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
   </message>
   <message>
    <source>Unlock blind mode</source>
    <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Lever le mode aveugle</translation>
   </message>
   <message>
    <source>Unlock, and record it</source>
    <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Lever, et le consigner</translation>
   </message>
   <message>
    <source>Keep it locked</source>
    <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le laisser imposé</translation>
   </message>
   <message>
    <source>error</source>
    <comment>a finding</comment>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>erreur</translation>
   </message>
   <message>
    <source>warning</source>
    <comment>a finding</comment>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>avertissement</translation>
   </message>
   <message>
    <source>hint</source>
    <comment>a finding</comment>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>indice</translation>
   </message>
   <message>
    <source>finding {place} of {total}, {severity}: {elements}</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>constat {place} sur {total}, {severity} : {elements}</translation>
   </message>
   <message>
    <source>no finding is as sure as the Check panel is set to show</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun constat n’est aussi sûr que le panneau Vérification le demande</translation>
   </message>
   <message numerus="yes">
    <source>relabelled {n} elements</source>
    <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} élément renommé</numerusform>
+    <numerusform>{n} éléments renommés</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
    <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image vérifiée, modèle de caméra {model} : {found}</numerusform>
+    <numerusform>{n:,} images vérifiées, modèle de caméra {model} : {found}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} checked frames</source>
    <extracomment>{n:,} checked frame / {n:,} checked frames [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image vérifiée</numerusform>
+    <numerusform>{n:,} images vérifiées</numerusform>
    </translation>
   </message>
   <message>
    <source>{element} and {other}</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} et {other}</translation>
   </message>
   <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la vérification des classes n’a rien trouvé ; vérifiez tout le jeu pour voir toutes les images</translation>
   </message>
   <message>
    <source>{done}; Ctrl+Z takes it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{done} ; Ctrl+Z y revient</translation>
   </message>
   <message>
    <source>removed point {n} of {element}</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>point {n} de {element} retiré</translation>
   </message>
   <message>
    <source>swapped {element} and {other}</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} et {other} échangés</translation>
   </message>
   <message>
    <source>relabelled {element} to {other}</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{element} renommé en {other}</translation>
   </message>
   <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ignoré jusqu’à ce que {elements} change ; le panneau Vérification le ramène</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked</source>
    <extracomment>{n:,} frame cannot be checked / {n:,} frames cannot be checked [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image ne peut être vérifiée</numerusform>
+    <numerusform>{n:,} images ne peuvent être vérifiées</numerusform>
    </translation>
   </message>
   <message>
    <source>Export findings</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Exporter les constats</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} findings in {frames} to {path}</source>
    <extracomment>exported {n:,} finding in {frames} to {path} / exported {n:,} findings in {frames} to {path} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} constat de {frames} exporté vers {path}</numerusform>
+    <numerusform>{n:,} constats de {frames} exportés vers {path}</numerusform>
    </translation>
   </message>
   <message>
    <source>the label check has found nothing</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la vérification des classes n’a rien trouvé</translation>
   </message>
   <message>
    <source>the label check has found nothing in this frame</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la vérification des classes n’a rien trouvé sur cette image</translation>
   </message>
   <message>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les éléments ont changé depuis : vérifiés à nouveau</translation>
   </message>
   <message>
    <source>removed point of {element}</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>point de {element} retiré</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>allez d’abord à un constat (F10)</translation>
   </message>
   <message>
    <source>stopped checking the set; what was found stays</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>vérification du jeu arrêtée ; ce qui a été trouvé reste</translation>
   </message>
   <message>
    <source>no remedy is known: {reason}</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun remède connu : {reason}</translation>
   </message>
   <message>
    <source>nothing found</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien trouvé</translation>
   </message>
   <message>
    <source>no other frame is rejected</source>
    <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune autre image n’est rejetée</translation>
   </message>
   <message>
    <source>{frame} is {status}</source>
    <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frame} est {status}</translation>
   </message>
   <message>
    <source>every frame after this one is done or approved</source>
    <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>toutes les images après celle-ci sont terminées ou approuvées</translation>
   </message>
   <message>
    <source>every frame before this one is done or approved</source>
    <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>toutes les images avant celle-ci sont terminées ou approuvées</translation>
   </message>
   <message>
    <source>blind mode leaves out {n} on frames that are not committed</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le mode aveugle laisse de côté {n} sur des images non remises</translation>
   </message>
   <message>
    <source>{frame}: no verdict on {source} any more</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{frame} : plus de verdict sur {source}</translation>
   </message>
   <message>
    <source>Note on the verdict</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Note sur le verdict</translation>
   </message>
   <message>
    <source>What is wrong here:</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce qui est faux ici :</translation>
   </message>
   <message>
    <source>Export verdicts</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Exporter les verdicts</translation>
   </message>
   <message>
    <source>blind: no frame that is committed has a verdict</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aveugle : aucune image remise n’a de verdict</translation>
   </message>
   <message>
    <source>no frame has a verdict yet: mark one first</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image n’a encore de verdict : rendez-en d’abord un</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} verdicts to {path}</source>
    <extracomment>exported {n:,} verdict to {path} / exported {n:,} verdicts to {path} [procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} verdict exporté vers {path}</numerusform>
+    <numerusform>{n:,} verdicts exportés vers {path}</numerusform>
    </translation>
   </message>
   <message>
    <source>a verdict is on a frame and a camera: load cameras first</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un verdict porte sur une image et une caméra : chargez d’abord des caméras</translation>
   </message>
   <message>
    <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aveugle : la caméra est cachée jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
   </message>
   <message>
    <source>mark the frame first: camera fault, annotation fault or fine</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>jugez d’abord l’image : faute de la caméra, faute de l’annotation ou correct</translation>
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>tout n’a pas pu être enregistré : les chiffres sont ceux du dernier état enregistré</translation>
   </message>
   <message>
    <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{source} suit les clics : un verdict porte sur une caméra chargée</translation>
   </message>
   <message>
    <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{source} est calculée ici : un verdict porte sur une caméra chargée</translation>
   </message>
   <message>
    <source>the earlier version is back; undo takes it away again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la version antérieure est revenue ; annuler l’enlève à nouveau</translation>
   </message>
   <message>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’image a été changée ailleurs : regardez-la, puis reprenez à nouveau</translation>
   </message>
   <message>
    <source>restore an earlier version</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>reprendre une version antérieure</translation>
   </message>
   <message>
    <source>There is no earlier version of this frame.</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Il n’y a pas de version antérieure de cette image.</translation>
   </message>
   <message>
    <source>Compared with now: {changes}. What differs: {elements}.</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Comparé à maintenant : {changes}. Ce qui diffère : {elements}.</translation>
   </message>
   <message>
    <source>cannot be read</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>illisible</translation>
   </message>
   <message>
    <source>empty</source>
    <comment>a version</comment>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>vide</translation>
   </message>
   <message>
    <source>as now</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>comme maintenant</translation>
   </message>
   <message>
    <source>other elements</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>autres éléments</translation>
   </message>
   <message>
    <source>points moved</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>points déplacés</translation>
   </message>
   <message>
    <source>This is what the frame holds now.</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>C’est ce que l’image contient maintenant.</translation>
   </message>
   <message>
    <source>Compared with now: the same points in another order of elements.</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Comparé à maintenant : les mêmes points dans un autre ordre d’éléments.</translation>
   </message>
   <message>
    <source>Earlier versions</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Versions antérieures</translation>
   </message>
   <message>
    <source>Restore</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Reprendre</translation>
   </message>
   <message>
    <source>%d %b %Y, %H:%M:%S</source>
    <comment>a moment; the month as %b is English, as %m a number</comment>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>%d/%m/%Y, %H:%M:%S</translation>
   </message>
   <message>
    <source>{n} more</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{n} de plus</translation>
   </message>
   <message>
    <source>{place} of {total}, worst first: JaC {value:.3f}</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{place} sur {total}, les pires d’abord : JaC {value:.3f}</translation>
   </message>
   <message>
    <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{place} sur {total}, les pires d’abord : plus grande erreur {value:.1f} px</translation>
   </message>
   <message>
    <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{place} sur {total}, les pires d’abord : désaccord médian {value:.2f} m</translation>
   </message>
   <message>
    <source>no JaC yet: load cameras first</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas encore de JaC : chargez d’abord des caméras</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image notée où aller</translation>
   </message>
   <message>
    <source>comparing {source} with {other} over the set</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>comparaison de {source} et {other} sur le jeu</translation>
   </message>
   <message>
    <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>il faut deux sources pour voir où elles divergent : chargez plus de caméras (Ctrl+L)</translation>
   </message>
   <message>
    <source>{source} and {other} cannot be compared on the ground in any frame</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{source} et {other} ne peuvent être comparées au sol sur aucune image</translation>
   </message>
   <message>
    <source>stopped comparing the sources</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>comparaison des sources arrêtée</translation>
   </message>
   <message>
    <source>this is the worst; once more goes on</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>c’est la pire ; une fois de plus continue</translation>
   </message>
   <message>
    <source>no other frame has a score</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune autre image n’est notée</translation>
   </message>
   <message>
    <source>from the worst again</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>à partir de la pire à nouveau</translation>
   </message>
   <message>
    <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image notée où aller : le mode aveugle ne montre que les images remises</translation>
   </message>
   <message>
    <source>two sources are being compared already</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>deux sources sont déjà en cours de comparaison</translation>
   </message>
   <message>
    <source>{source} and {other} are compared</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{source} et {other} sont comparées</translation>
   </message>
   <message>
    <source>it is annotated by now</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>elle est annotée entre-temps</translation>
   </message>
   <message>
    <source>it was edited since</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>elle a été modifiée depuis</translation>
   </message>
   <message>
    <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image à accepter : suivez d’abord le plan (T) ; les images douteuses et annotées sont laissées de côté</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>mode aveugle : rien n’est accepté qui n’ait été cliqué</translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>recherche de peinture le long du suivi : {done} images sur {total}</translation>
   </message>
   <message numerus="yes">
    <source>accepted {n:,} frames along the track</source>
    <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image acceptée le long du suivi</numerusform>
+    <numerusform>{n:,} images acceptées le long du suivi</numerusform>
    </translation>
   </message>
   <message>
    <source>Ctrl+Z takes them back</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ctrl+Z y revient</translation>
   </message>
   <message numerus="yes">
    <source>taken back: {n:,} frames accepted along the track</source>
    <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>revenu en arrière : {n:,} image acceptée le long du suivi</numerusform>
+    <numerusform>revenu en arrière : {n:,} images acceptées le long du suivi</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames left: {why}</source>
    <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image laissée : {why}</numerusform>
+    <numerusform>{n:,} images laissées : {why}</numerusform>
    </translation>
   </message>
   <message>
    <source>looking for paint along the track</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>recherche de peinture le long du suivi</translation>
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image acceptée : {why}</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rien n’a été accepté qui puisse être repris</translation>
   </message>
   <message>
    <source>taken back: no frame is accepted</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>revenu en arrière : aucune image n’est acceptée</translation>
   </message>
   <message>
    <source>no frame was accepted: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
   </message>
   <message>
    <source>accept the track</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>accepter le suivi</translation>
   </message>
   <message>
    <source>take back the track</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>revenir sur le suivi</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
    <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image suivie, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
+    <numerusform>{n:,} images suivies, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
    </translation>
   </message>
   <message>
    <source>following: {done} of {total} frames  ·  T stops</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>suivi : {done} images sur {total}  ·  T arrête</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
    <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image suivie, sûre ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
+    <numerusform>{n:,} images suivies, toutes sûres ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
    </translation>
   </message>
   <message>
    <source>looking for the ends of the shot …  T stops</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>recherche des bouts du plan …  T arrête</translation>
   </message>
   <message>
    <source>the shot could not be followed: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le plan n’a pu être suivi : {why}</translation>
   </message>
   <message>
    <source>only a video, or frames that follow one another, can be followed</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>seule une vidéo, ou des images qui se suivent, peut être suivie</translation>
   </message>
   <message>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>mode aveugle : aucun plan n’est suivi, on verrait ses caméras</translation>
   </message>
   <message>
    <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image du plan n’a de caméra sûre : annotez-en une, puis suivez-le</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>arrêté ; ce qui est suivi jusqu’ici reste</translation>
   </message>
   <message>
    <source>stopped; nothing was followed</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>arrêté ; rien n’a été suivi</translation>
   </message>
   <message>
    <source>no frame after this one is annotated</source>
    <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image après celle-ci n’est annotée</translation>
   </message>
   <message>
    <source>no frame after this one is doubtful</source>
    <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image après celle-ci n’est douteuse</translation>
   </message>
   <message>
    <source>no frame before this one is doubtful</source>
    <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image avant celle-ci n’est douteuse</translation>
   </message>
   <message>
    <source>blind mode: how the track does is hidden</source>
    <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>mode aveugle : ce que vaut le suivi est caché</translation>
   </message>
   <message>
    <source>no shot was followed yet (T)</source>
    <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun plan n’a encore été suivi (T)</translation>
   </message>
   <message>
    <source>these frames do not follow one another</source>
    <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ces images ne se suivent pas</translation>
   </message>
   <message>
    <source>Jaccard index of this frame at tau</source>
@@ -6037,12 +6664,12 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
   <message>
    <source>Open the plots below the picture</source>
    <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ouvrir les graphiques sous l’image</translation>
   </message>
   <message>
    <source>Shut the plots</source>
    <extracomment>[procc_annotator/gui/window/drawer.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Fermer les graphiques</translation>
   </message>
   <message>
    <source>Find words in this page</source>
@@ -6471,447 +7098,447 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>passes</source>
    <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>passe</translation>
   </message>
   <message>
    <source>too far</source>
    <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>trop loin</translation>
   </message>
   <message>
    <source>annotated, not projected</source>
    <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>annoté, non projeté</translation>
   </message>
   <message>
    <source>projected, not annotated</source>
    <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>projeté, non annoté</translation>
   </message>
   <message>
    <source>ghost of an unsure camera</source>
    <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>fantôme d’une caméra incertaine</translation>
   </message>
   <message>
    <source>ghost: expected here</source>
    <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>fantôme : attendu ici</translation>
   </message>
   <message>
    <source>annotated, in its class's colour</source>
    <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>annoté, dans la couleur de sa classe</translation>
   </message>
   <message>
    <source>copied, to be confirmed</source>
    <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>copié, à confirmer</translation>
   </message>
   <message>
    <source>projection</source>
    <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>projection</translation>
   </message>
   <message>
    <source>second annotator</source>
    <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>second annotateur</translation>
   </message>
   <message>
    <source>choose an element first: field map, list, or its key</source>
    <extracomment>[procc_annotator/interact/draw_tool.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>choisissez d’abord un élément : plan du terrain, liste ou touche</translation>
   </message>
   <message>
    <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
    <extracomment>[procc_annotator/interact/edit_tool.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} est épinglé, pour qu’un faux geste ne le bouge pas : glissez ses points, ou libérez les éléments (Ctrl+P, menu Élément) pour le glisser en entier</translation>
   </message>
   <message numerus="yes">
    <source>{n} to go</source>
    <extracomment>{n} to go / {n} to go [procc_annotator/interact/hand.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>encore {n}</numerusform>
+    <numerusform>encore {n}</numerusform>
    </translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>clic, Entrée et Échap ne font encore rien</translation>
   </message>
   <message>
    <source>choose an element: field map, list, its key or /</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>choisissez un élément : plan du terrain, liste, touche ou /</translation>
   </message>
   <message>
    <source>Backspace takes back the last point</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Retour arrière retire le dernier point</translation>
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic le marque et passe à {title}</translation>
   </message>
   <message>
    <source>Enter does nothing</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée ne fait rien</translation>
   </message>
   <message>
    <source>release drops it here</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>relâcher le dépose ici</translation>
   </message>
   <message>
    <source>click or drag a point, drag on empty ground to choose several</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>cliquer ou glisser un point ; glisser sur un endroit vide pour en choisir plusieurs</translation>
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les flèches déplacent de {step:g} px, avec Maj {fine:g} px, Ctrl {far:g} px</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here, or open one with Ctrl+O</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Déposez un dossier d’images ici, ou ouvrez-en un avec Ctrl+O</translation>
   </message>
   <message>
    <source>Ctrl+Enter commits the frame and shows the projection</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ctrl+Entrée remet l’image et montre la projection</translation>
   </message>
   <message>
    <source>GHOST {title}</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>FANTÔME {title}</translation>
   </message>
   <message>
    <source>GHOST the next one comes</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>FANTÔME le suivant arrive</translation>
   </message>
   <message>
    <source>Esc goes back</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Échap revient</translation>
   </message>
   <message>
    <source>Tab goes on</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tab continue</translation>
   </message>
   <message>
    <source>GHOST the next one comes in a moment</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>FANTÔME le suivant arrive dans un instant</translation>
   </message>
   <message numerus="yes">
    <source>Tab: next of {n} ghosts</source>
    <extracomment>Tab: next of {n} ghost / Tab: next of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Tab : suivant de {n} fantôme</numerusform>
+    <numerusform>Tab : suivant de {n} fantômes</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>Tab: first of {n} ghosts</source>
    <extracomment>Tab: first of {n} ghost / Tab: first of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Tab : premier de {n} fantôme</numerusform>
+    <numerusform>Tab : premier de {n} fantômes</numerusform>
    </translation>
   </message>
   <message>
    <source>Enter accepts it</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée l’accepte</translation>
   </message>
   <message>
    <source>. not visible here</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>. pas visible ici</translation>
   </message>
   <message>
    <source>Shift+Enter: all</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Maj+Entrée : tous</translation>
   </message>
   <message>
    <source>or choose its element first: field map, list, its key or /</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ou choisissez d’abord son élément : plan du terrain, liste, touche ou /</translation>
   </message>
   <message>
    <source>DRAW</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>DESSINER</translation>
   </message>
   <message numerus="yes">
    <source>DRAW a line, {n} points</source>
    <extracomment>DRAW a line, {n} point / DRAW a line, {n} points [procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>DESSINER une ligne, {n} point</numerusform>
+    <numerusform>DESSINER une ligne, {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>Enter or double-click finishes and asks its name</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée ou double-clic termine et demande son nom</translation>
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
    <extracomment>DRAW {title}, {n} point / DRAW {title}, {n} points [procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>DESSINER {title}, {n} point</numerusform>
+    <numerusform>DESSINER {title}, {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>Enter or double-click finishes</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée ou double-clic termine</translation>
   </message>
   <message>
    <source>click adds the second point and finishes</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic pose le second point et termine</translation>
   </message>
   <message>
    <source>click adds a point</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic pose un point</translation>
   </message>
   <message>
    <source>DRAW {title}, unconfirmed</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>DESSINER {title}, non confirmé</translation>
   </message>
   <message>
    <source>DRAW {title}</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>DESSINER {title}</translation>
   </message>
   <message>
    <source>Enter does nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée ne fait encore rien</translation>
   </message>
   <message>
    <source>Enter confirms it</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée le confirme</translation>
   </message>
   <message numerus="yes">
    <source>click continues it after its {n} points</source>
    <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>un clic le continue après son {n} point</numerusform>
+    <numerusform>un clic le continue après ses {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>click begins it</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic le commence</translation>
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic le déplace ici et passe à {title}</translation>
   </message>
   <message>
    <source>Enter confirms {title}</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée confirme {title}</translation>
   </message>
   <message numerus="yes">
    <source>Esc lets go of {n} points</source>
    <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Échap lâche le point</numerusform>
+    <numerusform>Échap lâche {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>EDIT</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ÉDITER</translation>
   </message>
   <message>
    <source>release chooses all points inside</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>relâcher choisit tous les points à l’intérieur</translation>
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ÉDITER le point {number} de {title}</translation>
   </message>
   <message>
    <source>release selects the element, which is pinned</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>relâcher sélectionne l’élément, qui est épinglé</translation>
   </message>
   <message>
    <source>EDIT the element</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ÉDITER l’élément</translation>
   </message>
   <message>
    <source>drag moves point {number} of {title}, Alt+Shift+click removes it</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>glisser déplace le point {number} de {title}, Alt+Maj+clic le retire</translation>
   </message>
   <message>
    <source>click selects {title}, Alt+click inserts a point</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic sélectionne {title}, Alt+clic insère un point</translation>
   </message>
   <message>
    <source>click does nothing: there are no points to edit, draw an element first</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic ne fait rien : il n’y a pas de points à éditer, dessinez d’abord un élément</translation>
   </message>
   <message>
    <source>click a point to drag it, beside it to let go</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>cliquer un point pour le glisser, à côté pour le lâcher</translation>
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
    <extracomment>Delete removes the point / Delete removes {n} points [procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Suppr retire le point</numerusform>
+    <numerusform>Suppr retire {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>click begins it by hand</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic le commence à la main</translation>
   </message>
   <message>
    <source>BLIND</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>AVEUGLE</translation>
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
    <extracomment>Enter accepts {n} point / Enter accepts {n} points [procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Entrée accepte {n} point</numerusform>
+    <numerusform>Entrée accepte {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>Enter does nothing: no line is found along it</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée ne fait rien : aucune ligne n’est trouvée dessus</translation>
   </message>
   <message>
    <source>click begins a line that is named after</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic commence une ligne qui sera nommée ensuite</translation>
   </message>
   <message>
    <source>an element's key names it</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la touche d’un élément la nomme</translation>
   </message>
   <message>
    <source>Enter or double-click finishes and goes on to {title}</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée ou double-clic termine et passe à {title}</translation>
   </message>
   <message>
    <source>Esc cancels</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Échap abandonne</translation>
   </message>
   <message>
    <source>Esc deselects</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Échap désélectionne</translation>
   </message>
   <message>
    <source>click moves it here</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic le déplace ici</translation>
   </message>
   <message>
    <source>click marks it</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic le marque</translation>
   </message>
   <message>
    <source>hold Ctrl to click beside the line</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>tenir Ctrl pour cliquer à côté de la ligne</translation>
   </message>
   <message>
    <source>Delete removes {title}</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Suppr retire {title}</translation>
   </message>
   <message>
    <source>EDIT choosing points</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ÉDITER choix de points</translation>
   </message>
   <message numerus="yes">
    <source>EDIT {n} points</source>
    <extracomment>EDIT {n} point / EDIT {n} points [procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>ÉDITER {n} point</numerusform>
+    <numerusform>ÉDITER {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>Esc takes the new point away</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Échap enlève le nouveau point</translation>
   </message>
   <message>
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>LECTURE SEULE</translation>
   </message>
   <message>
    <source>Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée et Échap ne font encore rien</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Maj+Entrée termine et reste</translation>
   </message>
   <message>
    <source>Enter and Esc do nothing</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée et Échap ne font rien</translation>
   </message>
   <message>
    <source>Esc gives up</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Échap abandonne</translation>
   </message>
   <message>
    <source>Esc lets go</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Échap lâche</translation>
   </message>
   <message>
    <source>Shift+Enter: accept all</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Maj+Entrée : tout accepter</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -6921,96 +7548,181 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Uncertainty</source>
    <extracomment>[procc_annotator/interact/map_looks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Incertitude</translation>
   </message>
   <message>
    <source>not annotated</source>
    <extracomment>[procc_annotator/interact/palette.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>non annoté</translation>
   </message>
   <message>
    <source>missed</source>
    <extracomment>[procc_annotator/interact/palette.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>manqué</translation>
   </message>
   <message>
    <source>draw {title}</source>
    <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>dessiner {title}</translation>
   </message>
   <message>
    <source>confirm {title}</source>
    <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>confirmer {title}</translation>
   </message>
   <message>
    <source>move {title}</source>
    <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>déplacer {title}</translation>
   </message>
   <message>
    <source>move all of {title}</source>
    <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>déplacer tout {title}</translation>
   </message>
   <message numerus="yes">
    <source>move {n} points</source>
    <extracomment>move {n} point / move {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>déplacer {n} point</numerusform>
+    <numerusform>déplacer {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>nudge {title}</source>
    <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>décaler {title}</translation>
   </message>
   <message numerus="yes">
    <source>nudge {n} points</source>
    <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>décaler {n} point</numerusform>
+    <numerusform>décaler {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>insert a point in {title}</source>
    <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>insérer un point dans {title}</translation>
   </message>
   <message>
    <source>delete {title}</source>
    <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>supprimer {title}</translation>
   </message>
   <message>
    <source>delete point {number} of {title}</source>
    <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>supprimer le point {number} de {title}</translation>
   </message>
   <message numerus="yes">
    <source>delete {n} points</source>
    <extracomment>delete {n} point / delete {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>supprimer {n} point</numerusform>
+    <numerusform>supprimer {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>continue {title}</source>
    <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>continuer {title}</translation>
   </message>
   <message>
    <source>no distance</source>
    <extracomment>[procc_annotator/interact/verdicts.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>pas de distance</translation>
   </message>
   <message>
    <source>fitted on these clicks</source>
    <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ajustée à ces clics</translation>
+  </message>
+  <message>
+   <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} convient : son point le plus loin, le {number}, est à {px} px ; il passe à tau &gt; {px}.</translation>
+  </message>
+  <message>
+   <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} est trop loin : le point {number} est à {px} px ; il passe à tau &gt; {px}.</translation>
+  </message>
+  <message>
+   <source>{title} (judged as {other}, labels mirrored)</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{title} (jugé comme {other}, classes en miroir)</translation>
+  </message>
+  <message>
+   <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} est manqué : il est annoté, mais la caméra ne le montre pas dans l’image.</translation>
+  </message>
+  <message>
+   <source>{element} is not annotated, but the camera shows it: a false positive.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} n’est pas annoté, mais la caméra le montre : un faux positif.</translation>
+  </message>
+  <message>
+   <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} est trop loin : le point {number} n’a pas de distance, car la projection y a des échantillons confondus ; il ne passe à aucun tau.</translation>
+  </message>
+  <message>
+   <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>Tel qu’il continue au-delà de l’image il est au plus à {px} px, mais soccernet ne mesure que jusqu’à ce qui est dans l’image.</translation>
+  </message>
+  <message>
+   <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} est manqué : il est annoté, mais le terrain n’a pas un tel élément à projeter.</translation>
+  </message>
+  <message>
+   <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
+   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <translation>{element} est manqué : il est annoté, mais il quitte le sol, et la caméra ne connaît que le sol.</translation>
+  </message>
+  <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>Ajustée aux clics de chaque image ; rien n’en est dans un fichier</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>pas encore d’ajustement de {frame}</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>la peinture est à {px:.1f} px des lignes</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>Suivie à travers le plan ; rien n’en est dans un fichier</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>pas de suivi ici : {why}</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py, procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>aucune caméra n’a été trouvée</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>prolongée par le mouvement de l’image, non mesurée sur la peinture</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>pas suivie jusqu’ici</translation>
   </message>
   <message>
    <source>what was saved elsewhere</source>
@@ -7036,121 +7748,151 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>untouched</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>intacte</translation>
   </message>
   <message>
    <source>in progress</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>en cours</translation>
   </message>
   <message>
    <source>done</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>terminée</translation>
   </message>
   <message>
    <source>approved</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>approuvée</translation>
   </message>
   <message>
    <source>rejected</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rejetée</translation>
   </message>
   <message>
    <source>clicked</source>
    <comment>points</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>cliqués</translation>
   </message>
   <message>
    <source>snapped</source>
    <comment>points</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aimantés</translation>
   </message>
   <message>
    <source>regularised</source>
    <comment>points</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>régularisés</translation>
   </message>
   <message>
    <source>copied</source>
    <comment>points</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>copiés</translation>
   </message>
   <message>
    <source>moved</source>
    <comment>points</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>déplacés</translation>
   </message>
   <message>
    <source>accepted suggestion</source>
    <comment>points</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>suggestions acceptées</translation>
   </message>
   <message>
    <source>proposed</source>
    <comment>points</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>proposés</translation>
   </message>
   <message>
    <source>accepted proposal</source>
    <comment>points</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>propositions acceptées</translation>
   </message>
   <message>
    <source>unconfirmed by paint</source>
    <comment>points</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>non confirmés par la peinture</translation>
   </message>
   <message>
    <source>from the file</source>
    <comment>points</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>du fichier</translation>
   </message>
   <message>
    <source>camera</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>caméra</translation>
   </message>
   <message>
    <source>annotation</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>annotation</translation>
   </message>
   <message>
    <source>fine</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>correct</translation>
   </message>
   <message>
    <source>camera fault</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>faute de la caméra</translation>
   </message>
   <message>
    <source>annotation fault</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>faute de l’annotation</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} a été mesuré sur place : sa position reste ce qu’elle est</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} se déplace : chacune de ses positions vaut pour un instant</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>sa caméra est à peine déterminée : {what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>pas de caméra dans {frame} ({why}), et {count} de plus</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>pas de caméra dans {frame} ({why})</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>mesuré sur place : reste ce qu’il est</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -7381,6 +8123,16 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>Remove the selected point; without one, the selected element</source>
    <extracomment>[the action delete]</extracomment>
    <translation>Retirer le point sélectionné ; à défaut, l’élément sélectionné</translation>
+  </message>
+  <message>
+   <source>Insert point</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>Insérer un point</translation>
+  </message>
+  <message>
+   <source>Put a point on the line at the crosshair, or at the mouse (Alt and a click do it, too)</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>Mettre un point sur la ligne au réticule, ou à la souris (Alt et un clic le font aussi)</translation>
   </message>
   <message>
    <source>Choose all points</source>
@@ -8168,6 +8920,16 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Accepter tous les fantômes dont la ligne peinte se voit assez bien (Maj+Entrée tant que rien n’est en cours de dessin)</translation>
   </message>
   <message>
+   <source>Accept all and go on</source>
+   <extracomment>[the action accept_go_on]</extracomment>
+   <translation>Tout accepter et continuer</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts of this frame and show the next one: one key a frame</source>
+   <extracomment>[the action accept_go_on]</extracomment>
+   <translation>Accepter tous les fantômes de cette image et montrer la suivante : une touche par image</translation>
+  </message>
+  <message>
    <source>Line seen to accept all…</source>
    <extracomment>[the action ghost_support]</extracomment>
    <translation>Part visible pour tout accepter…</translation>
@@ -8261,6 +9023,11 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>Reduce (the mouse wheel does it at the cursor)</source>
    <extracomment>[the action zoom_out]</extracomment>
    <translation>Réduire (la molette le fait au curseur)</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <extracomment>[the action pan]</extracomment>
+   <translation>Déplacer la vue</translation>
   </message>
   <message>
    <source>The left button moves the picture (or hold Space, or the middle button); Esc ends it</source>
@@ -8360,12 +9127,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Legend in the picture</source>
    <extracomment>[the action legend, the setting legend]</extracomment>
-   <translation type="unfinished" />
+   <translation>Légende dans l’image</translation>
   </message>
   <message>
    <source>What the colours, dashes and marks over the picture mean, in its corner; it gives way to the hand</source>
    <extracomment>[the action legend, the setting legend]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ce que signifient les couleurs, tirets et marques sur l’image, dans son coin ; elle cède la place à la main</translation>
   </message>
   <message>
    <source>Turn the field map to the camera</source>
@@ -8390,7 +9157,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
    <extracomment>[the action plots]</extracomment>
-   <translation type="unfinished" />
+   <translation>Erreurs et JaC de l’image ou du jeu en graphiques, pour toutes les sources affichées, dans un tiroir sous l’image ; une fois de plus le ferme</translation>
   </message>
   <message>
    <source>Panels to annotate</source>

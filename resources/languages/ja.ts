@@ -4,9 +4,114 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>主点が画像の中心から離れており、より大きな画像から切り出されたようです</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>アスペクト比と主点を加えて {px} px：明らかな改善なし</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>レンズ歪みなしで点のずれ {without} px、ありで {with_it} px：明らかな改善なし</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>アスペクト比と主点で点のずれが {before} から {after} px に減り、3 個のパラメーターの偶然を超えます</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>レンズ歪みで点のずれが {before} から {after} px に減ります</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
+   <translation>点は明らかなレンズ歪みを示し、ずれは {px} px です</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>パン・チルト・ロールが ± {degrees:g}° を超える、位置がフィールド中心までの距離の ± {way:g} % を超える、焦点距離が ± {focal:g} % を超える、または反対側から見ても同じになるクリック</translation>
+  </message>
+  <message>
+   <source>pan ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>パン ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>tilt ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>チルト ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>roll ± {degrees:.1f}°</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>ロール ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>位置 ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>焦点距離 ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <translation>反対側から見ても同じ</translation>
+  </message>
+  <message>
    <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
    <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
    <translation>座標がピクセルのようです。0～1 が必要です（x = {x:g}、y = {y:g}）</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>見える線の {lines:.0f} % が塗りの上にあり、地面の塗りの {paint:.0f} % を説明します</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>別の線を写す別のカメラも画像にほぼ同じくらい合います</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>見えるはずの線が欠けています</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>フィールドにないはずの所に塗りがあります</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>カメラがそこにあることはほとんどありません</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>見える線が少なすぎて判断できません</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>見える線だけではカメラが決まりません：{what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>この画像の塗りに合うカメラがありません：最良のものでも{shares}</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -276,6 +381,167 @@
    <source>no paint under {title} towards one of its ends, under all the rest there is</source>
    <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
    <translation>{title} の片方の端の側で下に塗りがありません。ほかの部分にはあります</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
+   <translation>{name} が塗りから {px:.0f} px ずれています（ほか {more} 個も）</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint</source>
+   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
+   <translation>{name} が塗りから {px:.0f} px ずれています</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
+   <translation>これらの要素を同時に説明するカメラがありません：最良のものでも半分が {px:.0f} px を超えて外れます（クラスは正しいですか？）</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py, procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>見える線のうち塗りの上にあるのは {share:.0%} だけです</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>塗りが少なすぎます</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
+   <translation>近くの塗りが杭をその場所からずらしてしまいます</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n} 個（{needed} 個必要）</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>{n} 個の要素に {points} 点（{needed} 個の要素にそれぞれ異なる 2 点が必要）</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>
+    <numerusform>地面の要素 {n} 個（{needed} 個必要）</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>すべての点が画像の 1 か所にあります</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>すべての点が画像の 1 本の線上にあります</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>ありえない姿勢：当てはめが収束しません</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>ありえない姿勢：地面の上</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>ありえない姿勢：地面の {metres:.1f} m 下</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>ありえない姿勢：地面からわずか {metres:.1f} m 上</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>ありえない姿勢：フィールド中心から {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>ありえない姿勢：{degrees:.0f} 度のロール</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
+   <translation>ありえない姿勢：幅 960 px で焦点距離 {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>見える塗りが少なすぎます</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>見えるはずのものがわずかしか見つかりません</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
+   <translation>見つかった塗りではカメラが動きすぎます</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>位置が分かっていても：{why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
+   <translation>位置が {count} 個あり、どれのものか分かりません</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>{total} クリックのうち {count} 個はカメラが何も写さない所にあります</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>各ビューがほぼ同じ方向から見ています（差 {degrees:.2f} 度、{least:g} 度以上必要）</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>カメラのあるどのビューでもクリックされていません</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>地面しか知らないカメラ（ホモグラフィ）では空間の位置が分かりません</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>視線が {names} のカメラの後ろで交わります</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>1 つのビューでしかクリックされていません</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>フィールドから {metres:g} m を超えて離れてしまいます</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
+   <translation>ビューが一致しません：ずれ {far} px（すべて同じ場所ですか、カメラは正しいですか？）</translation>
   </message>
   <message>
    <source>turn the labels by half a turn</source>
@@ -1853,7 +2119,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Pan</source>
    <comment>an angle</comment>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>パン</translation>
   </message>
   <message>
    <source>Tilt</source>
@@ -2982,6 +3248,16 @@ Open a folder of pictures first.</source>
    <translation>十字カーソル：矢印キーで移動（Shift 0.1 px、Ctrl 10 px、Ctrl+Shift 100 px）、Space でクリック、Esc で消す</translation>
   </message>
   <message>
+   <source>point at a line first: with the mouse, or with the arrows</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>まず線を指してください：マウスまたは矢印キーで</translation>
+  </message>
+  <message>
+   <source>there is no line here to put a point on</source>
+   <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
+   <translation>ここには点を置ける線がありません</translation>
+  </message>
+  <message>
    <source>Brightness</source>
    <extracomment>[procc_annotator/gui/picture/looks.py]</extracomment>
    <translation>明るさ</translation>
@@ -3361,7 +3637,7 @@ Load or show another one.</source>
    <source>pan</source>
    <comment>an angle</comment>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>パン</translation>
   </message>
   <message>
    <source>The shown sources are of models without a pose (homographies, projections alone).</source>
@@ -3948,9 +4224,19 @@ Load or show another one.</source>
    <translation>フレームの小さな画像</translation>
   </message>
   <message>
+   <source>The arrows go along, Enter shows the frame</source>
+   <extracomment>[procc_annotator/gui/strip/filmstrip.py]</extracomment>
+   <translation>矢印キーで移動、Enter でフレームを表示</translation>
+  </message>
+  <message>
    <source>Frames of the shot</source>
    <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
    <translation>ショットのフレーム</translation>
+  </message>
+  <message>
+   <source>The arrows go from frame to frame, with Shift they mark a stretch, Esc forgets it</source>
+   <extracomment>[procc_annotator/gui/strip/shot_strip.py]</extracomment>
+   <translation>矢印キーでフレームを移動、Shift で区間に印、Esc で解除</translation>
   </message>
   <message>
    <source>anchor</source>
@@ -4212,6 +4498,11 @@ Load or show another one.</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>{element} は別の場所で変更されました。もう一度確認してください</translation>
   </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>線の見え方が {least:.0%} 未満のため残したもの：{ghosts}</translation>
+  </message>
   <message numerus="yes">
    <source>{n} points</source>
    <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
@@ -4244,9 +4535,9 @@ Load or show another one.</source>
    </translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <source>{n} of {total} ghosts</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>線の見え方が {least:.0%} 未満のため残したもの：{ghosts}</translation>
+   <translation>{total} 中 {n} 個のゴースト</translation>
   </message>
   <message>
    <source>accepted {what}</source>
@@ -4299,11 +4590,6 @@ Load or show another one.</source>
    <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>採用したゴーストはありません。線の見え方が {least:.0%} 未満：{ghosts}。Tab で順に見ます</translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{total} 中 {n} 個のゴースト</translation>
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -7284,6 +7570,46 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>{element} は見逃しです：注釈されていますが、地面から離れた要素で、カメラは地面しか知りません。</translation>
   </message>
   <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>各フレームのクリックへの当てはめ。ファイルには何もありません</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
+   <translation>{frame} の当てはめはまだありません</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>塗りが線から {px:.1f} px 離れています</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>ショットの追跡結果。ファイルには何もありません</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>ここには追跡がありません：{why}</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py, procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>カメラが見つかりませんでした</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>画像の動きから引き継いだもので、塗りでは測っていません</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
+   <translation>まだ追跡されていません</translation>
+  </message>
+  <message>
    <source>what was saved elsewhere</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>別の場所で保存されたもの</translation>
@@ -7422,6 +7748,36 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
    <translation>注釈の誤り</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} は実測済み：位置は変わりません</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
+   <translation>{title} は動きます：位置はそれぞれ 1 つの瞬間だけのものです</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>カメラがほとんど決まりません：{what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>{frame} にカメラがありません（{why}）。ほか {count} フレーム</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>{frame} にカメラがありません（{why}）</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
+   <translation>実測済み：そのまま</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -7652,6 +8008,16 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Remove the selected point; without one, the selected element</source>
    <extracomment>[the action delete]</extracomment>
    <translation>選択中の点を取り除きます。なければ選択中の要素を取り除きます</translation>
+  </message>
+  <message>
+   <source>Insert point</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>点を挿入</translation>
+  </message>
+  <message>
+   <source>Put a point on the line at the crosshair, or at the mouse (Alt and a click do it, too)</source>
+   <extracomment>[the action insert_point]</extracomment>
+   <translation>十字カーソルまたはマウスの位置の線上に点を置きます（Alt+クリックでも可）</translation>
   </message>
   <message>
    <source>Choose all points</source>
@@ -8437,6 +8803,16 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Accept all ghosts whose painted lines are seen well enough (Shift+Enter while nothing is being drawn)</source>
    <extracomment>[the action accept_ghosts]</extracomment>
    <translation>塗られた線が十分に見えるゴーストをすべて採用します（何も描いていないとき Shift+Enter）</translation>
+  </message>
+  <message>
+   <source>Accept all and go on</source>
+   <extracomment>[the action accept_go_on]</extracomment>
+   <translation>すべて採用して次へ</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts of this frame and show the next one: one key a frame</source>
+   <extracomment>[the action accept_go_on]</extracomment>
+   <translation>このフレームのゴーストをすべて採用し、次を表示します：1 フレームに 1 キー</translation>
   </message>
   <message>
    <source>Line seen to accept all…</source>

@@ -383,6 +383,16 @@
    <translation>{title} 靠近一端之下没有画线，其余部分都有</translation>
   </message>
   <message>
+   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
+   <translation>{name}偏离其画线 {px:.0f} px，另有 {more} 个也如此</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint</source>
+   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
+   <translation>{name} 偏离其画线 {px:.0f} px</translation>
+  </message>
+  <message>
    <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
    <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
    <translation>没有相机能同时解释这些元素：最好的也有一半偏离超过 {px:.0f} px（类别是否正确？）</translation>
@@ -651,7 +661,7 @@
   </message>
   <message>
    <source>pan</source>
-   <extracomment>[procc_annotator/gui/gestures.py, procc_annotator/gui/plots/poses.py]</extracomment>
+   <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
    <translation>平移</translation>
   </message>
   <message>
@@ -2107,8 +2117,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   </message>
   <message>
    <source>Pan</source>
-   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py, the action pan]</extracomment>
-   <translation>平移</translation>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
+   <translation>水平转动</translation>
   </message>
   <message>
    <source>Tilt</source>
@@ -3623,6 +3634,12 @@ Load or show another one.</source>
    <translation>尚无位姿。正在后台逐帧收集。</translation>
   </message>
   <message>
+   <source>pan</source>
+   <comment>an angle</comment>
+   <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
+   <translation>水平转动</translation>
+  </message>
+  <message>
    <source>The shown sources are of models without a pose (homographies, projections alone).</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
    <translation>显示的源均为没有位姿的模型（单应矩阵、仅投影）。</translation>
@@ -4481,6 +4498,11 @@ Load or show another one.</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>{element} 已在别处更改：请再看一遍</translation>
   </message>
+  <message>
+   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>保留，可见的线不足 {least:.0%}：{ghosts}</translation>
+  </message>
   <message numerus="yes">
    <source>{n} points</source>
    <extracomment>{n} point / {n} points [procc_annotator/gui/tasks/elements/ghost_accepting.py, procc_annotator/gui/tasks/review/versions_dialog.py, procc_annotator/gui/window/context_menu.py]</extracomment>
@@ -4513,9 +4535,9 @@ Load or show another one.</source>
    </translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <source>{n} of {total} ghosts</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>保留，可见的线不足 {least:.0%}：{ghosts}</translation>
+   <translation>{total} 个虚影中的 {n} 个</translation>
   </message>
   <message>
    <source>accepted {what}</source>
@@ -4568,11 +4590,6 @@ Load or show another one.</source>
    <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>未接受任何虚影，可见的线不足 {least:.0%}：{ghosts}；Tab 可逐个查看</translation>
-  </message>
-  <message>
-   <source>{n} of {total} ghosts</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{total} 个虚影中的 {n} 个</translation>
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -8788,6 +8805,16 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>接受画线足够清晰可见的所有虚影（未在绘制时按 Shift+回车）</translation>
   </message>
   <message>
+   <source>Accept all and go on</source>
+   <extracomment>[the action accept_go_on]</extracomment>
+   <translation>全部接受并继续</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts of this frame and show the next one: one key a frame</source>
+   <extracomment>[the action accept_go_on]</extracomment>
+   <translation>接受本帧的所有虚影并显示下一帧：每帧一个按键</translation>
+  </message>
+  <message>
    <source>Line seen to accept all…</source>
    <extracomment>[the action ghost_support]</extracomment>
    <translation>全部接受所需的可见度…</translation>
@@ -8881,6 +8908,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Reduce (the mouse wheel does it at the cursor)</source>
    <extracomment>[the action zoom_out]</extracomment>
    <translation>缩小（鼠标滚轮在光标处缩小）</translation>
+  </message>
+  <message>
+   <source>Pan</source>
+   <extracomment>[the action pan]</extracomment>
+   <translation>平移</translation>
   </message>
   <message>
    <source>The left button moves the picture (or hold Space, or the middle button); Esc ends it</source>
