@@ -32,6 +32,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 from tests.drawn_shots import cut_shot  # noqa: E402
+from tests.unit.interact.test_palette import SEEN_BY  # noqa: E402
 
 PICTURES = ROOT / "docs" / "pictures"
 SIZE = (1440, 810)
@@ -66,6 +67,26 @@ def take(window: MainWindow, name: str) -> None:
     window.grab().toImage().save(str(PICTURES / f"{name}{dark}.webp"), "WEBP", QUALITY)
 
 
+def as_others_see_it(name: str) -> None:
+    """Put a picture that was taken beside itself as it is without one of the eye's three receptors:
+    all, no red, no green, no blue, in two rows."""
+    dark = "-dark" if is_dark(QApplication.palette()) else ""
+    taken = cv2.imread(str(PICTURES / f"{name}{dark}.webp"))
+    assert taken is not None
+    small = cv2.resize(taken, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+    srgb = small[:, :, ::-1] / 255
+    linear = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)  # IEC 61966
+    seen = []
+    for matrix in SEEN_BY.values():
+        light = np.clip(linear @ matrix.T, 0, 1)
+        back = np.where(light <= 0.0031308, light * 12.92, 1.055 * light ** (1 / 2.4) - 0.055)
+        seen.append(np.round(back[:, :, ::-1] * 255).astype(np.uint8))
+    four = np.vstack([np.hstack(seen[:2]), np.hstack(seen[2:])])
+    cv2.imwrite(
+        str(PICTURES / f"{name}-eyes{dark}.webp"), four, [cv2.IMWRITE_WEBP_QUALITY, QUALITY]
+    )
+
+
 def click(window: MainWindow, x: float, y: float) -> None:
     """Click a picture position with the mouse."""
     canvas = window.canvas
@@ -80,6 +101,7 @@ def audit(window: MainWindow, dataset: Path) -> None:
     window.show_panel("scores")
     wait(2500)
     take(window, "audit")
+    as_others_see_it("audit")
 
 
 def other_sport(folder: Path) -> None:

@@ -62,3 +62,14 @@ def test_it_can_be_switched_off_for_good(begun: MainWindow) -> None:
     until_kept()
     begun.close()
     assert Settings().get(SWITCHES["legend"]) is False
+
+
+def test_it_stands_above_what_is_said_of_the_camera(begun: MainWindow, qtbot: QtBot) -> None:
+    legend, plate = begun.canvas.legend, begun.canvas.found_plate
+    qtbot.waitUntil(lambda: "ghost: expected here" in texts(begun))
+    room, before = begun.canvas.viewport().rect(), legend.geometry()
+    plate.put(room.adjusted(8, room.height() - 40, -8, -8))  # as wide as what it says may be
+    plate.show()
+    qtbot.waitUntil(lambda: legend.geometry().bottom() < plate.geometry().top())
+    plate.hide()
+    qtbot.waitUntil(lambda: legend.geometry() == before)

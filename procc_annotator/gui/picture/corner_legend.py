@@ -40,6 +40,8 @@ class CornerLegend(Pinned):
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._look)
         viewport.installEventFilter(self)
+        for beneath in self._beneath():
+            beneath.installEventFilter(self)
         for signal in (
             document.scoreChanged,
             document.frameChanged,
@@ -72,7 +74,7 @@ class CornerLegend(Pinned):
             self._show()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
+        if event.type() in (QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.Hide):
             self._soon.start()
         return False
 
@@ -131,9 +133,16 @@ class CornerLegend(Pinned):
         room = self._viewport.size()
         width = min(width, room.width() - 2 * _EDGE)
         corner = QPoint(room.width() - width - _EDGE, room.height() - height - _EDGE)
-        if (badge := self._viewport.findChild(QWidget, "blindBadge")) and not badge.isHidden():
-            corner.setY(badge.geometry().top() - height - _EDGE // 2)
-        self.put(QRect(corner.x(), corner.y(), width, height))
+        place = QRect(corner.x(), corner.y(), width, height)
+        for other in self._beneath():
+            if not other.isHidden() and other.geometry().intersects(place):
+                place.moveBottom(other.geometry().top() - _EDGE // 2)
+        self.put(place)
+
+    def _beneath(self) -> list[QWidget]:
+        """What stands at the lower edge, too, and stays there."""
+        named = (self._viewport.findChild(QWidget, name) for name in ("blindBadge", "foundPlate"))
+        return [other for other in named if other is not None]
 
     def paintEvent(self, event: QPaintEvent) -> None:
         with QPainter(self) as painter:
