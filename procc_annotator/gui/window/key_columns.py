@@ -27,6 +27,7 @@ _MOST_COLUMNS = 4
 _LETTERS = 46  # what a column holds in a line, keys and words together
 _KEYS_SHARE = 0.42  # of a column's width
 _GAP = 18
+_BREAK = "\u200b"  # takes no room; a line may end there
 _LINES_AROUND = 2  # a title and the room above it, in lines
 _WRAP = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop
 
@@ -215,7 +216,7 @@ def keys_text(keys: tuple[str, ...]) -> str:
 
 def _breakable(keys: tuple[str, ...]) -> str:
     """Keys that may go on in the next line after a plus."""
-    return keys_text(keys).replace("+", "+\u200b")
+    return keys_text(keys).replace("+", f"+{_BREAK}")
 
 
 def _bold(font: QFont) -> QFont:
@@ -226,7 +227,8 @@ def _bold(font: QFont) -> QFont:
 
 def _tall(metrics: QFontMetrics, width: int, text: str) -> int:
     """How high a text is in a width, px."""
-    if text.isascii() and metrics.horizontalAdvance(text) <= width:  # other letters may be higher
+    plain = text.replace(_BREAK, "").isascii()  # other letters may be higher
+    if plain and metrics.horizontalAdvance(text) <= width:
         return metrics.height()
     return metrics.boundingRect(QRect(0, 0, width, 10_000), int(_WRAP), text).height()
 
