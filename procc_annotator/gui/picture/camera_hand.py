@@ -102,7 +102,7 @@ class CameraHand(QObject):
             drag = tr("drag a place of the wireframe to where it belongs")
             words = [drag, tr("Ctrl+Z takes it back")]
         if pegs and not self.dragging:
-            words.append(tr_count(pegs, "{n} peg hold the camera", "{n} pegs hold the camera"))
+            words.append(tr_count(pegs, "{n} peg holds the camera", "{n} pegs hold the camera"))
         return SEPARATOR.join([tr("CAMERA"), *words])
 
     def key(self, name: str, _shift: bool) -> bool:
