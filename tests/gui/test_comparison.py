@@ -165,6 +165,7 @@ class TestBlink:
     ) -> None:
         canvas, document = audited.canvas, audited.document
         document.compare_with(named(audited, "bad"))
+        all_done(qtbot)  # the legend names what is drawn when nothing else is due
         at_first = pixels(audited)
         clock = [100.0]
         monkeypatch.setattr("procc_annotator.gui.picture.comparison.monotonic", lambda: clock[0])
@@ -179,6 +180,7 @@ class TestBlink:
         self.release(audited)
         assert not plate.isVisible()
         assert document.active_source.name == "true"
+        all_done(qtbot)
         assert np.array_equal(pixels(audited), at_first)
 
     def test_a_tap_changes_their_places(self, audited: MainWindow) -> None:

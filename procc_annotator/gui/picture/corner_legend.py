@@ -34,7 +34,8 @@ class CornerLegend(Pinned):
         super().__init__(viewport, "cornerLegend")
         self._document, self._viewport, self._comparison = document, viewport, comparison
         self.entries: tuple[LegendEntry, ...] = ()
-        self._wanted, self._bare, self._others = True, False, True
+        self._wanted, self._bare = True, False
+        self._others: tuple[tuple[str, str], ...] = ()
         self._by: ColourBy = "criterion"
         self._hand: QPointF | None = None
         self._soon = QTimer(self, singleShot=True, interval=0)
@@ -61,7 +62,7 @@ class CornerLegend(Pinned):
 
     def show_for(self, colour_by: ColourBy, *, bare: bool) -> None:
         """What colours say, and whether nothing is drawn over the picture."""
-        shown = colour_by, bare, self._comparison.others_wanted
+        shown = colour_by, bare, self._comparison.names_of_others()
         if shown != (self._by, self._bare, self._others):
             self._by, self._bare, self._others = shown
             self._soon.start()
