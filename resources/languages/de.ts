@@ -5874,7 +5874,7 @@ Verliert {loses}.</translation>
   <message>
    <source>no finding is as sure as the Check panel is set to show</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>kein Befund ist so sicher, wie der Bereich Prüfung eingestellt ist</translation>
+   <translation>kein Befund ist so sicher, wie der Bereich Befunde eingestellt ist</translation>
   </message>
   <message numerus="yes">
    <source>relabelled {n} elements</source>
@@ -5933,7 +5933,7 @@ Verliert {loses}.</translation>
   <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>übergangen, bis sich {elements} ändert; der Bereich Prüfung holt es zurück</translation>
+   <translation>übergangen, bis sich {elements} ändert; der Bereich Befunde holt es zurück</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked</source>
@@ -5999,7 +5999,7 @@ Verliert {loses}.</translation>
   <message>
    <source>no other frame is rejected</source>
    <extracomment>[procc_annotator/gui/tasks/review/tour.py]</extracomment>
-   <translation>kein anderes Bild ist zurückgewiesen</translation>
+   <translation>kein anderes Bild ist abgelehnt</translation>
   </message>
   <message>
    <source>{frame} is {status}</source>
@@ -6644,7 +6644,7 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
   <message>
    <source>Check</source>
    <extracomment>[procc_annotator/gui/window/docks.py]</extracomment>
-   <translation>Prüfung</translation>
+   <translation>Befunde</translation>
   </message>
   <message>
    <source>Plots</source>
@@ -7772,7 +7772,7 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>rejected</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>zurückgewiesen</translation>
+   <translation>abgelehnt</translation>
   </message>
   <message>
    <source>clicked</source>
@@ -8307,7 +8307,7 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   <message>
    <source>Next rejected</source>
    <extracomment>[the action next_rejected]</extracomment>
-   <translation>Nächstes zurückgewiesenes</translation>
+   <translation>Nächstes abgelehntes</translation>
   </message>
   <message>
    <source>Go on to the next frame that a reviewer sent back</source>
@@ -8577,7 +8577,7 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   <message>
    <source>Reject</source>
    <extracomment>[the action reject]</extracomment>
-   <translation>Zurückweisen</translation>
+   <translation>Ablehnen</translation>
   </message>
   <message>
    <source>A reviewer sends this frame back; say why in a comment</source>

@@ -11,12 +11,12 @@
   <message>
    <source>with aspect ratio and principal point {px} px: not clearly better</source>
    <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>avec rapport d’aspect et point principal {px} px : pas nettement mieux</translation>
+   <translation>avec rapport d’aspect et point principal {px} px : pas nettement mieux</translation>
   </message>
   <message>
    <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
    <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>sans distorsion les points sont à {without} px, avec elle à {with_it} px : pas nettement mieux</translation>
+   <translation>sans distorsion les points sont à {without} px, avec elle à {with_it} px : pas nettement mieux</translation>
   </message>
   <message>
    <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
@@ -36,7 +36,7 @@
   <message>
    <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
    <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>panoramique, inclinaison ou roulis ± plus de {degrees:g}°, position ± plus de {way:g} % du chemin vers le centre du terrain, ou focale ± plus de {focal:g} %, ou des clics identiques vus de l’autre bout</translation>
+   <translation>panoramique, inclinaison ou roulis ± plus de {degrees:g}°, position ± plus de {way:g} % du chemin vers le centre du terrain, ou focale ± plus de {focal:g} %, ou des clics identiques vus de l’autre bout</translation>
   </message>
   <message>
    <source>pan ± {degrees:.1f}°</source>
@@ -61,7 +61,7 @@
   <message>
    <source>focal length ± {percent:.0f} %</source>
    <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>focale ± {percent:.0f} %</translation>
+   <translation>focale ± {percent:.0f} %</translation>
   </message>
   <message>
    <source>the same from the other end</source>
@@ -76,7 +76,7 @@
   <message>
    <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>{lines:.0f} % des lignes en vue sont sur de la peinture, ce qui explique {paint:.0f} % de la peinture au sol</translation>
+   <translation>{lines:.0f} % des lignes en vue sont sur de la peinture, ce qui explique {paint:.0f} % de la peinture au sol</translation>
   </message>
   <message>
    <source>another camera that shows other lines suits the picture nearly as well</source>
@@ -106,12 +106,12 @@
   <message>
    <source>the lines in sight leave the camera open: {what}</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>les lignes en vue laissent la caméra ouverte : {what}</translation>
+   <translation>les lignes en vue laissent la caméra ouverte : {what}</translation>
   </message>
   <message>
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>aucune caméra ne convient à la peinture de cette image : pour la meilleure {shares}</translation>
+   <translation>aucune caméra ne convient à la peinture de cette image : pour la meilleure {shares}</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -161,7 +161,7 @@
   <message>
    <source>relabel {steps}</source>
    <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>renommer : {steps}</translation>
+   <translation>renommer : {steps}</translation>
   </message>
   <message>
    <source>remove point {number}</source>
@@ -227,7 +227,7 @@
   <message>
    <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
    <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} est jusqu’à {px:.0f} px de là où la caméra le montre ; trop peu d’éléments conviennent pour dire lesquels sont faux</translation>
+   <translation>{title} est jusqu’à {px:.0f} px de là où la caméra le montre ; trop peu d’éléments conviennent pour dire lesquels sont faux</translation>
   </message>
   <message>
    <source>no camera fits these labels together</source>
@@ -247,7 +247,7 @@
   <message>
    <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
    <extracomment>[procc_annotator/fit/labels/overlap.py]</extracomment>
-   <translation>{a} et {b} sont l’un sur l’autre, à moins de {px:.0f} px : une ligne sous deux noms ?</translation>
+   <translation>{a} et {b} sont l’un sur l’autre, à moins de {px:.0f} px : une ligne sous deux noms ?</translation>
   </message>
   <message>
    <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
@@ -266,16 +266,16 @@
    <source>{title} has {n} points; a curve takes at least {least}</source>
    <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/fit/labels/shape.py]</extracomment>
    <translation>
-    <numerusform>{title} a {n} point ; une courbe en demande au moins {least}</numerusform>
-    <numerusform>{title} a {n} points ; une courbe en demande au moins {least}</numerusform>
+    <numerusform>{title} a {n} point ; une courbe en demande au moins {least}</numerusform>
+    <numerusform>{title} a {n} points ; une courbe en demande au moins {least}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
    <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/fit/labels/shape.py]</extracomment>
    <translation>
-    <numerusform>{title} a {n} point ; moins de {least} ne déterminent pas d’ellipse</numerusform>
-    <numerusform>{title} a {n} points ; moins de {least} ne déterminent pas d’ellipse</numerusform>
+    <numerusform>{title} a {n} point ; moins de {least} ne déterminent pas d’ellipse</numerusform>
+    <numerusform>{title} a {n} points ; moins de {least} ne déterminent pas d’ellipse</numerusform>
    </translation>
   </message>
   <message>
@@ -291,7 +291,7 @@
   <message>
    <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
    <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>les points de {title} passent plusieurs fois sur le même tronçon : leur parcours est {times:.1f} fois plus long qu’il ne faut</translation>
+   <translation>les points de {title} passent plusieurs fois sur le même tronçon : leur parcours est {times:.1f} fois plus long qu’il ne faut</translation>
   </message>
   <message>
    <source>its corner</source>
@@ -318,17 +318,17 @@
   <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
    <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>tout est à l’envers : lointain et proche sont échangés</translation>
+   <translation>tout est à l’envers : lointain et proche sont échangés</translation>
   </message>
   <message>
    <source>everything lies the wrong way round: left and right, are exchanged</source>
    <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>tout est à l’envers : gauche et droite sont échangées</translation>
+   <translation>tout est à l’envers : gauche et droite sont échangées</translation>
   </message>
   <message>
    <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
    <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>tout est à l’envers : lointain et proche, ou gauche et droite, sont échangés</translation>
+   <translation>tout est à l’envers : lointain et proche, ou gauche et droite, sont échangés</translation>
   </message>
   <message>
    <source>{title} is on the wrong side of {others}</source>
@@ -348,12 +348,12 @@
   <message>
    <source>no such class: {name!r}, did you mean {title}?</source>
    <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>pas de telle classe : {name!r}, vouliez-vous dire {title} ?</translation>
+   <translation>pas de telle classe : {name!r}, vouliez-vous dire {title} ?</translation>
   </message>
   <message>
    <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
    <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>pas de telle classe : {name!r} ne convient à aucune caméra, et compte comme manquée là où l’on note</translation>
+   <translation>pas de telle classe : {name!r} ne convient à aucune caméra, et compte comme manquée là où l’on note</translation>
   </message>
   <message>
    <source>That is annotated already</source>
@@ -368,17 +368,17 @@
   <message>
    <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
    <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>{title} est droit entre ses clics, sa peinture passe jusqu’à {px:.0f} px à côté : régularisez-le (R)</translation>
+   <translation>{title} est droit entre ses clics, sa peinture passe jusqu’à {px:.0f} px à côté : régularisez-le (R)</translation>
   </message>
   <message>
    <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
    <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>un bout de {title} est à environ {px:.0f} px de sa peinture, qui se voit en chemin : mettez ce point dessus</translation>
+   <translation>un bout de {title} est à environ {px:.0f} px de sa peinture, qui se voit en chemin : mettez ce point dessus</translation>
   </message>
   <message>
    <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
    <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>pas de peinture sous {title} sur {percent:.0f} %, au plus {px:.0f} px d’affilée</translation>
+   <translation>pas de peinture sous {title} sur {percent:.0f} %, au plus {px:.0f} px d’affilée</translation>
   </message>
   <message>
    <source>no paint under {title} towards one of its ends, under all the rest there is</source>
@@ -398,7 +398,7 @@
   <message>
    <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
    <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
-   <translation>aucune caméra n’explique ces éléments ensemble : la meilleure en manque la moitié de plus de {px:.0f} px (les classes sont-elles justes ?)</translation>
+   <translation>aucune caméra n’explique ces éléments ensemble : la meilleure en manque la moitié de plus de {px:.0f} px (les classes sont-elles justes ?)</translation>
   </message>
   <message>
    <source>only {share:.0%} of the lines in sight are on paint</source>
@@ -452,37 +452,37 @@
   <message>
    <source>not a plausible pose: the fit did not settle</source>
    <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose peu plausible : l’ajustement ne s’est pas stabilisé</translation>
+   <translation>pose peu plausible : l’ajustement ne s’est pas stabilisé</translation>
   </message>
   <message>
    <source>not a plausible pose: on the ground</source>
    <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose peu plausible : au sol</translation>
+   <translation>pose peu plausible : au sol</translation>
   </message>
   <message>
    <source>not a plausible pose: {metres:.1f} m below the ground</source>
    <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose peu plausible : {metres:.1f} m sous le sol</translation>
+   <translation>pose peu plausible : {metres:.1f} m sous le sol</translation>
   </message>
   <message>
    <source>not a plausible pose: only {metres:.1f} m above the ground</source>
    <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose peu plausible : seulement {metres:.1f} m au-dessus du sol</translation>
+   <translation>pose peu plausible : seulement {metres:.1f} m au-dessus du sol</translation>
   </message>
   <message>
    <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
    <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose peu plausible : à {metres:.0f} m du centre du terrain</translation>
+   <translation>pose peu plausible : à {metres:.0f} m du centre du terrain</translation>
   </message>
   <message>
    <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
    <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose peu plausible : roulis de {degrees:.0f} degrés</translation>
+   <translation>pose peu plausible : roulis de {degrees:.0f} degrés</translation>
   </message>
   <message>
    <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
    <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose peu plausible : focale de {px:.0f} px pour 960 px de large</translation>
+   <translation>pose peu plausible : focale de {px:.0f} px pour 960 px de large</translation>
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -502,7 +502,7 @@
   <message>
    <source>even with the position known: {why}</source>
    <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
-   <translation>même avec la position connue : {why}</translation>
+   <translation>même avec la position connue : {why}</translation>
   </message>
   <message>
    <source>{count} positions, and nothing tells which is its</source>
@@ -547,7 +547,7 @@
   <message>
    <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
    <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>les vues ne s’accordent pas : {far} px (est-ce le même lieu dans toutes, et les caméras sont-elles justes ?)</translation>
+   <translation>les vues ne s’accordent pas : {far} px (est-ce le même lieu dans toutes, et les caméras sont-elles justes ?)</translation>
   </message>
   <message>
    <source>turn the labels by half a turn</source>
@@ -558,16 +558,16 @@
    <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
    <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/fit/which_side.py]</extracomment>
    <translation>
-    <numerusform>la caméra est d’un côté du terrain où presque aucune autre de {n} image n’est : une caméra à part, ou des classes tournées d’un demi-tour</numerusform>
-    <numerusform>la caméra est d’un côté du terrain où presque aucune autre de {n} images n’est : une caméra à part, ou des classes tournées d’un demi-tour</numerusform>
+    <numerusform>la caméra est d’un côté du terrain où presque aucune autre de {n} image n’est : une caméra à part, ou des classes tournées d’un demi-tour</numerusform>
+    <numerusform>la caméra est d’un côté du terrain où presque aucune autre de {n} images n’est : une caméra à part, ou des classes tournées d’un demi-tour</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
    <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/fit/which_side.py]</extracomment>
    <translation>
-    <numerusform>la caméra est de l’autre côté du terrain que les autres ; avec ses classes tournées d’un demi-tour elle est là où est celle de {n} image</numerusform>
-    <numerusform>la caméra est de l’autre côté du terrain que les autres ; avec ses classes tournées d’un demi-tour elle est là où est celle de {n} images</numerusform>
+    <numerusform>la caméra est de l’autre côté du terrain que les autres ; avec ses classes tournées d’un demi-tour elle est là où est celle de {n} image</numerusform>
+    <numerusform>la caméra est de l’autre côté du terrain que les autres ; avec ses classes tournées d’un demi-tour elle est là où est celle de {n} images</numerusform>
    </translation>
   </message>
   <message>
@@ -609,8 +609,8 @@
    <source>{n} elements, symmetries: {turns}</source>
    <extracomment>{n} element, symmetries: {turns} / {n} elements, symmetries: {turns} [procc_annotator/gui/field_preview.py]</extracomment>
    <translation>
-    <numerusform>{n} élément, symétries : {turns}</numerusform>
-    <numerusform>{n} éléments, symétries : {turns}</numerusform>
+    <numerusform>{n} élément, symétries : {turns}</numerusform>
+    <numerusform>{n} éléments, symétries : {turns}</numerusform>
    </translation>
   </message>
   <message>
@@ -621,7 +621,7 @@
   <message>
    <source>{dimension}: {value:.10g} m (the rules allow {least:g} to {most:g} m)</source>
    <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
-   <translation>{dimension} : {value:.10g} m (les règles permettent de {least:g} à {most:g} m)</translation>
+   <translation>{dimension} : {value:.10g} m (les règles permettent de {least:g} à {most:g} m)</translation>
   </message>
   <message>
    <source>... and {n} more</source>
@@ -651,7 +651,7 @@
   <message>
    <source>pan; pinched, zoom</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>déplacer ; pincés, zoom</translation>
+   <translation>déplacer ; pincés, zoom</translation>
   </message>
   <message>
    <source>Shift + wheel</source>
@@ -696,7 +696,7 @@
   <message>
    <source>loupe: eight times the picture's pixels</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>loupe : huit fois les pixels de l’image</translation>
+   <translation>loupe : huit fois les pixels de l’image</translation>
   </message>
   <message>
    <source>Hold ,</source>
@@ -726,7 +726,7 @@
   <message>
    <source>click beside the line: no snapping</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>cliquer à côté de la ligne : sans aimant</translation>
+   <translation>cliquer à côté de la ligne : sans aimant</translation>
   </message>
   <message>
    <source>Ctrl+Alt + drag a line</source>
@@ -736,7 +736,7 @@
   <message>
    <source>camera: it follows, the place stays as a peg</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>caméra : elle suit, l’endroit reste comme piquet</translation>
+   <translation>caméra : elle suit, l’endroit reste comme piquet</translation>
   </message>
   <message>
    <source>Ctrl+Alt + click a peg</source>
@@ -746,7 +746,7 @@
   <message>
    <source>camera: take the peg away</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>caméra : retirer le piquet</translation>
+   <translation>caméra : retirer le piquet</translation>
   </message>
   <message>
    <source>Arrows</source>
@@ -756,7 +756,7 @@
   <message>
    <source>crosshair: the keys point; chosen points are moved instead</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>réticule : les touches pointent ; les points choisis sont plutôt déplacés</translation>
+   <translation>réticule : les touches pointent ; les points choisis sont plutôt déplacés</translation>
   </message>
   <message>
    <source>Space at the crosshair</source>
@@ -766,7 +766,7 @@
   <message>
    <source>what a click does there (with Ctrl: no snapping)</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>ce qu’un clic y fait (avec Ctrl : sans aimant)</translation>
+   <translation>ce qu’un clic y fait (avec Ctrl : sans aimant)</translation>
   </message>
   <message>
    <source>Right button</source>
@@ -806,7 +806,7 @@
   <message>
    <source>draw: add a point</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>dessin : ajouter un point</translation>
+   <translation>dessin : ajouter un point</translation>
   </message>
   <message>
    <source>Double-click</source>
@@ -816,7 +816,7 @@
   <message>
    <source>draw: finish</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>dessin : terminer</translation>
+   <translation>dessin : terminer</translation>
   </message>
   <message>
    <source>Drag a point</source>
@@ -826,7 +826,7 @@
   <message>
    <source>edit: move it</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : le déplacer</translation>
+   <translation>édition : le déplacer</translation>
   </message>
   <message>
    <source>Shift+click a point</source>
@@ -836,7 +836,7 @@
   <message>
    <source>edit: choose several</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : en choisir plusieurs</translation>
+   <translation>édition : en choisir plusieurs</translation>
   </message>
   <message>
    <source>Drag on empty ground</source>
@@ -846,7 +846,7 @@
   <message>
    <source>edit: choose the points inside</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : choisir les points à l’intérieur</translation>
+   <translation>édition : choisir les points à l’intérieur</translation>
   </message>
   <message>
    <source>Drag a line</source>
@@ -856,7 +856,7 @@
   <message>
    <source>edit: move the element, unless elements are pinned</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : déplacer l’élément, sauf si les éléments sont épinglés</translation>
+   <translation>édition : déplacer l’élément, sauf si les éléments sont épinglés</translation>
   </message>
   <message>
    <source>Alt+click a line</source>
@@ -866,7 +866,7 @@
   <message>
    <source>edit: insert a point</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : insérer un point</translation>
+   <translation>édition : insérer un point</translation>
   </message>
   <message>
    <source>Alt+Shift+click</source>
@@ -876,7 +876,7 @@
   <message>
    <source>edit: remove the point</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>édition : retirer le point</translation>
+   <translation>édition : retirer le point</translation>
   </message>
   <message>
    <source>Click or drag on the strip</source>
@@ -896,7 +896,7 @@
   <message>
    <source>zoom; with Shift, scroll</source>
    <extracomment>[procc_annotator/gui/gestures.py]</extracomment>
-   <translation>zoom ; avec Maj, défiler</translation>
+   <translation>zoom ; avec Maj, défiler</translation>
   </message>
   <message>
    <source>Shift+drag on the strip</source>
@@ -936,22 +936,22 @@
   <message>
    <source>expected an object with "actions" and "elements"</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
-   <translation>attendu : un objet avec "actions" et "elements"</translation>
+   <translation>attendu : un objet avec "actions" et "elements"</translation>
   </message>
   <message>
    <source>"actions" and "elements": expected objects</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
-   <translation>"actions" et "elements" : des objets sont attendus</translation>
+   <translation>"actions" et "elements" : des objets sont attendus</translation>
   </message>
   <message>
    <source>{place}: {value!r} is no key; expected one like {one}</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
-   <translation>{place} : {value!r} n’est pas une touche ; il en faut une comme {one}</translation>
+   <translation>{place} : {value!r} n’est pas une touche ; il en faut une comme {one}</translation>
   </message>
   <message>
    <source>{place}: expected a list of keys, like {one}</source>
    <extracomment>[procc_annotator/gui/keymap.py]</extracomment>
-   <translation>{place} : une liste de touches est attendue, comme {one}</translation>
+   <translation>{place} : une liste de touches est attendue, comme {one}</translation>
   </message>
   <message>
    <source>Panels</source>
@@ -961,7 +961,7 @@
   <message>
    <source>not editable: the bar over the picture says why</source>
    <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
+   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
   </message>
   <message>
    <source>Choose another place…</source>
@@ -986,7 +986,7 @@
   <message>
    <source>Delete {what}?</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Supprimer {what} ?</translation>
+   <translation>Supprimer {what} ?</translation>
   </message>
   <message>
    <source>Delete</source>
@@ -1034,7 +1034,7 @@
   <message>
    <source>Show what is in the file; undo brings your version back</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Montrer ce qui est dans le fichier ; annuler ramène votre version</translation>
+   <translation>Montrer ce qui est dans le fichier ; annuler ramène votre version</translation>
   </message>
   <message>
    <source>Overwrite with mine</source>
@@ -1059,7 +1059,7 @@
   <message>
    <source>Apart: the two share (almost) no stretch of this element, which is no agreement. Was its class swapped with a neighbour's?</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>À part : les deux n’ont (presque) aucun tronçon commun de cet élément, ce qui n’est pas un accord. Sa classe a-t-elle été échangée avec celle d’un voisin ?</translation>
+   <translation>À part : les deux n’ont (presque) aucun tronçon commun de cet élément, ce qui n’est pas un accord. Sa classe a-t-elle été échangée avec celle d’un voisin ?</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} clicks compared</source>
@@ -1083,8 +1083,8 @@
    <source>{compared}, {n} left out: beyond the ends of what the other clicked</source>
    <extracomment>{compared}, {n} left out: beyond the ends of what the other clicked / {compared}, {n} left out: beyond the ends of what the other clicked [procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>
-    <numerusform>{compared}, {n} laissé de côté : au-delà des bouts de ce que l’autre a cliqué</numerusform>
-    <numerusform>{compared}, {n} laissés de côté : au-delà des bouts de ce que l’autre a cliqué</numerusform>
+    <numerusform>{compared}, {n} laissé de côté : au-delà des bouts de ce que l’autre a cliqué</numerusform>
+    <numerusform>{compared}, {n} laissés de côté : au-delà des bouts de ce que l’autre a cliqué</numerusform>
    </translation>
   </message>
   <message>
@@ -1100,7 +1100,7 @@
   <message>
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>JaC d’accord à {tau:g} px : {jac:.3f}</translation>
+   <translation>JaC de l’accord à {tau:g} px : {jac:.3f}</translation>
   </message>
   <message>
    <source>Measuring the set…</source>
@@ -1133,7 +1133,7 @@
   <message>
    <source>The second annotator's file for this frame is unreadable: {error}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Le fichier du second annotateur pour cette image est illisible : {error}</translation>
+   <translation>Le fichier du second annotateur pour cette image est illisible : {error}</translation>
   </message>
   <message>
    <source>The second annotator has nothing for this frame.</source>
@@ -1148,17 +1148,17 @@
   <message>
    <source>Apart: {elements}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>À part : {elements}</translation>
+   <translation>À part : {elements}</translation>
   </message>
   <message>
    <source>Only here: {elements}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Seulement ici : {elements}</translation>
+   <translation>Seulement ici : {elements}</translation>
   </message>
   <message>
    <source>Only there: {elements}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Seulement là-bas : {elements}</translation>
+   <translation>Seulement là-bas : {elements}</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} clicks beyond the other's ends, left out</source>
@@ -1171,14 +1171,14 @@
   <message>
    <source>Nothing to measure noise by: all elements annotated by both are apart.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Rien pour mesurer le bruit : tous les éléments annotés par les deux sont à part.</translation>
+   <translation>Rien pour mesurer le bruit : tous les éléments annotés par les deux sont à part.</translation>
   </message>
   <message numerus="yes">
    <source>Human noise over {n:,} frames: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height})</source>
    <extracomment>Human noise over {n:,} frame: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height}) / Human noise over {n:,} frames: median {median:.2f} px, 95 % within {p95:.2f} px (at {width}x{height}) [procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>
-    <numerusform>Bruit humain sur {n:,} image : médiane {median:.2f} px, 95 % à moins de {p95:.2f} px (à {width}x{height})</numerusform>
-    <numerusform>Bruit humain sur {n:,} images : médiane {median:.2f} px, 95 % à moins de {p95:.2f} px (à {width}x{height})</numerusform>
+    <numerusform>Bruit humain sur {n:,} image : médiane {median:.2f} px, 95 % à moins de {p95:.2f} px (à {width}x{height})</numerusform>
+    <numerusform>Bruit humain sur {n:,} images : médiane {median:.2f} px, 95 % à moins de {p95:.2f} px (à {width}x{height})</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -1197,7 +1197,7 @@
   <message>
    <source>Held against the active source: comma, split view, disagreement</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>Confrontée à la source active : virgule, vue partagée, désaccord</translation>
+   <translation>Confrontée à la source active : virgule, vue partagée, désaccord</translation>
   </message>
   <message>
    <source>Compare with</source>
@@ -1207,7 +1207,7 @@
   <message>
    <source>{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture</source>
    <extracomment>[procc_annotator/gui/panels/cameras/comparing.py]</extracomment>
-   <translation>{share:.0f} % à moins de {far:g} m, sur {covered:.0f} % de l’image</translation>
+   <translation>{share:.0f} % à moins de {far:g} m, sur {covered:.0f} % de l’image</translation>
   </message>
   <message>
    <source>min</source>
@@ -1305,13 +1305,13 @@ Chargez un dossier de fichiers de caméra SoccerNet ou d’homographies pour les
    <source>soccernet: the official evaluation with its quirks
 procc: the paper's definition, closed circles and fine curves</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation>soccernet : l’évaluation officielle avec ses bizarreries
-procc : la définition de l’article, cercles fermés et courbes fines</translation>
+   <translation>soccernet : l’évaluation officielle avec ses bizarreries
+procc : la définition de l’article, cercles fermés et courbes fines</translation>
   </message>
   <message>
    <source>A homography knows the ground only: how posts and crossbars count for it</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation>Une homographie ne connaît que le sol : comment comptent pour elle poteaux et barres</translation>
+   <translation>Une homographie ne connaît que le sol : comment comptent pour elle poteaux et barres</translation>
   </message>
   <message>
    <source>Read as</source>
@@ -1341,17 +1341,17 @@ procc : la définition de l’article, cercles fermés et courbes fines</transla
   <message>
    <source>This frame: {notice}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation>Cette image : {notice}</translation>
+   <translation>Cette image : {notice}</translation>
   </message>
   <message>
    <source>⚠ This frame's camera cannot be used: {error}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation>⚠ La caméra de cette image n’est pas utilisable : {error}</translation>
+   <translation>⚠ La caméra de cette image n’est pas utilisable : {error}</translation>
   </message>
   <message>
    <source>Blind: the projection is hidden until this frame is committed.</source>
    <extracomment>[procc_annotator/gui/panels/cameras/panel.py]</extracomment>
-   <translation>Aveugle : la projection est cachée jusqu’à la remise de cette image.</translation>
+   <translation>Aveugle : la projection est cachée jusqu’à la remise de cette image.</translation>
   </message>
   <message>
    <source>Frames of this dataset that have a camera (completeness)</source>
@@ -1362,7 +1362,7 @@ procc : la définition de l’article, cercles fermés et courbes fines</transla
    <source>Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the fit was made from.
 procc-annotator calibrate fits and scores the whole set</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation>Images visitées dans cette fenêtre dont les clics ont donné une caméra ; leur JaC est celui des clics qui ont servi à l’ajustement.
+   <translation>Images visitées dans cette fenêtre dont les clics ont donné une caméra ; leur JaC est celui des clics qui ont servi à l’ajustement.
 procc-annotator calibrate ajuste et note tout le jeu</translation>
   </message>
   <message>
@@ -1388,7 +1388,7 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   <message>
    <source>Unreadable (filter camera:unreadable): {names}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation>Illisibles (filtre camera:unreadable) : {names}</translation>
+   <translation>Illisibles (filtre camera:unreadable) : {names}</translation>
   </message>
   <message numerus="yes">
    <source>{matched} of {total}, {n} unreadable</source>
@@ -1417,8 +1417,8 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
    <source>{mean}; {n:,} cameras cannot be read and take no part</source>
    <extracomment>{mean}; {n:,} camera cannot be read and takes no part / {mean}; {n:,} cameras cannot be read and take no part [procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
    <translation>
-    <numerusform>{mean} ; {n:,} caméra est illisible et ne participe pas</numerusform>
-    <numerusform>{mean} ; {n:,} caméras sont illisibles et ne participent pas</numerusform>
+    <numerusform>{mean} ; {n:,} caméra est illisible et ne participe pas</numerusform>
+    <numerusform>{mean} ; {n:,} caméras sont illisibles et ne participent pas</numerusform>
    </translation>
   </message>
   <message>
@@ -1463,7 +1463,7 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   <message>
    <source>cannot be used here: {error}</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_list.py]</extracomment>
-   <translation>inutilisable ici : {error}</translation>
+   <translation>inutilisable ici : {error}</translation>
   </message>
   <message>
    <source>no camera for this frame</source>
@@ -1531,7 +1531,7 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   <message>
    <source>Remove from the list; the files stay</source>
    <extracomment>[procc_annotator/gui/panels/cameras/source_row.py]</extracomment>
-   <translation>Retirer de la liste ; les fichiers restent</translation>
+   <translation>Retirer de la liste ; les fichiers restent</translation>
   </message>
   <message>
    <source>Forget what was followed (T follows the shot again)</source>
@@ -1613,13 +1613,13 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
 Class in files: {name}</source>
    <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
    <translation>{title}
-Classe dans les fichiers : {name}</translation>
+Classe dans les fichiers : {name}</translation>
   </message>
   <message>
    <source>No element matches “{query}”.
 Esc clears the search.</source>
    <extracomment>[procc_annotator/gui/panels/elements.py]</extracomment>
-   <translation>Aucun élément ne correspond à « {query} ».
+   <translation>Aucun élément ne correspond à « {query} ».
 Échap efface la recherche.</translation>
   </message>
   <message>
@@ -1641,7 +1641,7 @@ Esc clears the search.</source>
   <message>
    <source>Annotating it next tells most: the projection is then known to {after:.1f} px instead of {before:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
-   <translation>L’annoter ensuite apporte le plus : la projection sera connue à {after:.1f} px au lieu de {before:.1f} px</translation>
+   <translation>L’annoter ensuite apporte le plus : la projection sera connue à {after:.1f} px au lieu de {before:.1f} px</translation>
   </message>
   <message>
    <source>Field map</source>
@@ -1656,7 +1656,7 @@ Esc clears the search.</source>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/panel.py]</extracomment>
-   <translation>Suivant : {title}, {before:.1f} → {after:.1f} px</translation>
+   <translation>Suivant : {title}, {before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
    <source>Click an element to choose its class</source>
@@ -1707,8 +1707,8 @@ Esc clears the search.</source>
    <source>{n:,} more are not listed: switch the signs above on.</source>
    <extracomment>{n:,} more is not listed: switch the signs above on. / {n:,} more are not listed: switch the signs above on. [procc_annotator/gui/panels/findings/panel.py]</extracomment>
    <translation>
-    <numerusform>{n:,} de plus n’est pas listé : activez les signes ci-dessus.</numerusform>
-    <numerusform>{n:,} de plus ne sont pas listés : activez les signes ci-dessus.</numerusform>
+    <numerusform>{n:,} de plus n’est pas listé : activez les signes ci-dessus.</numerusform>
+    <numerusform>{n:,} de plus ne sont pas listés : activez les signes ci-dessus.</numerusform>
    </translation>
   </message>
   <message>
@@ -1736,8 +1736,8 @@ Esc clears the search.</source>
    <source>{n:,} hints</source>
    <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>
-    <numerusform>{n:,} indice</numerusform>
-    <numerusform>{n:,} indices</numerusform>
+    <numerusform>{n:,} remarque</numerusform>
+    <numerusform>{n:,} remarques</numerusform>
    </translation>
   </message>
   <message>
@@ -1753,7 +1753,7 @@ Esc clears the search.</source>
   <message>
    <source>{findings}; click to list them or not</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py]</extracomment>
-   <translation>{findings} ; cliquer pour les lister ou non</translation>
+   <translation>{findings} ; cliquer pour les lister ou non</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} ignored here. &lt;a href="restore"&gt;Show again&lt;/a&gt;</source>
@@ -1781,7 +1781,7 @@ Esc clears the search.</source>
   <message>
    <source>Hint</source>
    <extracomment>[procc_annotator/gui/panels/findings/rows.py]</extracomment>
-   <translation>Indice</translation>
+   <translation>Remarque</translation>
   </message>
   <message>
    <source>Nothing found in this frame.</source>
@@ -1824,37 +1824,37 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   <message>
    <source>Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter).</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation>Aveugle : les constats qui demandent une caméra attendent la remise de cette image (Ctrl+Entrée).</translation>
+   <translation>Aveugle : les constats qui demandent une caméra attendent la remise de cette image (Ctrl+Entrée).</translation>
   </message>
   <message>
    <source>The live fit is off: only the rules that need no camera are looked at.</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation>L’ajustement continu est désactivé : seules les règles sans caméra sont appliquées.</translation>
+   <translation>L’ajustement continu est désactivé : seules les règles sans caméra sont appliquées.</translation>
   </message>
   <message>
    <source>No camera fits yet ({why}): only the rules that need none are looked at.</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation>Aucune caméra ne s’ajuste encore ({why}) : seules les règles qui s’en passent sont appliquées.</translation>
+   <translation>Aucune caméra ne s’ajuste encore ({why}) : seules les règles qui s’en passent sont appliquées.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
-   <translation>Aveugle : seules les images remises sont vérifiées avec une caméra.</translation>
+   <translation>Aveugle : seules les images remises sont vérifiées avec une caméra.</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked, such as {name}: {why}</source>
    <extracomment>{n:,} frame cannot be checked, such as {name}: {why} / {n:,} frames cannot be checked, such as {name}: {why} [procc_annotator/gui/panels/findings/words.py]</extracomment>
    <translation>
-    <numerusform>{n:,} image ne peut être vérifiée, comme {name} : {why}</numerusform>
-    <numerusform>{n:,} images ne peuvent être vérifiées, comme {name} : {why}</numerusform>
+    <numerusform>{n:,} image ne peut être vérifiée, comme {name} : {why}</numerusform>
+    <numerusform>{n:,} images ne peuvent être vérifiées, comme {name} : {why}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>The set is not checked yet; {n:,} frames looked at so far.</source>
    <extracomment>The set is not checked yet; {n:,} frame looked at so far. / The set is not checked yet; {n:,} frames looked at so far. [procc_annotator/gui/panels/findings/words.py]</extracomment>
    <translation>
-    <numerusform>Le jeu n’est pas encore vérifié ; {n:,} image regardée jusqu’ici.</numerusform>
-    <numerusform>Le jeu n’est pas encore vérifié ; {n:,} images regardées jusqu’ici.</numerusform>
+    <numerusform>Le jeu n’est pas encore vérifié ; {n:,} image regardée jusqu’ici.</numerusform>
+    <numerusform>Le jeu n’est pas encore vérifié ; {n:,} images regardées jusqu’ici.</numerusform>
    </translation>
   </message>
   <message>
@@ -1962,7 +1962,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>Nothing matches “{query}”.</source>
    <extracomment>[procc_annotator/gui/panels/frames/panel.py]</extracomment>
-   <translation>Rien ne correspond à « {query} ».</translation>
+   <translation>Rien ne correspond à « {query} ».</translation>
   </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
@@ -1980,37 +1980,37 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>H: homography of the ground</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>H : homographie du sol</translation>
+   <translation>H : homographie du sol</translation>
   </message>
   <message>
    <source>P: pinhole</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>P : sténopé</translation>
+   <translation>P : sténopé</translation>
   </message>
   <message>
    <source>R: pinhole, lens distortion</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R : sténopé, distorsion de l’objectif</translation>
+   <translation>R : sténopé, distorsion de l’objectif</translation>
   </message>
   <message>
    <source>R+: R, aspect ratio, principal point</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R+ : R, rapport d’aspect, point principal</translation>
+   <translation>R+ : R, rapport d’aspect, point principal</translation>
   </message>
   <message>
    <source>R2: R+, second radial coefficient</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>R2 : R+, second coefficient radial</translation>
+   <translation>R2 : R+, second coefficient radial</translation>
   </message>
   <message>
    <source>F: fisheye</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>F : fisheye</translation>
+   <translation>F : fisheye</translation>
   </message>
   <message>
    <source>{model}. Chosen: {why}</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>{model}. Choisi : {why}</translation>
+   <translation>{model}. Choisi : {why}</translation>
   </message>
   <message numerus="yes">
    <source>{passing} of {n:,} annotated elements within {px:g} px</source>
@@ -2024,8 +2024,8 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>{counted}; {n} in sight not annotated yet</source>
    <extracomment>{counted}; {n} in sight not annotated yet / {counted}; {n} in sight not annotated yet [procc_annotator/gui/panels/judged/fit.py]</extracomment>
    <translation>
-    <numerusform>{counted} ; {n} en vue pas encore annoté</numerusform>
-    <numerusform>{counted} ; {n} en vue pas encore annotés</numerusform>
+    <numerusform>{counted} ; {n} en vue pas encore annoté</numerusform>
+    <numerusform>{counted} ; {n} en vue pas encore annotés</numerusform>
    </translation>
   </message>
   <message>
@@ -2036,12 +2036,12 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>Hardly determined: {limits}</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>À peine déterminé : {limits}</translation>
+   <translation>À peine déterminé : {limits}</translation>
   </message>
   <message>
    <source>What is fitted. Automatically: the simplest model that the clicks support</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Ce qui est ajusté. Automatiquement : le modèle le plus simple que permettent les clics</translation>
+   <translation>Ce qui est ajusté. Automatiquement : le modèle le plus simple que permettent les clics</translation>
   </message>
   <message>
    <source>Model</source>
@@ -2076,12 +2076,12 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>Hidden: blind mode shows the fit once this frame is committed.</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Caché : le mode aveugle montre l’ajustement une fois cette image remise.</translation>
+   <translation>Caché : le mode aveugle montre l’ajustement une fois cette image remise.</translation>
   </message>
   <message>
    <source>No camera yet: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>Pas encore de caméra : {why}.</translation>
+   <translation>Pas encore de caméra : {why}.</translation>
   </message>
   <message>
    <source>Fitting the clicks…</source>
@@ -2101,12 +2101,12 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>&lt;b&gt;Hardly determined&lt;/b&gt;: {what}</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>&lt;b&gt;À peine déterminé&lt;/b&gt; : {what}</translation>
+   <translation>&lt;b&gt;À peine déterminé&lt;/b&gt; : {what}</translation>
   </message>
   <message>
    <source>JaC: {terms}; residuals: px of the picture, {width}x{height}</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit.py]</extracomment>
-   <translation>JaC : {terms} ; résidus : px de l’image, {width}x{height}</translation>
+   <translation>JaC : {terms} ; résidus : px de l’image, {width}x{height}</translation>
   </message>
   <message>
    <source>Standard deviation, as the fit estimates it</source>
@@ -2131,7 +2131,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>Worst first; a click shows the worst point</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Les pires d’abord ; un clic montre le pire point</translation>
+   <translation>Les pires d’abord ; un clic montre le pire point</translation>
   </message>
   <message>
    <source>Mean distance of its points to the fitted element, px of the picture</source>
@@ -2146,12 +2146,12 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>✕ left out: {title}</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>✕ laissé de côté : {title}</translation>
+   <translation>✕ laissé de côté : {title}</translation>
   </message>
   <message>
    <source>{title}: mean {mean} px, largest {largest} px</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>{title} : moyenne {mean} px, plus grand {largest} px</translation>
+   <translation>{title} : moyenne {mean} px, plus grand {largest} px</translation>
   </message>
   <message>
    <source>Pan</source>
@@ -2192,7 +2192,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>Taken for a mistake: it had no say in the fit</source>
    <extracomment>[procc_annotator/gui/panels/judged/fit_table.py]</extracomment>
-   <translation>Pris pour une erreur : n’a pas compté dans l’ajustement</translation>
+   <translation>Pris pour une erreur : n’a pas compté dans l’ajustement</translation>
   </message>
   <message>
    <source>tau (px)</source>
@@ -2257,22 +2257,22 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>the camera is the fit to these same clicks: this JaC is no score of a method</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>la caméra est l’ajustement à ces mêmes clics : ce JaC n’est le score d’aucune méthode</translation>
+   <translation>la caméra est l’ajustement à ces mêmes clics : ce JaC n’est le score d’aucune méthode</translation>
   </message>
   <message>
    <source>Mirrored labels count here: the field turned by 180° fits at least as well.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Les classes en miroir comptent ici : le terrain tourné de 180° convient au moins aussi bien.</translation>
+   <translation>Les classes en miroir comptent ici : le terrain tourné de 180° convient au moins aussi bien.</translation>
   </message>
   <message>
    <source>human noise {median:.2f} px, 95 % within {p95:.2f} px</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>bruit humain {median:.2f} px, 95 % à moins de {p95:.2f} px</translation>
+   <translation>bruit humain {median:.2f} px, 95 % à moins de {p95:.2f} px</translation>
   </message>
   <message>
    <source>human noise {median:.2f} px, 95 % within {p95:.2f} px – more than tau</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>bruit humain {median:.2f} px, 95 % à moins de {p95:.2f} px – plus que tau</translation>
+   <translation>bruit humain {median:.2f} px, 95 % à moins de {p95:.2f} px – plus que tau</translation>
   </message>
   <message>
    <source>Precision</source>
@@ -2317,7 +2317,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>points: {kinds}</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>points : {kinds}</translation>
+   <translation>points : {kinds}</translation>
   </message>
   <message>
    <source>Scores and their plot</source>
@@ -2354,24 +2354,24 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
   <message>
    <source>Hidden: blind mode shows the score once this frame is committed.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Caché : le mode aveugle montre le score une fois cette image remise.</translation>
+   <translation>Caché : le mode aveugle montre le score une fois cette image remise.</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>JaC – : {why}.</translation>
+   <translation>JaC – : {why}.</translation>
   </message>
   <message>
    <source>This frame's camera cannot be used:
 {error}</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>La caméra de cette image n’est pas utilisable :
+   <translation>La caméra de cette image n’est pas utilisable :
 {error}</translation>
   </message>
   <message>
    <source>No fit to judge: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Aucun ajustement à juger : {why}.</translation>
+   <translation>Aucun ajustement à juger : {why}.</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -2429,27 +2429,27 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
   <message>
    <source>Whose fault the score of this frame is; kept with the dataset</source>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>À qui la faute du score de cette image ; conservé avec le jeu de données</translation>
+   <translation>À qui la faute du score de cette image ; conservé avec le jeu de données</translation>
   </message>
   <message>
    <source>Verdict: {verdict}</source>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>Verdict : {verdict}</translation>
+   <translation>Verdict : {verdict}</translation>
   </message>
   <message>
    <source>{verdict}; once more takes it back ({key})</source>
    <extracomment>[procc_annotator/gui/panels/judged/verdict_row.py]</extracomment>
-   <translation>{verdict} ; une fois de plus le retire ({key})</translation>
+   <translation>{verdict} ; une fois de plus le retire ({key})</translation>
   </message>
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Aucun repère. Un repère est un lieu de ce stade que le terrain n’a pas : un siège, le coin d’un panneau, un projecteur. Nommez-en un ci-dessous, et cliquez-le dans deux vues calibrées.</translation>
+   <translation>Aucun repère. Un repère est un lieu de ce stade que le terrain n’a pas : un siège, le coin d’un panneau, un projecteur. Nommez-en un ci-dessous, et cliquez-le dans deux vues calibrées.</translation>
   </message>
   <message>
    <source>Find its place from the views it is clicked in; cameras are those of the active source, else fits to the clicks</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Trouver son lieu d’après les vues où il est cliqué ; les caméras sont celles de la source active, sinon des ajustements aux clics</translation>
+   <translation>Trouver son lieu d’après les vues où il est cliqué ; les caméras sont celles de la source active, sinon des ajustements aux clics</translation>
   </message>
   <message>
    <source>Other views of this instant</source>
@@ -2484,12 +2484,12 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
   <message>
    <source>{title} is clicked in no frame yet: click it in two calibrated views to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>{title} n’est encore cliqué sur aucune image : cliquez-le dans deux vues calibrées pour qu’il soit triangulé.</translation>
+   <translation>{title} n’est encore cliqué sur aucune image : cliquez-le dans deux vues calibrées pour qu’il soit triangulé.</translation>
   </message>
   <message>
    <source>Clicked here, but no landmarks yet: {names}. Write a name beside Add to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Cliqués ici, mais pas encore des repères : {names}. Écrivez un nom à côté d’Ajouter pour les trianguler.</translation>
+   <translation>Cliqués ici, mais pas encore des repères : {names}. Écrivez un nom à côté d’Ajouter pour les trianguler.</translation>
   </message>
   <message>
    <source>Its place is not known yet</source>
@@ -2539,7 +2539,7 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
   <message>
    <source>The place was measured: it stays as it is from now on (Enter)</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Le lieu a été mesuré : il reste désormais ce qu’il est (Entrée)</translation>
+   <translation>Le lieu a été mesuré : il reste désormais ce qu’il est (Entrée)</translation>
   </message>
   <message>
    <source>Triangulate</source>
@@ -2549,12 +2549,12 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
   <message>
    <source>Forget this landmark; clicks on it stay in the annotations</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Oublier ce repère ; les clics restent dans les annotations</translation>
+   <translation>Oublier ce repère ; les clics restent dans les annotations</translation>
   </message>
   <message>
    <source>Other views of this instant: go to one with a click</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Autres vues de cet instant : y aller d’un clic</translation>
+   <translation>Autres vues de cet instant : y aller d’un clic</translation>
   </message>
   <message>
    <source>Standard deviation in the direction where it is largest</source>
@@ -2579,7 +2579,7 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
   <message>
    <source>{title} is clicked in {frame} alone: click it in another calibrated view to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>{title} n’est cliqué que sur {frame} : cliquez-le dans une autre vue calibrée pour qu’il soit triangulé.</translation>
+   <translation>{title} n’est cliqué que sur {frame} : cliquez-le dans une autre vue calibrée pour qu’il soit triangulé.</translation>
   </message>
   <message>
    <source>Choose a landmark in the list to have it triangulated.</source>
@@ -2589,7 +2589,7 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
   <message>
    <source>Only a landmark that has a name can be triangulated: write one beside Add.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Seul un repère qui a un nom peut être triangulé : écrivez-en un à côté d’Ajouter.</translation>
+   <translation>Seul un repère qui a un nom peut être triangulé : écrivez-en un à côté d’Ajouter.</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n} more</source>
@@ -2622,12 +2622,12 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
   <message>
    <source>a landmark needs a name: write one beside Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>un repère a besoin d’un nom : écrivez-en un à côté d’Ajouter</translation>
+   <translation>un repère a besoin d’un nom : écrivez-en un à côté d’Ajouter</translation>
   </message>
   <message>
    <source>deleted the landmark {title}; clicks on it stay in the annotations</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>repère {title} supprimé ; les clics restent dans les annotations</translation>
+   <translation>repère {title} supprimé ; les clics restent dans les annotations</translation>
   </message>
   <message>
    <source>the landmark {title}</source>
@@ -2775,13 +2775,13 @@ Chargez des caméras pour voir comme elles s’accordent à vos clics.</translat
    <source>Nothing to sum up: no frames are open.
 Open a folder of pictures first.</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Rien à résumer : aucune image n’est ouverte.
+   <translation>Rien à résumer : aucune image n’est ouverte.
 Ouvrez d’abord un dossier d’images.</translation>
   </message>
   <message>
    <source>Points by origin: {origins}</source>
    <extracomment>[procc_annotator/gui/panels/overview/dialog.py]</extracomment>
-   <translation>Points par origine : {origins}</translation>
+   <translation>Points par origine : {origins}</translation>
   </message>
   <message numerus="yes">
    <source>on {n:,} frames</source>
@@ -2829,12 +2829,12 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>No time yet: it is taken while somebody works on a frame</source>
    <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>Pas encore de temps : il est mesuré pendant que quelqu’un travaille sur une image</translation>
+   <translation>Pas encore de temps : il est mesuré pendant que quelqu’un travaille sur une image</translation>
   </message>
   <message>
    <source>{caption}; last bar: longer</source>
    <extracomment>[procc_annotator/gui/panels/overview/plots.py]</extracomment>
-   <translation>{caption} ; dernière barre : plus long</translation>
+   <translation>{caption} ; dernière barre : plus long</translation>
   </message>
   <message>
    <source>{hours:,} h {minutes:02d} min</source>
@@ -2904,7 +2904,7 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Temps passé sur cette image ; les pauses de plus de 30 s ne comptent pas</translation>
+   <translation>Temps passé sur cette image ; les pauses de plus de 30 s ne comptent pas</translation>
   </message>
   <message>
    <source>How the points of this frame came to be</source>
@@ -2939,25 +2939,25 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>Points: {kinds}</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Points : {kinds}</translation>
+   <translation>Points : {kinds}</translation>
   </message>
   <message>
    <source>Points: none</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Points : aucun</translation>
+   <translation>Points : aucun</translation>
   </message>
   <message numerus="yes">
    <source>to be confirmed (Shift+V): {n:,} copied elements</source>
    <extracomment>to be confirmed (Shift+V): {n:,} copied element / to be confirmed (Shift+V): {n:,} copied elements [procc_annotator/gui/panels/review.py]</extracomment>
    <translation>
-    <numerusform>à confirmer (Maj+V) : {n:,} élément copié</numerusform>
-    <numerusform>à confirmer (Maj+V) : {n:,} éléments copiés</numerusform>
+    <numerusform>à confirmer (Maj+V) : {n:,} élément copié</numerusform>
+    <numerusform>à confirmer (Maj+V) : {n:,} éléments copiés</numerusform>
    </translation>
   </message>
   <message>
    <source>Ticked: settled</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Coché : réglé</translation>
+   <translation>Coché : réglé</translation>
   </message>
   <message>
    <source>somebody</source>
@@ -2993,22 +2993,22 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>Annotated, but not judged: no camera is shown, or it takes no part in the evaluation</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Annoté, mais non jugé : aucune caméra n’est montrée, ou il ne participe pas à l’évaluation</translation>
+   <translation>Annoté, mais non jugé : aucune caméra n’est montrée, ou il ne participe pas à l’évaluation</translation>
   </message>
   <message>
    <source>Copied; it does not count until it is touched or confirmed</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Copié ; il ne compte pas avant d’être touché ou confirmé</translation>
+   <translation>Copié ; il ne compte pas avant d’être touché ou confirmé</translation>
   </message>
   <message>
    <source>Passes: all its points are closer than tau to the projection</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Passe : tous ses points sont plus proches de la projection que tau</translation>
+   <translation>Passe : tous ses points sont plus proches de la projection que tau</translation>
   </message>
   <message>
    <source>Too far: at least one point is tau or more away (false positive)</source>
    <extracomment>[procc_annotator/gui/panels/states.py]</extracomment>
-   <translation>Trop loin : au moins un point est à tau ou plus (faux positif)</translation>
+   <translation>Trop loin : au moins un point est à tau ou plus (faux positif)</translation>
   </message>
   <message>
    <source>The camera projects it, it is not annotated (false positive)</source>
@@ -3043,7 +3043,7 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>Blind: no camera is shown before Ctrl+Enter</source>
    <extracomment>[procc_annotator/gui/picture/blind_frame.py]</extracomment>
-   <translation>Aveugle : aucune caméra n’est montrée avant Ctrl+Entrée</translation>
+   <translation>Aveugle : aucune caméra n’est montrée avant Ctrl+Entrée</translation>
   </message>
   <message>
    <source>Blind mode, this frame is committed</source>
@@ -3058,12 +3058,12 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>taken back: the camera is as before it was dragged</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>revenu en arrière : la caméra est comme avant le glissement</translation>
+   <translation>annulé : la caméra est comme avant le glissement</translation>
   </message>
   <message>
    <source>blind mode: no camera is shown</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>mode aveugle : aucune caméra n’est montrée</translation>
+   <translation>mode aveugle : aucune caméra n’est montrée</translation>
   </message>
   <message>
    <source>overlays are hidden (Ctrl+H)</source>
@@ -3073,7 +3073,7 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>a homography cannot be turned: choose another model (panel Fit)</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>une homographie ne peut être tournée : choisissez un autre modèle (panneau Ajustement)</translation>
+   <translation>une homographie ne peut être tournée : choisissez un autre modèle (panneau Ajustement)</translation>
   </message>
   <message>
    <source>release leaves it here</source>
@@ -3087,7 +3087,7 @@ Ouvrez d’abord un dossier d’images.</translation>
   </message>
   <message numerus="yes">
    <source>{n} pegs hold the camera</source>
-   <extracomment>{n} peg hold the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
    <translation>
     <numerusform>{n} piquet tient la caméra</numerusform>
     <numerusform>{n} piquets tiennent la caméra</numerusform>
@@ -3102,14 +3102,14 @@ Ouvrez d’abord un dossier d’images.</translation>
    <source>peg taken away: {n} pegs left</source>
    <extracomment>peg taken away: {n} peg left / peg taken away: {n} pegs left [procc_annotator/gui/picture/camera_hand.py]</extracomment>
    <translation>
-    <numerusform>piquet retiré : il reste {n} piquet</numerusform>
-    <numerusform>piquet retiré : il reste {n} piquets</numerusform>
+    <numerusform>piquet retiré : il reste {n} piquet</numerusform>
+    <numerusform>piquet retiré : il reste {n} piquets</numerusform>
    </translation>
   </message>
   <message>
    <source>peg taken away: the camera is as it was found</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>piquet retiré : la caméra est comme elle a été trouvée</translation>
+   <translation>piquet retiré : la caméra est comme elle a été trouvée</translation>
   </message>
   <message>
    <source>peg</source>
@@ -3139,12 +3139,12 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>drag {title} to where it belongs: the camera follows</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>glissez {title} à sa place : la caméra suit</translation>
+   <translation>glissez {title} à sa place : la caméra suit</translation>
   </message>
   <message>
    <source>Ctrl+Z takes it back</source>
    <extracomment>[procc_annotator/gui/picture/camera_hand.py]</extracomment>
-   <translation>Ctrl+Z y revient</translation>
+   <translation>Ctrl+Z l’annule</translation>
   </message>
   <message>
    <source>PAN</source>
@@ -3189,12 +3189,12 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>{titles}: changed elsewhere, look again first</source>
    <extracomment>[procc_annotator/gui/picture/editor.py]</extracomment>
-   <translation>{titles} : changé ailleurs, regardez d’abord</translation>
+   <translation>{titles} : changé ailleurs, regardez d’abord</translation>
   </message>
   <message>
    <source>{title} has no points in this frame: choose the element to delete</source>
    <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>{title} n’a pas de points sur cette image : choisissez l’élément à supprimer</translation>
+   <translation>{title} n’a pas de points sur cette image : choisissez l’élément à supprimer</translation>
   </message>
   <message numerus="yes">
    <source>finished {title} with {n} points on {frame}</source>
@@ -3207,7 +3207,7 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>choose the element to delete first: field map, list, or its key</source>
    <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
-   <translation>choisissez d’abord l’élément à supprimer : plan du terrain, liste ou touche</translation>
+   <translation>choisissez d’abord l’élément à supprimer : plan du terrain, liste ou touche</translation>
   </message>
   <message numerus="yes">
    <source>dropped {n} points of {title}</source>
@@ -3236,17 +3236,17 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>Camera dragged, {pegs}, made exact on paint: {share:.0%} of its lines</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra glissée, {pegs}, précisée sur la peinture : {share:.0%} de ses lignes</translation>
+   <translation>Caméra glissée, {pegs}, précisée sur la peinture : {share:.0%} de ses lignes</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}, not made exact: {why}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra glissée, {pegs}, non précisée : {why}</translation>
+   <translation>Caméra glissée, {pegs}, non précisée : {why}</translation>
   </message>
   <message>
    <source>Camera found, unsure: {why}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra trouvée, incertaine : {why}</translation>
+   <translation>Caméra trouvée, incertaine : {why}</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}</source>
@@ -3256,7 +3256,7 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>Camera of the track: Shift+Enter accepts its elements</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra du suivi : Maj+Entrée accepte ses éléments</translation>
+   <translation>Caméra du suivi : Maj+Entrée accepte ses éléments</translation>
   </message>
   <message>
    <source>Looking for the camera in the picture …</source>
@@ -3266,22 +3266,22 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>No camera found: {why}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Aucune caméra trouvée : {why}</translation>
+   <translation>Aucune caméra trouvée : {why}</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra trouvée, sûre : {why}</translation>
+   <translation>Caméra trouvée, sûre : {why}</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}: its lines are looked for …</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra glissée, {pegs} : ses lignes sont recherchées …</translation>
+   <translation>Caméra glissée, {pegs} : ses lignes sont recherchées …</translation>
   </message>
   <message>
    <source>Camera of the track, unsure: {why}</source>
    <extracomment>[procc_annotator/gui/picture/found_plate.py]</extracomment>
-   <translation>Caméra du suivi, incertaine : {why}</translation>
+   <translation>Caméra du suivi, incertaine : {why}</translation>
   </message>
   <message>
    <source>{title}  ±{sd:.1f} px  unsure</source>
@@ -3291,17 +3291,17 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>next: {title}</source>
    <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interact/hints.py]</extracomment>
-   <translation>suivant : {title}</translation>
+   <translation>suivant : {title}</translation>
   </message>
   <message>
    <source>crosshair: the arrows move it (Shift 0.1 px, Ctrl 10 px, Ctrl+Shift 100 px), Space clicks, Esc puts it away</source>
    <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>réticule : les flèches le déplacent (Maj 0.1 px, Ctrl 10 px, Ctrl+Maj 100 px), Espace clique, Échap le range</translation>
+   <translation>réticule : les flèches le déplacent (Maj 0.1 px, Ctrl 10 px, Ctrl+Maj 100 px), Espace clique, Échap le range</translation>
   </message>
   <message>
    <source>point at a line first: with the mouse, or with the arrows</source>
    <extracomment>[procc_annotator/gui/picture/key_pointing.py]</extracomment>
-   <translation>pointez d’abord une ligne : avec la souris ou avec les flèches</translation>
+   <translation>pointez d’abord une ligne : avec la souris ou avec les flèches</translation>
   </message>
   <message>
    <source>there is no line here to put a point on</source>
@@ -3396,7 +3396,7 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>{metres:g} m: {percent:.0f} % of the field in sight</source>
    <extracomment>[procc_annotator/gui/picture/metre_maps.py]</extracomment>
-   <translation>{metres:g} m : {percent:.0f} % du terrain en vue</translation>
+   <translation>{metres:g} m : {percent:.0f} % du terrain en vue</translation>
   </message>
   <message>
    <source>Drag to move the divider (arrow keys do it too)</source>
@@ -3431,7 +3431,7 @@ Ouvrez d’abord un dossier d’images.</translation>
   <message>
    <source>{name} less each other source, on the frames both have. Beyond chance where the 95 % band lies beside 0; {drawn}.</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>{name} moins chacune des autres sources, sur les images que les deux ont. Au-delà du hasard là où la bande à 95 % est à côté de 0 ; {drawn}.</translation>
+   <translation>{name} moins chacune des autres sources, sur les images que les deux ont. Au-delà du hasard là où la bande à 95 % est à côté de 0 ; {drawn}.</translation>
   </message>
   <message>
    <source>One source alone has nothing to be compared with.
@@ -3448,7 +3448,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Pas de score de cette image : elle n’est pas annotée, ou aucune source affichée n’a sa caméra.</translation>
+   <translation>Pas de score de cette image : elle n’est pas annotée, ou aucune source affichée n’a sa caméra.</translation>
   </message>
   <message>
    <source>JaC, difference</source>
@@ -3468,7 +3468,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>Shaded: 95 % bands, {drawn}.</source>
    <extracomment>[procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>Ombré : bandes à 95 %, {drawn}.</translation>
+   <translation>Ombré : bandes à 95 %, {drawn}.</translation>
   </message>
   <message>
    <source>tau {px:.1f} px</source>
@@ -3497,8 +3497,8 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>Dots: {painted:,} of {n:,} points, the largest errors among them.</source>
    <extracomment>Dots: {painted:,} of {n:,} point, the largest errors among them. / Dots: {painted:,} of {n:,} points, the largest errors among them. [procc_annotator/gui/plots/errors.py]</extracomment>
    <translation>
-    <numerusform>Marques : {painted:,} sur {n:,} point, dont les plus grandes erreurs.</numerusform>
-    <numerusform>Marques : {painted:,} sur {n:,} points, dont les plus grandes erreurs.</numerusform>
+    <numerusform>Marques : {painted:,} sur {n:,} point, dont les plus grandes erreurs.</numerusform>
+    <numerusform>Marques : {painted:,} sur {n:,} points, dont les plus grandes erreurs.</numerusform>
    </translation>
   </message>
   <message>
@@ -3554,12 +3554,12 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>Lines: running median of all points.</source>
    <extracomment>[procc_annotator/gui/plots/errors.py]</extracomment>
-   <translation>Lignes : médiane glissante de tous les points.</translation>
+   <translation>Lignes : médiane glissante de tous les points.</translation>
   </message>
   <message>
    <source>Sources: {names}</source>
    <extracomment>[procc_annotator/gui/plots/legend.py]</extracomment>
-   <translation>Sources : {names}</translation>
+   <translation>Sources : {names}</translation>
   </message>
   <message>
    <source>({n:,} of {total:,})</source>
@@ -3609,7 +3609,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>This plot could not be computed: {error}.</source>
    <extracomment>[procc_annotator/gui/plots/panel.py]</extracomment>
-   <translation>Ce graphique n’a pu être calculé : {error}.</translation>
+   <translation>Ce graphique n’a pu être calculé : {error}.</translation>
   </message>
   <message>
    <source>({n:,} committed)</source>
@@ -3701,24 +3701,24 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>{name}: {n:,} jumps (rings).</source>
    <extracomment>{name}: {n:,} jump (rings). / {name}: {n:,} jumps (rings). [procc_annotator/gui/plots/poses.py]</extracomment>
    <translation>
-    <numerusform>{name} : {n:,} saut (anneau).</numerusform>
-    <numerusform>{name} : {n:,} sauts (anneaux).</numerusform>
+    <numerusform>{name} : {n:,} saut (anneau).</numerusform>
+    <numerusform>{name} : {n:,} sauts (anneaux).</numerusform>
    </translation>
   </message>
   <message>
    <source>{name}: its model has no pose.</source>
    <extracomment>[procc_annotator/gui/plots/poses.py]</extracomment>
-   <translation>{name} : son modèle n’a pas de pose.</translation>
+   <translation>{name} : son modèle n’a pas de pose.</translation>
   </message>
   <message>
    <source>Hidden: blind mode shows committed frames only, and none of them is in this plot.</source>
    <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Caché : le mode aveugle ne montre que les images remises, et aucune n’est dans ce graphique.</translation>
+   <translation>Caché : le mode aveugle ne montre que les images remises, et aucune n’est dans ce graphique.</translation>
   </message>
   <message>
    <source>Hidden: blind mode shows this plot once this frame is committed.</source>
    <extracomment>[procc_annotator/gui/plots/request.py]</extracomment>
-   <translation>Caché : le mode aveugle montre ce graphique une fois cette image remise.</translation>
+   <translation>Caché : le mode aveugle montre ce graphique une fois cette image remise.</translation>
   </message>
   <message>
    <source>Shots are told by names, since {error}.</source>
@@ -3773,12 +3773,12 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>Arrows {factor} times as long as they are: from the click towards the projection.</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Flèches {factor} fois plus longues qu’en vérité : du clic vers la projection.</translation>
+   <translation>Flèches {factor} fois plus longues qu’en vérité : du clic vers la projection.</translation>
   </message>
   <message>
    <source>Arrows {factor} times as long as they are: the median residual of each part of the picture with 5 points or more.</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Flèches {factor} fois plus longues qu’en vérité : le résidu médian de chaque partie de l’image qui a 5 points ou plus.</translation>
+   <translation>Flèches {factor} fois plus longues qu’en vérité : le résidu médian de chaque partie de l’image qui a 5 points ou plus.</translation>
   </message>
   <message>
    <source>to the right (px)</source>
@@ -3793,12 +3793,12 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>Median of clicks to projection: {ways}.</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Médiane des clics à la projection : {ways}.</translation>
+   <translation>Médiane des clics à la projection : {ways}.</translation>
   </message>
   <message>
    <source>Too few points so far: five in a part of the picture make an arrow.</source>
    <extracomment>[procc_annotator/gui/plots/residuals.py]</extracomment>
-   <translation>Trop peu de points pour l’instant : cinq dans une partie de l’image font une flèche.</translation>
+   <translation>Trop peu de points pour l’instant : cinq dans une partie de l’image font une flèche.</translation>
   </message>
   <message>
    <source>No three frames in a row have a camera that goes from one to the next.</source>
@@ -3883,7 +3883,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{reason}: there is no live fit in it</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason} : il n’y a pas d’ajustement continu</translation>
+   <translation>{reason} : il n’y a pas d’ajustement continu</translation>
   </message>
   <message>
    <source>Somebody</source>
@@ -3903,7 +3903,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{reason}: menu Frame unlocks it, which is recorded</source>
    <extracomment>[procc_annotator/gui/state/blind_lock.py]</extracomment>
-   <translation>{reason} : le menu Image le lève, ce qui est consigné</translation>
+   <translation>{reason} : le menu Image le lève, ce qui est consigné</translation>
   </message>
   <message>
    <source>open a folder of pictures first</source>
@@ -3928,22 +3928,22 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>load one of its folders: {names}</source>
    <extracomment>[procc_annotator/gui/state/camera_sources.py]</extracomment>
-   <translation>chargez un de ses dossiers : {names}</translation>
+   <translation>chargez un de ses dossiers : {names}</translation>
   </message>
   <message>
    <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names} ne disent que où se voient les éléments, sans caméra : pas de sol à comparer.</translation>
+   <translation>{names} ne disent que où se voient les éléments, sans caméra : pas de sol à comparer.</translation>
   </message>
   <message>
    <source>{names}: no camera for this frame.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{names} : pas de caméra pour cette image.</translation>
+   <translation>{names} : pas de caméra pour cette image.</translation>
   </message>
   <message>
    <source>{name} shares only where the elements are shown, no camera: there is no ground to compare.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>{name} ne dit que où se voient les éléments, sans caméra : pas de sol à comparer.</translation>
+   <translation>{name} ne dit que où se voient les éléments, sans caméra : pas de sol à comparer.</translation>
   </message>
   <message>
    <source>{a} and {b}</source>
@@ -3963,22 +3963,22 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>Blind: hidden until this frame is committed.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py, procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Aveugle : caché jusqu’à la remise de cette image.</translation>
+   <translation>Aveugle : caché jusqu’à la remise de cette image.</translation>
   </message>
   <message>
    <source>No source is judged: choose one first.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Aucune source n’est jugée : choisissez-en d’abord une.</translation>
+   <translation>Aucune source n’est jugée : choisissez-en d’abord une.</translation>
   </message>
   <message>
    <source>Two sources of cameras are needed: load another one.</source>
    <extracomment>[procc_annotator/gui/state/disagreement.py]</extracomment>
-   <translation>Il faut deux sources de caméras : chargez-en une autre.</translation>
+   <translation>Il faut deux sources de caméras : chargez-en une autre.</translation>
   </message>
   <message>
    <source>blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked after that is no blind work</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation>aveugle : rien n’est annoté ici ; Ctrl+Entrée encore montre les caméras, et ce qui est cliqué ensuite n’est plus du travail à l’aveugle</translation>
+   <translation>aveugle : rien n’est annoté ici ; Ctrl+Entrée encore montre les caméras, et ce qui est cliqué ensuite n’est plus du travail à l’aveugle</translation>
   </message>
   <message>
    <source>{frame} is done</source>
@@ -3998,27 +3998,27 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{frame} was changed elsewhere and read again: {so}</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation>{frame} a été changée ailleurs et relue : {so}</translation>
+   <translation>{frame} a été changée ailleurs et relue : {so}</translation>
   </message>
   <message>
    <source>unconfirmed elements do not count: {count}</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation>les éléments non confirmés ne comptent pas : {count}</translation>
+   <translation>les éléments non confirmés ne comptent pas : {count}</translation>
   </message>
   <message>
    <source>undone: {step}</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation>annulé : {step}</translation>
+   <translation>annulé : {step}</translation>
   </message>
   <message>
    <source>redone: {step}</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation>rétabli : {step}</translation>
+   <translation>rétabli : {step}</translation>
   </message>
   <message>
    <source>{frame} was changed elsewhere: read again</source>
    <extracomment>[procc_annotator/gui/state/editing.py]</extracomment>
-   <translation>{frame} a été changée ailleurs : relue</translation>
+   <translation>{frame} a été changée ailleurs : relue</translation>
   </message>
   <message>
    <source>nothing is undone</source>
@@ -4038,22 +4038,22 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{file} says what the field of this dataset is: to choose another one, move that file away and open the dataset again</source>
    <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>{file} dit quel est le terrain de ce jeu : pour en choisir un autre, écartez ce fichier et rouvrez le jeu</translation>
+   <translation>{file} dit quel est le terrain de ce jeu : pour en choisir un autre, écartez ce fichier et rouvrez le jeu</translation>
   </message>
   <message>
    <source>field: {field}</source>
    <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>terrain : {field}</translation>
+   <translation>terrain : {field}</translation>
   </message>
   <message>
    <source>this dataset's field from now on: {field}</source>
    <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>le terrain de ce jeu désormais : {field}</translation>
+   <translation>le terrain de ce jeu désormais : {field}</translation>
   </message>
   <message>
    <source>this dataset's field from now on, {reach}: {field}</source>
    <extracomment>[procc_annotator/gui/state/field_choice.py]</extracomment>
-   <translation>le terrain de ce jeu désormais, {reach} : {field}</translation>
+   <translation>le terrain de ce jeu désormais, {reach} : {field}</translation>
   </message>
   <message>
    <source>no other field knows the classes here better</source>
@@ -4073,7 +4073,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
    <extracomment>[procc_annotator/gui/state/ghosts.py]</extracomment>
-   <translation>{title} : sa ligne n’a pu être recherchée : {why}</translation>
+   <translation>{title} : sa ligne n’a pu être recherchée : {why}</translation>
   </message>
   <message>
    <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
@@ -4083,22 +4083,22 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{title} was deleted meanwhile: its place was not kept</source>
    <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>{title} a été supprimé entre-temps : son lieu n’a pas été gardé</translation>
+   <translation>{title} a été supprimé entre-temps : son lieu n’a pas été gardé</translation>
   </message>
   <message>
    <source>left out: {names}</source>
    <extracomment>[procc_annotator/gui/state/landmark_placing.py]</extracomment>
-   <translation>laissés de côté : {names}</translation>
+   <translation>laissés de côté : {names}</translation>
   </message>
   <message>
    <source>the dataset's landmarks stay as they were: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
-   <translation>les repères du jeu restent ce qu’ils étaient : {why}</translation>
+   <translation>les repères du jeu restent ce qu’ils étaient : {why}</translation>
   </message>
   <message>
    <source>the dataset's landmarks are not used: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
-   <translation>les repères du jeu ne sont pas utilisés : {why}</translation>
+   <translation>les repères du jeu ne sont pas utilisés : {why}</translation>
   </message>
   <message>
    <source>the dataset's landmarks can be used again</source>
@@ -4113,22 +4113,22 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>the fit failed: {why}</source>
    <extracomment>[procc_annotator/gui/state/live_fit.py]</extracomment>
-   <translation>l’ajustement a échoué : {why}</translation>
+   <translation>l’ajustement a échoué : {why}</translation>
   </message>
   <message>
    <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
    <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
-   <translation>impossible d’écrire dans {folder} : rien de ce qui est annoté ici ne peut être enregistré</translation>
+   <translation>impossible d’écrire dans {folder} : rien de ce qui est annoté ici ne peut être enregistré</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
    <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
-   <translation>tout n’est pas encore enregistré : l’autre jeu n’a pas été ouvert</translation>
+   <translation>tout n’est pas encore enregistré : l’autre jeu n’a pas été ouvert</translation>
   </message>
   <message>
    <source>not everything is saved yet: the video was not opened</source>
    <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
-   <translation>tout n’est pas encore enregistré : la vidéo n’a pas été ouverte</translation>
+   <translation>tout n’est pas encore enregistré : la vidéo n’a pas été ouverte</translation>
   </message>
   <message>
    <source>nothing is open</source>
@@ -4138,22 +4138,22 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/opening.py]</extracomment>
-   <translation>le terrain de ce jeu : {field}</translation>
+   <translation>le terrain de ce jeu : {field}</translation>
   </message>
   <message>
    <source>cameras of {name} changed: {why}</source>
    <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>les caméras de {name} ont changé : {why}</translation>
+   <translation>les caméras de {name} ont changé : {why}</translation>
   </message>
   <message>
    <source>cameras of {name} changed on disk: read again</source>
    <extracomment>[procc_annotator/gui/state/outside_changes.py]</extracomment>
-   <translation>les caméras de {name} ont changé sur le disque : relues</translation>
+   <translation>les caméras de {name} ont changé sur le disque : relues</translation>
   </message>
   <message>
    <source>the painted width cannot be drawn: {why}</source>
    <extracomment>[procc_annotator/gui/state/painted_width.py]</extracomment>
-   <translation>la largeur peinte ne peut être tracée : {why}</translation>
+   <translation>la largeur peinte ne peut être tracée : {why}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again</source>
@@ -4163,7 +4163,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>for you alone: the dataset's folder cannot be written</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation>pour vous seul : impossible d’écrire dans le dossier du jeu</translation>
+   <translation>pour vous seul : impossible d’écrire dans le dossier du jeu</translation>
   </message>
   <message>
    <source>{frame} is {status} again</source>
@@ -4173,35 +4173,35 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{frame} was {status} and is in progress again: edited after the cameras were shown, it is no blind work any more</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation>{frame} était {status} et est de nouveau en cours : modifiée après l’affichage des caméras, ce n’est plus du travail à l’aveugle</translation>
+   <translation>{frame} était {status} et est de nouveau en cours : modifiée après l’affichage des caméras, ce n’est plus du travail à l’aveugle</translation>
   </message>
   <message>
    <source>in this window only: nothing can be written</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation>dans cette fenêtre seulement : rien ne peut être écrit</translation>
+   <translation>dans cette fenêtre seulement : rien ne peut être écrit</translation>
   </message>
   <message>
    <source>not saved: {why}</source>
    <extracomment>[procc_annotator/gui/state/saving.py]</extracomment>
-   <translation>non enregistré : {why}</translation>
+   <translation>non enregistré : {why}</translation>
   </message>
   <message numerus="yes">
    <source>no class of this field: {n} labels ({names})</source>
    <extracomment>no class of this field: {n} label ({names}) / no class of this field: {n} labels ({names}) [procc_annotator/gui/state/second.py]</extracomment>
    <translation>
-    <numerusform>sans classe sur ce terrain : {n} étiquette ({names})</numerusform>
-    <numerusform>sans classe sur ce terrain : {n} étiquettes ({names})</numerusform>
+    <numerusform>sans classe sur ce terrain : {n} étiquette ({names})</numerusform>
+    <numerusform>sans classe sur ce terrain : {n} étiquettes ({names})</numerusform>
    </translation>
   </message>
   <message>
    <source>{path}: holds no annotation (*.json)</source>
    <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
-   <translation>{path} : ne contient aucune annotation (*.json)</translation>
+   <translation>{path} : ne contient aucune annotation (*.json)</translation>
   </message>
   <message>
    <source>second annotator: {why}</source>
    <extracomment>[procc_annotator/gui/state/second.py]</extracomment>
-   <translation>second annotateur : {why}</translation>
+   <translation>second annotateur : {why}</translation>
   </message>
   <message>
    <source>it holds the same already</source>
@@ -4226,17 +4226,17 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{path}: no cameras in it ({what_to_do})</source>
    <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path} : pas de caméras dedans ({what_to_do})</translation>
+   <translation>{path} : pas de caméras dedans ({what_to_do})</translation>
   </message>
   <message>
    <source>{path}: no camera has the name of a frame (cameras are named like {camera!r}, frames like {frame!r})</source>
    <extracomment>[procc_annotator/gui/state/sources.py]</extracomment>
-   <translation>{path} : aucune caméra n’a le nom d’une image (les caméras s’appellent comme {camera!r}, les images comme {frame!r})</translation>
+   <translation>{path} : aucune caméra n’a le nom d’une image (les caméras s’appellent comme {camera!r}, les images comme {frame!r})</translation>
   </message>
   <message>
    <source>{who} is editing it; it opens by itself once they leave it</source>
    <extracomment>[procc_annotator/gui/state/state.py]</extracomment>
-   <translation>{who} la modifie ; elle s’ouvre d’elle-même dès qu’elle est quittée</translation>
+   <translation>{who} la modifie ; elle s’ouvre d’elle-même dès qu’elle est quittée</translation>
   </message>
   <message>
    <source>nothing annotated yet</source>
@@ -4271,7 +4271,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>No camera yet, so no uncertainty map: {why}.</source>
    <extracomment>[procc_annotator/gui/state/uncertainty.py]</extracomment>
-   <translation>Pas encore de caméra, donc pas de carte d’incertitude : {why}.</translation>
+   <translation>Pas encore de caméra, donc pas de carte d’incertitude : {why}.</translation>
   </message>
   <message>
    <source>Frames as small pictures</source>
@@ -4309,7 +4309,7 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>bridged</source>
    <comment>a frame</comment>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>pontée</translation>
+   <translation>comblée</translation>
   </message>
   <message>
    <source>lost</source>
@@ -4340,7 +4340,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>blind: its camera is hidden</source>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>aveugle : sa caméra est cachée</translation>
+   <translation>aveugle : sa caméra est cachée</translation>
   </message>
   <message>
    <source>{found}, {far:.1f} px from it</source>
@@ -4350,47 +4350,47 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>doubtful: {why}</source>
    <extracomment>[procc_annotator/gui/strip/words.py]</extracomment>
-   <translation>douteuse : {why}</translation>
+   <translation>douteuse : {why}</translation>
   </message>
   <message>
    <source>nothing changed: regular already, or no painted line was found there</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>rien n’a changé : déjà régulier, ou aucune ligne peinte n’y a été trouvée</translation>
+   <translation>rien n’a changé : déjà régulier, ou aucune ligne peinte n’y a été trouvée</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, along the track; Shift+V confirms all</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} copié de {frame}, le long du suivi ; Maj+V confirme tout</translation>
+   <translation>{what} copié de {frame}, le long du suivi ; Maj+V confirme tout</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, moved with the camera; Shift+V confirms all</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} copié de {frame}, déplacé avec la caméra ; Maj+V confirme tout</translation>
+   <translation>{what} copié de {frame}, déplacé avec la caméra ; Maj+V confirme tout</translation>
   </message>
   <message>
    <source>copied {what} from {frame}, as they were: no motion found; Shift+V confirms all</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} copié de {frame}, tel quel : aucun mouvement trouvé ; Maj+V confirme tout</translation>
+   <translation>{what} copié de {frame}, tel quel : aucun mouvement trouvé ; Maj+V confirme tout</translation>
   </message>
   <message>
    <source>taken back: nothing is regularised</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>revenu en arrière : rien n’est régularisé</translation>
+   <translation>annulé : rien n’est régularisé</translation>
   </message>
   <message>
    <source>taken back: nothing is copied</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>revenu en arrière : rien n’est copié</translation>
+   <translation>annulé : rien n’est copié</translation>
   </message>
   <message>
    <source>the frame was left: nothing was regularised</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>l’image a été quittée : rien n’a été régularisé</translation>
+   <translation>l’image a été quittée : rien n’a été régularisé</translation>
   </message>
   <message>
    <source>the frame was left: nothing was copied</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>l’image a été quittée : rien n’a été copié</translation>
+   <translation>l’image a été quittée : rien n’a été copié</translation>
   </message>
   <message numerus="yes">
    <source>{n} points unconfirmed by paint</source>
@@ -4417,14 +4417,14 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>regularised {what}: {n} points</source>
    <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
    <translation>
-    <numerusform>{what} régularisé : {n} point</numerusform>
-    <numerusform>{what} régularisé : {n} points</numerusform>
+    <numerusform>{what} régularisé : {n} point</numerusform>
+    <numerusform>{what} régularisé : {n} points</numerusform>
    </translation>
   </message>
   <message>
    <source>{element} has corners or is one place: it stays as it is</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{element} a des coins ou n’est qu’un seul lieu : il reste tel quel</translation>
+   <translation>{element} a des coins ou n’est qu’un seul lieu : il reste tel quel</translation>
   </message>
   <message>
    <source>no element of the field is annotated here</source>
@@ -4487,7 +4487,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{element} lies where {other} is: drag it to its place</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} est là où est {other} : glissez-le à sa place</translation>
+   <translation>{element} est là où est {other} : glissez-le à sa place</translation>
   </message>
   <message>
    <source>reverse {element}</source>
@@ -4559,12 +4559,12 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{element} was changed elsewhere: look at it again</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>{element} a été changé ailleurs : regardez-le à nouveau</translation>
+   <translation>{element} a été changé ailleurs : regardez-le à nouveau</translation>
   </message>
   <message>
    <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>laissés, moins de {least:.0%} de la ligne se voit : {ghosts}</translation>
+   <translation>laissés, moins de {least:.0%} de la ligne se voit : {ghosts}</translation>
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -4577,14 +4577,14 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{accepted}: {points}, line seen along {share:.0%}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{accepted} : {points}, ligne vue sur {share:.0%}</translation>
+   <translation>{accepted} : {points}, ligne vue sur {share:.0%}</translation>
   </message>
   <message numerus="yes">
    <source>{n} ends of {elements} cannot be seen: the points stop before</source>
    <extracomment>{n} end of {elements} cannot be seen: the points stop before / {n} ends of {elements} cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>
-    <numerusform>{n} bout de {elements} ne se voit pas : les points s’arrêtent avant</numerusform>
-    <numerusform>{n} bouts de {elements} ne se voient pas : les points s’arrêtent avant</numerusform>
+    <numerusform>{n} bout de {elements} ne se voit pas : les points s’arrêtent avant</numerusform>
+    <numerusform>{n} bouts de {elements} ne se voient pas : les points s’arrêtent avant</numerusform>
    </translation>
   </message>
   <message>
@@ -4614,8 +4614,8 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>{n} ends cannot be seen: the points stop before</source>
    <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>
-    <numerusform>{n} bout ne se voit pas : les points s’arrêtent avant</numerusform>
-    <numerusform>{n} bouts ne se voient pas : les points s’arrêtent avant</numerusform>
+    <numerusform>{n} bout ne se voit pas : les points s’arrêtent avant</numerusform>
+    <numerusform>{n} bouts ne se voient pas : les points s’arrêtent avant</numerusform>
    </translation>
   </message>
   <message>
@@ -4631,7 +4631,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{element} is not accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} n’est pas accepté : {why}</translation>
+   <translation>{element} n’est pas accepté : {why}</translation>
   </message>
   <message>
    <source>Accept all ghosts</source>
@@ -4641,22 +4641,22 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>Quelle part de la ligne d’un fantôme doit se voir pour l’accepter avec tous les autres (%) :</translation>
+   <translation>Quelle part de la ligne d’un fantôme doit se voir pour l’accepter avec tous les autres (%) :</translation>
   </message>
   <message>
    <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{element} : aucune ligne peinte n’est trouvée dessus ; cliquez-le à la main, ou dites qu’il n’est pas visible ici (.)</translation>
+   <translation>{element} : aucune ligne peinte n’est trouvée dessus ; cliquez-le à la main, ou dites qu’il n’est pas visible ici (.)</translation>
   </message>
   <message>
    <source>the camera is being fitted: accept its ghosts in a moment</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>la caméra est en cours d’ajustement : acceptez ses fantômes dans un instant</translation>
+   <translation>la caméra est en cours d’ajustement : acceptez ses fantômes dans un instant</translation>
   </message>
   <message>
    <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté, moins de {least:.0%} de la ligne se voit : {ghosts} ; Tab les parcourt</translation>
+   <translation>aucun fantôme accepté, moins de {least:.0%} de la ligne se voit : {ghosts} ; Tab les parcourt</translation>
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -4671,12 +4671,12 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>no ghost was accepted: there is no picture to look for their lines in</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté : il n’y a pas d’image où chercher leurs lignes</translation>
+   <translation>aucun fantôme accepté : il n’y a pas d’image où chercher leurs lignes</translation>
   </message>
   <message>
    <source>no ghost was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté : {why}</translation>
+   <translation>aucun fantôme accepté : {why}</translation>
   </message>
   <message>
    <source>{element} is not accepted</source>
@@ -4686,12 +4686,12 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>the ghost is accepted: accept the ghosts of the new fit</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>le fantôme est accepté : acceptez les fantômes du nouvel ajustement</translation>
+   <translation>le fantôme est accepté : acceptez les fantômes du nouvel ajustement</translation>
   </message>
   <message>
    <source>what was being drawn is finished: accept the ghosts of the new fit</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>ce qui était dessiné est terminé : acceptez les fantômes du nouvel ajustement</translation>
+   <translation>ce qui était dessiné est terminé : acceptez les fantômes du nouvel ajustement</translation>
   </message>
   <message>
    <source>no ghost was accepted</source>
@@ -4712,52 +4712,52 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
    <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
    <translation>
-    <numerusform>c’était le premier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
-    <numerusform>c’était le premier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
+    <numerusform>c’était le premier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
+    <numerusform>c’était le premier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
    </translation>
   </message>
   <message>
    <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments, ou suivez le plan (T)</translation>
+   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments, ou suivez le plan (T)</translation>
   </message>
   <message numerus="yes">
    <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
    <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
    <translation>
-    <numerusform>c’était le dernier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
-    <numerusform>c’était le dernier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
+    <numerusform>c’était le dernier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
+    <numerusform>c’était le dernier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
    </translation>
   </message>
   <message>
    <source>the camera is being fitted: ghosts come in a moment</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>la caméra est en cours d’ajustement : les fantômes arrivent</translation>
+   <translation>la caméra est en cours d’ajustement : les fantômes arrivent</translation>
   </message>
   <message>
    <source>no ghosts: the camera is looked for in the picture</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : la caméra est recherchée dans l’image</translation>
+   <translation>pas de fantômes : la caméra est recherchée dans l’image</translation>
   </message>
   <message>
    <source>no ghosts: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : {why}</translation>
+   <translation>pas de fantômes : {why}</translation>
   </message>
   <message>
    <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : le reste en vue est annoté, ou pas assez bien connu</translation>
+   <translation>pas de fantômes : le reste en vue est annoté, ou pas assez bien connu</translation>
   </message>
   <message>
    <source>no ghosts: annotate three or four elements, a camera follows from them</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : annotez trois ou quatre éléments, une caméra en découle</translation>
+   <translation>pas de fantômes : annotez trois ou quatre éléments, une caméra en découle</translation>
   </message>
   <message>
    <source>no camera was found in this picture: draw three or four elements</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments</translation>
+   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments</translation>
   </message>
   <message>
    <source>no ghosts in blind mode, until the frame is committed (Ctrl+Enter)</source>
@@ -4767,17 +4767,17 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>no ghosts: the live fit is off (Ctrl+T)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : l’ajustement continu est désactivé (Ctrl+T)</translation>
+   <translation>pas de fantômes : l’ajustement continu est désactivé (Ctrl+T)</translation>
   </message>
   <message>
    <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : ils sont désactivés (Élément &gt; Fantômes &gt; Afficher les fantômes)</translation>
+   <translation>pas de fantômes : ils sont désactivés (Élément &gt; Fantômes &gt; Afficher les fantômes)</translation>
   </message>
   <message>
    <source>overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>les superpositions sont cachées : aucun fantôme ne se voit (Ctrl+H, ou lâchez X)</translation>
+   <translation>les superpositions sont cachées : aucun fantôme ne se voit (Ctrl+H, ou lâchez X)</translation>
   </message>
   <message>
    <source>finish what is being drawn first (Enter), or cancel it (Esc)</source>
@@ -4787,7 +4787,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>no ghosts: no camera could be fitted</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>pas de fantômes : aucune caméra n’a pu être ajustée</translation>
+   <translation>pas de fantômes : aucune caméra n’a pu être ajustée</translation>
   </message>
   <message>
    <source>no camera fits yet</source>
@@ -4802,12 +4802,12 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{title} is annotated here: delete it first (Ctrl+Delete)</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} est annoté ici : supprimez-le d’abord (Ctrl+Suppr)</translation>
+   <translation>{title} est annoté ici : supprimez-le d’abord (Ctrl+Suppr)</translation>
   </message>
   <message>
    <source>{title} is not visible here; Ctrl+. takes it back</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{title} n’est pas visible ici ; Ctrl+. y revient</translation>
+   <translation>{title} n’est pas visible ici ; Ctrl+. l’annule</translation>
   </message>
   <message>
    <source>{title} may be visible here again</source>
@@ -4827,7 +4827,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>taken back</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>repris</translation>
+   <translation>annulé</translation>
   </message>
   <message>
    <source>go to a ghost first (Tab)</source>
@@ -4837,7 +4837,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{off}; choose an element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
-   <translation>{off} ; choisissez d’abord un élément</translation>
+   <translation>{off} ; choisissez d’abord un élément</translation>
   </message>
   <message>
    <source>Name of the line</source>
@@ -4847,7 +4847,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>What is this line?</source>
    <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
-   <translation>Quelle est cette ligne ?</translation>
+   <translation>Quelle est cette ligne ?</translation>
   </message>
   <message>
    <source>Leave it unnamed</source>
@@ -4857,22 +4857,22 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>Scores then differ from those of the nominal field ({nominal}), as official evaluations take it; they name the dimensions they were computed with.</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Les scores diffèrent alors de ceux du terrain nominal ({nominal}), celui des évaluations officielles ; ils nomment les dimensions qui ont servi.</translation>
+   <translation>Les scores diffèrent alors de ceux du terrain nominal ({nominal}), celui des évaluations officielles ; ils nomment les dimensions qui ont servi.</translation>
   </message>
   <message>
    <source>Dimensions of their own (stadiums.csv): {frames} of {stadiums}. What is entered here is for all others, and for what stadiums leave open.</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Dimensions propres (stadiums.csv) : {frames} de {stadiums}. Ce qui est saisi ici vaut pour toutes les autres, et pour ce que les stades laissent ouvert.</translation>
+   <translation>Dimensions propres (stadiums.csv) : {frames} de {stadiums}. Ce qui est saisi ici vaut pour toutes les autres, et pour ce que les stades laissent ouvert.</translation>
   </message>
   <message>
    <source>Scores then differ from those of official evaluations, which take lines where the rules measure them; they say so.</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Les scores diffèrent alors de ceux des évaluations officielles, qui prennent les lignes là où les règles les mesurent ; ils le disent.</translation>
+   <translation>Les scores diffèrent alors de ceux des évaluations officielles, qui prennent les lignes là où les règles les mesurent ; ils le disent.</translation>
   </message>
   <message>
    <source>Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the paint's width away: choose it where that matters, as in halls and near the camera.</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Les règles mesurent beaucoup de lignes à un bord de leur peinture. Les clics sont mis en son milieu, à une demi-largeur : choisissez-le là où cela compte, comme en salle et près de la caméra.</translation>
+   <translation>Les règles mesurent beaucoup de lignes à un bord de leur peinture. Les clics sont mis en son milieu, à une demi-largeur : choisissez-le là où cela compte, comme en salle et près de la caméra.</translation>
   </message>
   <message>
    <source>Only length and width are found from frames, and the rules fix those of this field</source>
@@ -4892,7 +4892,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>Field dimensions: {field}</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Dimensions du terrain : {field}</translation>
+   <translation>Dimensions du terrain : {field}</translation>
   </message>
   <message>
    <source>Estimate from this set</source>
@@ -4922,7 +4922,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>&lt;b&gt;not {number:g} m: the rules allow {minimum:g} to {maximum:g} m&lt;/b&gt;</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>&lt;b&gt;pas {number:g} m : les règles permettent de {minimum:g} à {maximum:g} m&lt;/b&gt;</translation>
+   <translation>&lt;b&gt;pas {number:g} m : les règles permettent de {minimum:g} à {maximum:g} m&lt;/b&gt;</translation>
   </message>
   <message numerus="yes">
    <source>{n} frames</source>
@@ -4943,7 +4943,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>Clicks lie on:</source>
    <extracomment>[procc_annotator/gui/tasks/field/dimensions_dialog.py]</extracomment>
-   <translation>Les clics sont sur :</translation>
+   <translation>Les clics sont sur :</translation>
   </message>
   <message>
    <source>Keep the field, and say nothing more of these classes</source>
@@ -4973,7 +4973,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>Is this {field}? The classes annotated here are those of {field}</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>Est-ce {field} ? Les classes annotées ici sont celles de {field}</translation>
+   <translation>Est-ce {field} ? Les classes annotées ici sont celles de {field}</translation>
   </message>
   <message>
    <source>{why}, but {file} in the dataset's folder decides</source>
@@ -4993,38 +4993,38 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{problem}; the field stays as it was: {field}</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_choosing.py]</extracomment>
-   <translation>{problem} ; le terrain est resté ce qu’il était : {field}</translation>
+   <translation>{problem} ; le terrain est resté ce qu’il était : {field}</translation>
   </message>
   <message numerus="yes">
    <source>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames.</source>
    <extracomment>{dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frame. / {dimension}: {value:.2f} ± {sd:.2f} m, told by {n} frames. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
    <translation>
-    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} image.</numerusform>
-    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} images.</numerusform>
+    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} image.</numerusform>
+    <numerusform>{dimension} : {value:.2f} ± {sd:.2f} m, d’après {n} images.</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>From the cameras of {n} frames; ± is one standard deviation.</source>
    <extracomment>From the cameras of {n} frame; ± is one standard deviation. / From the cameras of {n} frames; ± is one standard deviation. [procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
    <translation>
-    <numerusform>D’après la caméra de {n} image ; ± est un écart type.</numerusform>
-    <numerusform>D’après les caméras de {n} images ; ± est un écart type.</numerusform>
+    <numerusform>D’après la caméra de {n} image ; ± est un écart type.</numerusform>
+    <numerusform>D’après les caméras de {n} images ; ± est un écart type.</numerusform>
    </translation>
   </message>
   <message>
    <source>{remark}; it stays as it was.</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>{remark} ; elle est restée ce qu’elle était.</translation>
+   <translation>{remark} ; elle est restée ce qu’elle était.</translation>
   </message>
   <message>
    <source>Blind: frames that are not committed took no part ({n}).</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Aveugle : les images non remises n’ont pas participé ({n}).</translation>
+   <translation>Aveugle : les images non remises n’ont pas participé ({n}).</translation>
   </message>
   <message>
    <source>Frames that cannot be read took no part: {n}.</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Les images illisibles n’ont pas participé : {n}.</translation>
+   <translation>Les images illisibles n’ont pas participé : {n}.</translation>
   </message>
   <message>
    <source>the rules fix every dimension of the field {field}</source>
@@ -5034,17 +5034,17 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).</source>
    <extracomment>[procc_annotator/gui/tasks/field/field_dimensions.py]</extracomment>
-   <translation>Aveugle : le jeu est regardé dès qu’une de ses images est remise (Ctrl+Entrée).</translation>
+   <translation>Aveugle : le jeu est regardé dès qu’une de ses images est remise (Ctrl+Entrée).</translation>
   </message>
   <message>
    <source>Frames of one instant from different cameras are one group. Their names tell which, by a pattern: &lt;b&gt;{instant}&lt;/b&gt; stands for when a frame was taken, &lt;b&gt;{view}&lt;/b&gt; for the camera, all else for itself. A regular expression with &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; and &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; does it, too.</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Les images d’un même instant depuis plusieurs caméras forment un groupe. Leurs noms le disent, selon un motif : &lt;b&gt;{instant}&lt;/b&gt; y tient lieu du moment de la prise, &lt;b&gt;{view}&lt;/b&gt; de la caméra, et tout le reste de lui-même. Une expression régulière avec &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; et &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; convient aussi.</translation>
+   <translation>Les images d’un même instant depuis plusieurs caméras forment un groupe. Leurs noms le disent, selon un motif : &lt;b&gt;{instant}&lt;/b&gt; y tient lieu du moment de la prise, &lt;b&gt;{view}&lt;/b&gt; de la caméra, et tout le reste de lui-même. Une expression régulière avec &lt;b&gt;(?P&amp;lt;instant&amp;gt;…)&lt;/b&gt; et &lt;b&gt;(?P&amp;lt;view&amp;gt;…)&lt;/b&gt; convient aussi.</translation>
   </message>
   <message>
    <source>No pattern was found that fits these names: write one.</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Aucun motif trouvé qui convienne à ces noms : écrivez-en un.</translation>
+   <translation>Aucun motif trouvé qui convienne à ces noms : écrivez-en un.</translation>
   </message>
   <message>
    <source>Instant</source>
@@ -5091,7 +5091,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>This name does not fit the pattern: the frame stands alone</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_dialog.py]</extracomment>
-   <translation>Ce nom ne suit pas le motif : l’image reste seule</translation>
+   <translation>Ce nom ne suit pas le motif : l’image reste seule</translation>
   </message>
   <message>
    <source>Group views</source>
@@ -5137,7 +5137,7 @@ Chargez-en ou affichez-en une autre.</translation>
   <message>
    <source>{file} is there already: {sizes}.</source>
    <extracomment>[procc_annotator/gui/tasks/field/view_grouping.py]</extracomment>
-   <translation>{file} existe déjà : {sizes}.</translation>
+   <translation>{file} existe déjà : {sizes}.</translation>
   </message>
   <message>
    <source>{file} groups {sizes} from now on</source>
@@ -5300,7 +5300,7 @@ Perd {loses}.</translation>
   <message>
    <source>{source} is made from the clicks it would be scored against: judge the cameras to be scored (procc-annotator calibrate fits and scores a set)</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>{source} est fait des clics d’après lesquels il serait noté : jugez les caméras à noter (procc-annotator calibrate ajuste et note un jeu)</translation>
+   <translation>{source} est fait des clics d’après lesquels il serait noté : jugez les caméras à noter (procc-annotator calibrate ajuste et note un jeu)</translation>
   </message>
   <message>
    <source>{annotations} and {scores}</source>
@@ -5310,7 +5310,7 @@ Perd {loses}.</translation>
   <message>
    <source>nothing: no frame is annotated</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>rien : aucune image n’est annotée</translation>
+   <translation>rien : aucune image n’est annotée</translation>
   </message>
   <message>
    <source>Zip archive (*.zip);;Folder (*)</source>
@@ -5325,12 +5325,12 @@ Perd {loses}.</translation>
   <message>
    <source>load cameras first: there is nothing to score</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>chargez d’abord des caméras : il n’y a rien à noter</translation>
+   <translation>chargez d’abord des caméras : il n’y a rien à noter</translation>
   </message>
   <message>
    <source>blind: no frame is committed yet, so there is no JaC to show</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>aveugle : aucune image n’est encore remise, donc pas de JaC à montrer</translation>
+   <translation>aveugle : aucune image n’est encore remise, donc pas de JaC à montrer</translation>
   </message>
   <message>
    <source>exported {what} to {path}</source>
@@ -5340,7 +5340,7 @@ Perd {loses}.</translation>
   <message>
    <source>not everything could be saved: the export has the last saved state</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting.py]</extracomment>
-   <translation>tout n’a pas pu être enregistré : l’export a le dernier état enregistré</translation>
+   <translation>tout n’a pas pu être enregistré : l’export a le dernier état enregistré</translation>
   </message>
   <message numerus="yes">
    <source>blind mode leaves out {n:,} frames not committed yet</source>
@@ -5354,8 +5354,8 @@ Perd {loses}.</translation>
    <source>{n:,} files could not be read: {problem}</source>
    <extracomment>{n:,} file could not be read: {problem} / {n:,} files could not be read: {problem} [procc_annotator/gui/tasks/files/exporting.py]</extracomment>
    <translation>
-    <numerusform>{n:,} fichier illisible : {problem}</numerusform>
-    <numerusform>{n:,} fichiers illisibles : {problem}</numerusform>
+    <numerusform>{n:,} fichier illisible : {problem}</numerusform>
+    <numerusform>{n:,} fichiers illisibles : {problem}</numerusform>
    </translation>
   </message>
   <message>
@@ -5376,22 +5376,22 @@ Perd {loses}.</translation>
   <message>
    <source>Not everything could be saved: what is on disk goes.</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Tout n’a pas pu être enregistré : ce qui est sur le disque vaut.</translation>
+   <translation>Tout n’a pas pu être enregistré : ce qui est sur le disque vaut.</translation>
   </message>
   <message>
    <source>export: cancelled; files that were written already are still there</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>export : annulé ; les fichiers déjà écrits sont encore là</translation>
+   <translation>export : annulé ; les fichiers déjà écrits sont encore là</translation>
   </message>
   <message>
    <source>Nothing was written: no frame is annotated, or none could be written.</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Rien n’a été écrit : aucune image n’est annotée, ou aucune n’a pu l’être.</translation>
+   <translation>Rien n’a été écrit : aucune image n’est annotée, ou aucune n’a pu l’être.</translation>
   </message>
   <message>
    <source>Cancelled; files that were written already are still there.</source>
    <extracomment>[procc_annotator/gui/tasks/files/exporting_as.py]</extracomment>
-   <translation>Annulé ; les fichiers déjà écrits sont encore là.</translation>
+   <translation>Annulé ; les fichiers déjà écrits sont encore là.</translation>
   </message>
   <message>
    <source>Not written</source>
@@ -5411,7 +5411,7 @@ Perd {loses}.</translation>
   <message>
    <source>no camera to save: the fit is not there yet</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>pas de caméra à enregistrer : l’ajustement n’est pas encore là</translation>
+   <translation>pas de caméra à enregistrer : l’ajustement n’est pas encore là</translation>
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
@@ -5421,32 +5421,32 @@ Perd {loses}.</translation>
   <message>
    <source>blind: the fit is hidden until this frame is committed (Ctrl+Enter)</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>aveugle : l’ajustement est caché jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
+   <translation>aveugle : l’ajustement est caché jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
   </message>
   <message>
    <source>no camera to save: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>pas de caméra à enregistrer : {why}</translation>
+   <translation>pas de caméra à enregistrer : {why}</translation>
   </message>
   <message>
    <source>the fit is worked out again: save it in a moment</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>l’ajustement est en cours de recalcul : enregistrez-le dans un instant</translation>
+   <translation>l’ajustement est en cours de recalcul : enregistrez-le dans un instant</translation>
   </message>
   <message>
    <source>{frame}: the picture cannot be read, so that the camera's pixels belong to no size; not saved</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{frame} : l’image est illisible, si bien que les pixels de la caméra n’ont pas de taille ; non enregistré</translation>
+   <translation>{frame} : l’image est illisible, si bien que les pixels de la caméra n’ont pas de taille ; non enregistré</translation>
   </message>
   <message>
    <source>saved as {path}, but the loaded cameras could not be read again: {problem}</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>enregistré comme {path}, mais les caméras chargées n’ont pu être relues : {problem}</translation>
+   <translation>enregistré comme {path}, mais les caméras chargées n’ont pu être relues : {problem}</translation>
   </message>
   <message>
    <source>{saved}; it is hardly determined: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/fit_saving.py]</extracomment>
-   <translation>{saved} ; il est à peine déterminé : {why}</translation>
+   <translation>{saved} ; il est à peine déterminé : {why}</translation>
   </message>
   <message>
    <source>Import…</source>
@@ -5456,7 +5456,7 @@ Perd {loses}.</translation>
   <message>
    <source>Take these annotations in; their files stay as they are</source>
    <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>Reprendre ces annotations ; leurs fichiers restent tels quels</translation>
+   <translation>Reprendre ces annotations ; leurs fichiers restent tels quels</translation>
   </message>
   <message>
    <source>Leave them, and say nothing more of them</source>
@@ -5466,7 +5466,7 @@ Perd {loses}.</translation>
   <message>
    <source>Annotations of another program lie in this dataset: {format}.</source>
    <extracomment>[procc_annotator/gui/tasks/files/import_offer.py]</extracomment>
-   <translation>Des annotations d’un autre programme se trouvent dans ce jeu : {format}.</translation>
+   <translation>Des annotations d’un autre programme se trouvent dans ce jeu : {format}.</translation>
   </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported ({format}).</source>
@@ -5480,8 +5480,8 @@ Perd {loses}.</translation>
    <source>Cancelled: {n:,} frames were not looked at.</source>
    <extracomment>Cancelled: {n:,} frame was not looked at. / Cancelled: {n:,} frames were not looked at. [procc_annotator/gui/tasks/files/importing.py]</extracomment>
    <translation>
-    <numerusform>Annulé : {n:,} image n’a pas été regardée.</numerusform>
-    <numerusform>Annulé : {n:,} images n’ont pas été regardées.</numerusform>
+    <numerusform>Annulé : {n:,} image n’a pas été regardée.</numerusform>
+    <numerusform>Annulé : {n:,} images n’ont pas été regardées.</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -5511,7 +5511,7 @@ Perd {loses}.</translation>
   <message>
    <source>Cancelled; nothing was imported.</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Annulé ; rien n’a été importé.</translation>
+   <translation>Annulé ; rien n’a été importé.</translation>
   </message>
   <message>
    <source>Left as they were</source>
@@ -5536,7 +5536,7 @@ Perd {loses}.</translation>
   <message>
    <source>it could not be saved: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>elle n’a pas pu être enregistrée : {why}</translation>
+   <translation>elle n’a pas pu être enregistrée : {why}</translation>
   </message>
   <message>
    <source>import</source>
@@ -5595,7 +5595,7 @@ Perd {loses}.</translation>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>Ces noms ressemblent plus à ceux de {field} : choisissez d’abord ce terrain (Fichier &gt; Terrain).</translation>
+   <translation>Ces noms ressemblent plus à ceux de {field} : choisissez d’abord ce terrain (Fichier &gt; Terrain).</translation>
   </message>
   <message>
    <source>Names of another program</source>
@@ -5606,8 +5606,8 @@ Perd {loses}.</translation>
    <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
    <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>
-    <numerusform>{n} étiquette n’est pas une classe de {field}. Dites ce qu’elle signifie ; la proposition vient de ses mots et des éléments sur lesquels sont ses formes.</numerusform>
-    <numerusform>{n} étiquettes ne sont pas des classes de {field}. Dites ce qu’elles signifient ; les propositions viennent de leurs mots et des éléments sur lesquels sont leurs formes.</numerusform>
+    <numerusform>{n} étiquette n’est pas une classe de {field}. Dites ce qu’elle signifie ; la proposition vient de ses mots et des éléments sur lesquels sont ses formes.</numerusform>
+    <numerusform>{n} étiquettes ne sont pas des classes de {field}. Dites ce qu’elles signifient ; les propositions viennent de leurs mots et des éléments sur lesquels sont leurs formes.</numerusform>
    </translation>
   </message>
   <message>
@@ -5643,7 +5643,7 @@ Perd {loses}.</translation>
   <message>
    <source>your own copy, in {folder}; load its cameras from the menu Camera</source>
    <extracomment>[procc_annotator/gui/tasks/files/opening.py]</extracomment>
-   <translation>votre propre copie, dans {folder} ; chargez ses caméras par le menu Caméra</translation>
+   <translation>votre propre copie, dans {folder} ; chargez ses caméras par le menu Caméra</translation>
   </message>
   <message>
    <source>Cameras</source>
@@ -5678,22 +5678,22 @@ Perd {loses}.</translation>
   <message>
    <source>{width} x {height} px, too large: choose a smaller scale or SVG</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{width} x {height} px, trop grand : choisissez une échelle plus petite ou SVG</translation>
+   <translation>{width} x {height} px, trop grand : choisissez une échelle plus petite ou SVG</translation>
   </message>
   <message>
    <source>PNG: pixels, nothing is lost</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>PNG : pixels, rien n’est perdu</translation>
+   <translation>PNG : pixels, rien n’est perdu</translation>
   </message>
   <message>
    <source>JPEG: pixels, small</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>JPEG : pixels, petit</translation>
+   <translation>JPEG : pixels, petit</translation>
   </message>
   <message>
    <source>SVG: lines and text stay sharp</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>SVG : lignes et texte restent nets</translation>
+   <translation>SVG : lignes et texte restent nets</translation>
   </message>
   <message>
    <source>Picture (*{suffix})</source>
@@ -5708,7 +5708,7 @@ Perd {loses}.</translation>
   <message>
    <source>Px of the result per px of the picture; lines and text grow with it</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>Px du résultat par px de l’image ; lignes et texte grandissent avec elle</translation>
+   <translation>Px du résultat par px de l’image ; lignes et texte grandissent avec elle</translation>
   </message>
   <message>
    <source>Explain colours, dashes and marks below the picture</source>
@@ -5748,7 +5748,7 @@ Perd {loses}.</translation>
   <message>
    <source>{path}: is the picture itself, choose another name</source>
    <extracomment>[procc_annotator/gui/tasks/files/overlay_saving.py]</extracomment>
-   <translation>{path} : est l’image elle-même, choisissez un autre nom</translation>
+   <translation>{path} : est l’image elle-même, choisissez un autre nom</translation>
   </message>
   <message>
    <source>overlay picture written to {path}</source>
@@ -5771,17 +5771,17 @@ Perd {loses}.</translation>
   <message>
    <source>the set was being scored still: some frames have no JaC yet</source>
    <extracomment>[procc_annotator/gui/tasks/files/overview_command.py]</extracomment>
-   <translation>le jeu était encore en cours de notation : des images n’ont pas encore de JaC</translation>
+   <translation>le jeu était encore en cours de notation : des images n’ont pas encore de JaC</translation>
   </message>
   <message>
    <source>cameras opened here before are not there any more: {paths}</source>
    <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>des caméras ouvertes ici auparavant ne sont plus là : {paths}</translation>
+   <translation>des caméras ouvertes ici auparavant ne sont plus là : {paths}</translation>
   </message>
   <message>
    <source>cameras opened here before are not opened again: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/source_memory.py]</extracomment>
-   <translation>des caméras ouvertes ici auparavant ne sont pas rouvertes : {why}</translation>
+   <translation>des caméras ouvertes ici auparavant ne sont pas rouvertes : {why}</translation>
   </message>
   <message>
    <source>One frame every</source>
@@ -5796,7 +5796,7 @@ Perd {loses}.</translation>
   <message>
    <source>Looks through the whole video for cuts; this takes a while</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Cherche les coupes dans toute la vidéo ; cela prend un moment</translation>
+   <translation>Cherche les coupes dans toute la vidéo ; cela prend un moment</translation>
   </message>
   <message>
    <source>Reading {file}</source>
@@ -5821,17 +5821,17 @@ Perd {loses}.</translation>
   <message>
    <source>Nothing is extracted; “Keep this video frame” writes a picture.</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
-   <translation>Rien n’est extrait ; « Garder cette image de la vidéo » écrit un fichier.</translation>
+   <translation>Rien n’est extrait ; « Garder cette image de la vidéo » écrit un fichier.</translation>
   </message>
   <message>
    <source>Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with the dataset that {author} unlocked it, and when.</source>
    <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Le lever montre caméras, fantômes et ajustement à tous ceux qui l’annotent. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
+   <translation>Lever le mode aveugle montre caméras, fantômes et ajustement à tous ceux qui annotent ce jeu. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
   </message>
   <message>
    <source>Unlocking shows cameras, ghosts and the fit to you; for others it was not locked. It is recorded with the dataset that {author} unlocked it, and when.</source>
    <extracomment>[procc_annotator/gui/tasks/review/blind_locking.py]</extracomment>
-   <translation>Le lever vous montre caméras, fantômes et ajustement ; pour d’autres il n’était pas imposé. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
+   <translation>Lever le mode aveugle vous montre caméras, fantômes et ajustement ; pour les autres il n’était pas imposé. Il est consigné avec le jeu que {author} l’a levé, et quand.</translation>
   </message>
   <message>
    <source>Unlock blind mode</source>
@@ -5864,12 +5864,12 @@ Perd {loses}.</translation>
    <source>hint</source>
    <comment>a finding</comment>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>indice</translation>
+   <translation>remarque</translation>
   </message>
   <message>
    <source>finding {place} of {total}, {severity}: {elements}</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>constat {place} sur {total}, {severity} : {elements}</translation>
+   <translation>constat {place} sur {total}, {severity} : {elements}</translation>
   </message>
   <message>
    <source>no finding is as sure as the Check panel is set to show</source>
@@ -5888,8 +5888,8 @@ Perd {loses}.</translation>
    <source>checked {n:,} frames, camera model {model}: {found}</source>
    <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>
-    <numerusform>{n:,} image vérifiée, modèle de caméra {model} : {found}</numerusform>
-    <numerusform>{n:,} images vérifiées, modèle de caméra {model} : {found}</numerusform>
+    <numerusform>{n:,} image vérifiée, modèle de caméra {model} : {found}</numerusform>
+    <numerusform>{n:,} images vérifiées, modèle de caméra {model} : {found}</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -5908,12 +5908,12 @@ Perd {loses}.</translation>
   <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la vérification des classes n’a rien trouvé ; vérifiez tout le jeu pour voir toutes les images</translation>
+   <translation>la vérification des classes n’a rien trouvé ; vérifiez tout le jeu pour voir toutes les images</translation>
   </message>
   <message>
    <source>{done}; Ctrl+Z takes it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{done} ; Ctrl+Z y revient</translation>
+   <translation>{done} ; Ctrl+Z l’annule</translation>
   </message>
   <message>
    <source>removed point {n} of {element}</source>
@@ -5933,7 +5933,7 @@ Perd {loses}.</translation>
   <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>ignoré jusqu’à ce que {elements} change ; le panneau Vérification le ramène</translation>
+   <translation>ignoré jusqu’à ce que {elements} change ; le panneau Vérification le ramène</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames cannot be checked</source>
@@ -5969,7 +5969,7 @@ Perd {loses}.</translation>
   <message>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>les éléments ont changé depuis : vérifiés à nouveau</translation>
+   <translation>les éléments ont changé depuis : vérifiés à nouveau</translation>
   </message>
   <message>
    <source>removed point of {element}</source>
@@ -5984,12 +5984,12 @@ Perd {loses}.</translation>
   <message>
    <source>stopped checking the set; what was found stays</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>vérification du jeu arrêtée ; ce qui a été trouvé reste</translation>
+   <translation>vérification du jeu arrêtée ; ce qui a été trouvé reste</translation>
   </message>
   <message>
    <source>no remedy is known: {reason}</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>aucun remède connu : {reason}</translation>
+   <translation>aucun remède connu : {reason}</translation>
   </message>
   <message>
    <source>nothing found</source>
@@ -6024,7 +6024,7 @@ Perd {loses}.</translation>
   <message>
    <source>{frame}: no verdict on {source} any more</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{frame} : plus de verdict sur {source}</translation>
+   <translation>{frame} : plus de verdict sur {source}</translation>
   </message>
   <message>
    <source>Note on the verdict</source>
@@ -6034,7 +6034,7 @@ Perd {loses}.</translation>
   <message>
    <source>What is wrong here:</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>Ce qui est faux ici :</translation>
+   <translation>Ce qui est faux ici :</translation>
   </message>
   <message>
    <source>Export verdicts</source>
@@ -6044,12 +6044,12 @@ Perd {loses}.</translation>
   <message>
    <source>blind: no frame that is committed has a verdict</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>aveugle : aucune image remise n’a de verdict</translation>
+   <translation>aveugle : aucune image remise n’a de verdict</translation>
   </message>
   <message>
    <source>no frame has a verdict yet: mark one first</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>aucune image n’a encore de verdict : rendez-en d’abord un</translation>
+   <translation>aucune image n’a encore de verdict : rendez-en d’abord un</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} verdicts to {path}</source>
@@ -6062,47 +6062,47 @@ Perd {loses}.</translation>
   <message>
    <source>a verdict is on a frame and a camera: load cameras first</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>un verdict porte sur une image et une caméra : chargez d’abord des caméras</translation>
+   <translation>un verdict porte sur une image et une caméra : chargez d’abord des caméras</translation>
   </message>
   <message>
    <source>blind: the camera is hidden until this frame is committed (Ctrl+Enter)</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>aveugle : la caméra est cachée jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
+   <translation>aveugle : la caméra est cachée jusqu’à la remise de cette image (Ctrl+Entrée)</translation>
   </message>
   <message>
    <source>mark the frame first: camera fault, annotation fault or fine</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>jugez d’abord l’image : faute de la caméra, faute de l’annotation ou correct</translation>
+   <translation>jugez d’abord l’image : faute de la caméra, faute de l’annotation ou correct</translation>
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>tout n’a pas pu être enregistré : les chiffres sont ceux du dernier état enregistré</translation>
+   <translation>tout n’a pas pu être enregistré : les chiffres sont ceux du dernier état enregistré</translation>
   </message>
   <message>
    <source>{source} follows the clicks: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} suit les clics : un verdict porte sur une caméra chargée</translation>
+   <translation>{source} suit les clics : un verdict porte sur une caméra chargée</translation>
   </message>
   <message>
    <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
-   <translation>{source} est calculée ici : un verdict porte sur une caméra chargée</translation>
+   <translation>{source} est calculée ici : un verdict porte sur une caméra chargée</translation>
   </message>
   <message>
    <source>the earlier version is back; undo takes it away again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>la version antérieure est revenue ; annuler l’enlève à nouveau</translation>
+   <translation>la version antérieure est revenue ; annuler l’enlève à nouveau</translation>
   </message>
   <message>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>l’image a été changée ailleurs : regardez-la, puis reprenez à nouveau</translation>
+   <translation>l’image a été changée ailleurs : regardez-la, puis restaurez à nouveau</translation>
   </message>
   <message>
    <source>restore an earlier version</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>reprendre une version antérieure</translation>
+   <translation>restaurer une version antérieure</translation>
   </message>
   <message>
    <source>There is no earlier version of this frame.</source>
@@ -6112,7 +6112,7 @@ Perd {loses}.</translation>
   <message>
    <source>Compared with now: {changes}. What differs: {elements}.</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Comparé à maintenant : {changes}. Ce qui diffère : {elements}.</translation>
+   <translation>Comparé à maintenant : {changes}. Ce qui diffère : {elements}.</translation>
   </message>
   <message>
    <source>cannot be read</source>
@@ -6148,7 +6148,7 @@ Perd {loses}.</translation>
   <message>
    <source>Compared with now: the same points in another order of elements.</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Comparé à maintenant : les mêmes points dans un autre ordre d’éléments.</translation>
+   <translation>Comparé à maintenant : les mêmes points dans un autre ordre d’éléments.</translation>
   </message>
   <message>
    <source>Earlier versions</source>
@@ -6158,13 +6158,13 @@ Perd {loses}.</translation>
   <message>
    <source>Restore</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>Reprendre</translation>
+   <translation>Restaurer</translation>
   </message>
   <message>
    <source>%d %b %Y, %H:%M:%S</source>
    <comment>a moment; the month as %b is English, as %m a number</comment>
    <extracomment>[procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>%d/%m/%Y, %H:%M:%S</translation>
+   <translation>%d/%m/%Y, %H:%M:%S</translation>
   </message>
   <message>
    <source>{n} more</source>
@@ -6174,22 +6174,22 @@ Perd {loses}.</translation>
   <message>
    <source>{place} of {total}, worst first: JaC {value:.3f}</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} sur {total}, les pires d’abord : JaC {value:.3f}</translation>
+   <translation>{place} sur {total}, les pires d’abord : JaC {value:.3f}</translation>
   </message>
   <message>
    <source>{place} of {total}, worst first: largest error {value:.1f} px</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} sur {total}, les pires d’abord : plus grande erreur {value:.1f} px</translation>
+   <translation>{place} sur {total}, les pires d’abord : plus grande erreur {value:.1f} px</translation>
   </message>
   <message>
    <source>{place} of {total}, worst first: median disagreement {value:.2f} m</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>{place} sur {total}, les pires d’abord : désaccord médian {value:.2f} m</translation>
+   <translation>{place} sur {total}, les pires d’abord : désaccord médian {value:.2f} m</translation>
   </message>
   <message>
    <source>no JaC yet: load cameras first</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>pas encore de JaC : chargez d’abord des caméras</translation>
+   <translation>pas encore de JaC : chargez d’abord des caméras</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -6204,7 +6204,7 @@ Perd {loses}.</translation>
   <message>
    <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>il faut deux sources pour voir où elles divergent : chargez plus de caméras (Ctrl+L)</translation>
+   <translation>il faut deux sources pour voir où elles divergent : chargez plus de caméras (Ctrl+L)</translation>
   </message>
   <message>
    <source>{source} and {other} cannot be compared on the ground in any frame</source>
@@ -6219,7 +6219,7 @@ Perd {loses}.</translation>
   <message>
    <source>this is the worst; once more goes on</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>c’est la pire ; une fois de plus continue</translation>
+   <translation>c’est la pire ; une fois de plus continue</translation>
   </message>
   <message>
    <source>no other frame has a score</source>
@@ -6234,7 +6234,7 @@ Perd {loses}.</translation>
   <message>
    <source>no frame with a score to go to: blind mode shows those of committed frames only</source>
    <extracomment>[procc_annotator/gui/tasks/review/worst_first.py]</extracomment>
-   <translation>aucune image notée où aller : le mode aveugle ne montre que les images remises</translation>
+   <translation>aucune image notée où aller : le mode aveugle ne montre que les images remises</translation>
   </message>
   <message>
    <source>two sources are being compared already</source>
@@ -6259,17 +6259,17 @@ Perd {loses}.</translation>
   <message>
    <source>no frame to accept: follow the shot first (T); doubtful and annotated frames are left out</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>aucune image à accepter : suivez d’abord le plan (T) ; les images douteuses et annotées sont laissées de côté</translation>
+   <translation>aucune image à accepter : suivez d’abord le plan (T) ; les images douteuses et annotées sont laissées de côté</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>mode aveugle : rien n’est accepté qui n’ait été cliqué</translation>
+   <translation>mode aveugle : rien n’est accepté qui n’ait été cliqué</translation>
   </message>
   <message>
    <source>looking for paint along the track: {done} of {total} frames</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>recherche de peinture le long du suivi : {done} images sur {total}</translation>
+   <translation>recherche de peinture le long du suivi : {done} images sur {total}</translation>
   </message>
   <message numerus="yes">
    <source>accepted {n:,} frames along the track</source>
@@ -6282,22 +6282,22 @@ Perd {loses}.</translation>
   <message>
    <source>Ctrl+Z takes them back</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Ctrl+Z y revient</translation>
+   <translation>Ctrl+Z les annule</translation>
   </message>
   <message numerus="yes">
    <source>taken back: {n:,} frames accepted along the track</source>
    <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>
-    <numerusform>revenu en arrière : {n:,} image acceptée le long du suivi</numerusform>
-    <numerusform>revenu en arrière : {n:,} images acceptées le long du suivi</numerusform>
+    <numerusform>annulé : {n:,} image acceptée le long du suivi</numerusform>
+    <numerusform>annulé : {n:,} images acceptées le long du suivi</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames left: {why}</source>
    <extracomment>{n:,} frame left: {why} / {n:,} frames left: {why} [procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>
-    <numerusform>{n:,} image laissée : {why}</numerusform>
-    <numerusform>{n:,} images laissées : {why}</numerusform>
+    <numerusform>{n:,} image laissée : {why}</numerusform>
+    <numerusform>{n:,} images laissées : {why}</numerusform>
    </translation>
   </message>
   <message>
@@ -6308,22 +6308,22 @@ Perd {loses}.</translation>
   <message>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>aucune image acceptée : {why}</translation>
+   <translation>aucune image acceptée : {why}</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>rien n’a été accepté qui puisse être repris</translation>
+   <translation>rien n’a été accepté qui puisse être annulé</translation>
   </message>
   <message>
    <source>taken back: no frame is accepted</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>revenu en arrière : aucune image n’est acceptée</translation>
+   <translation>annulé : aucune image n’est acceptée</translation>
   </message>
   <message>
    <source>no frame was accepted: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
+   <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
   </message>
   <message>
    <source>accept the track</source>
@@ -6339,21 +6339,21 @@ Perd {loses}.</translation>
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
    <extracomment>followed {n:,} frame, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
    <translation>
-    <numerusform>{n:,} image suivie, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
-    <numerusform>{n:,} images suivies, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
+    <numerusform>{n:,} image suivie, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
+    <numerusform>{n:,} images suivies, dont {doubtful:,} douteuses (Alt+Page suiv.) ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
    </translation>
   </message>
   <message>
    <source>following: {done} of {total} frames  ·  T stops</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>suivi : {done} images sur {total}  ·  T arrête</translation>
+   <translation>suivi : {done} images sur {total}  ·  T arrête</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones</source>
    <extracomment>followed {n:,} frame, all of them sure; Ctrl+Shift+Enter accepts the sure ones / followed {n:,} frames, all of them sure; Ctrl+Shift+Enter accepts the sure ones [procc_annotator/gui/tasks/shot/following.py]</extracomment>
    <translation>
-    <numerusform>{n:,} image suivie, sûre ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
-    <numerusform>{n:,} images suivies, toutes sûres ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
+    <numerusform>{n:,} image suivie, sûre ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
+    <numerusform>{n:,} images suivies, toutes sûres ; Ctrl+Maj+Entrée accepte les sûres</numerusform>
    </translation>
   </message>
   <message>
@@ -6364,7 +6364,7 @@ Perd {loses}.</translation>
   <message>
    <source>the shot could not be followed: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>le plan n’a pu être suivi : {why}</translation>
+   <translation>le plan n’a pu être suivi : {why}</translation>
   </message>
   <message>
    <source>only a video, or frames that follow one another, can be followed</source>
@@ -6374,22 +6374,22 @@ Perd {loses}.</translation>
   <message>
    <source>blind mode: no shot is followed, its cameras would be seen</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>mode aveugle : aucun plan n’est suivi, on verrait ses caméras</translation>
+   <translation>mode aveugle : aucun plan n’est suivi, on verrait ses caméras</translation>
   </message>
   <message>
    <source>no frame of the shot has a camera that is sure: annotate one, then follow it</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>aucune image du plan n’a de caméra sûre : annotez-en une, puis suivez-le</translation>
+   <translation>aucune image du plan n’a de caméra sûre : annotez-en une, puis suivez-le</translation>
   </message>
   <message>
    <source>stopped; what was followed so far stays</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>arrêté ; ce qui est suivi jusqu’ici reste</translation>
+   <translation>arrêté ; ce qui est suivi jusqu’ici reste</translation>
   </message>
   <message>
    <source>stopped; nothing was followed</source>
    <extracomment>[procc_annotator/gui/tasks/shot/following.py]</extracomment>
-   <translation>arrêté ; rien n’a été suivi</translation>
+   <translation>arrêté ; rien n’a été suivi</translation>
   </message>
   <message>
    <source>no frame after this one is annotated</source>
@@ -6409,7 +6409,7 @@ Perd {loses}.</translation>
   <message>
    <source>blind mode: how the track does is hidden</source>
    <extracomment>[procc_annotator/gui/tasks/shot/walking.py]</extracomment>
-   <translation>mode aveugle : ce que vaut le suivi est caché</translation>
+   <translation>mode aveugle : ce que vaut le suivi est caché</translation>
   </message>
   <message>
    <source>no shot was followed yet (T)</source>
@@ -6434,7 +6434,7 @@ Perd {loses}.</translation>
   <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>Avec quoi le score est calculé : {terms}</translation>
+   <translation>Avec quoi le score est calculé : {terms}</translation>
   </message>
   <message>
    <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
@@ -6449,7 +6449,7 @@ Perd {loses}.</translation>
   <message>
    <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/camera_bar.py]</extracomment>
-   <translation>&lt;b&gt;aveugle&lt;/b&gt; : remettre pour voir le JaC</translation>
+   <translation>&lt;b&gt;aveugle&lt;/b&gt; : remettre pour voir le JaC</translation>
   </message>
   <message>
    <source>Three steps to a frame</source>
@@ -6464,12 +6464,12 @@ Perd {loses}.</translation>
   <message>
    <source>{keys}: points along every line, on its paint</source>
    <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys} : des points le long de chaque ligne, sur sa peinture</translation>
+   <translation>{keys} : des points le long de chaque ligne, sur sa peinture</translation>
   </message>
   <message>
    <source>{keys}, then Enter: take what the camera expects</source>
    <extracomment>[procc_annotator/gui/window/coach.py]</extracomment>
-   <translation>{keys}, puis Entrée : prendre ce que la caméra attend</translation>
+   <translation>{keys}, puis Entrée : prendre ce que la caméra attend</translation>
   </message>
   <message>
    <source>Put the three steps away for ever (Help has the user guide)</source>
@@ -6494,7 +6494,7 @@ Perd {loses}.</translation>
   <message>
    <source>Nothing is called “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Rien ne s’appelle « {text} ».</translation>
+   <translation>Rien ne s’appelle « {text} ».</translation>
   </message>
   <message>
    <source>An action, element, frame, camera source, folder, number</source>
@@ -6504,7 +6504,7 @@ Perd {loses}.</translation>
   <message>
    <source>Find anything</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>Tout trouver</translation>
+   <translation>Rechercher</translation>
   </message>
   <message>
    <source>What fits</source>
@@ -6524,7 +6524,7 @@ Perd {loses}.</translation>
   <message>
    <source>this installation came without its user guide</source>
    <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
-   <translation>cette installation est venue sans son guide</translation>
+   <translation>le guide n’est pas fourni avec cette installation</translation>
   </message>
   <message>
    <source>About ProCC Annotator</source>
@@ -6536,7 +6536,7 @@ Perd {loses}.</translation>
 Annotate and audit sports-camera calibrations.</source>
    <extracomment>[procc_annotator/gui/window/commands.py]</extracomment>
    <translation>ProCC Annotator {version}
-Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC.</translation>
+Annoter et auditer des calibrations de caméras de sport.</translation>
   </message>
   <message>
    <source>no cameras are loaded (Ctrl+L)</source>
@@ -6581,12 +6581,12 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
   <message>
    <source>Split here: the rest becomes</source>
    <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Couper ici : le reste devient</translation>
+   <translation>Couper ici : le reste devient</translation>
   </message>
   <message>
    <source>Not visible here: take back</source>
    <extracomment>[procc_annotator/gui/window/context_menu.py]</extracomment>
-   <translation>Pas visible ici : revenir dessus</translation>
+   <translation>Pas visible ici : revenir dessus</translation>
   </message>
   <message>
    <source>Change class to (swaps with an annotated one)</source>
@@ -6709,7 +6709,7 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
   <message>
    <source>Search: a word, or a key. A click does what a row says.</source>
    <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Recherche : un mot ou une touche. Un clic fait ce que dit une ligne.</translation>
+   <translation>Recherche : un mot ou une touche. Un clic fait ce que dit une ligne.</translation>
   </message>
   <message>
    <source>Search the keys</source>
@@ -6724,7 +6724,7 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
   <message>
    <source>No key, action or element has “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/key_sheet.py]</extracomment>
-   <translation>Aucune touche, action ni élément ne contient « {text} ».</translation>
+   <translation>Aucune touche, action ni élément ne contient « {text} ».</translation>
   </message>
   <message>
    <source>Choose an element</source>
@@ -6744,12 +6744,12 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
   <message>
    <source>{menu}: {action}</source>
    <extracomment>[procc_annotator/gui/window/keymap_dialog.py, procc_annotator/gui/window/menus.py]</extracomment>
-   <translation>{menu} : {action}</translation>
+   <translation>{menu} : {action}</translation>
   </message>
   <message>
    <source>Search: a word, or a key</source>
    <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Recherche : un mot ou une touche</translation>
+   <translation>Recherche : un mot ou une touche</translation>
   </message>
   <message>
    <source>Choose a row, then press its keys</source>
@@ -6789,7 +6789,7 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
   <message>
    <source>⚠ Keys that call two actions call neither: give one of them other keys.</source>
    <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>⚠ Des touches qui appellent deux actions n’en appellent aucune : donnez-en d’autres à l’une d’elles.</translation>
+   <translation>⚠ Des touches qui appellent deux actions n’en appellent aucune : donnez-en d’autres à l’une d’elles.</translation>
   </message>
   <message>
    <source>Export keys</source>
@@ -6804,17 +6804,17 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
   <message>
    <source>⚠ also: {what}</source>
    <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>⚠ aussi : {what}</translation>
+   <translation>⚠ aussi : {what}</translation>
   </message>
   <message>
    <source>New keys: press them here</source>
    <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>Nouvelles touches : pressez-les ici</translation>
+   <translation>Nouvelles touches : pressez-les ici</translation>
   </message>
   <message>
    <source>{file}: {error}; the keys stay as they are</source>
    <extracomment>[procc_annotator/gui/window/keymap_dialog.py]</extracomment>
-   <translation>{file} : {error} ; les touches restent ce qu’elles sont</translation>
+   <translation>{file} : {error} ; les touches restent ce qu’elles sont</translation>
   </message>
   <message>
    <source>Action or element</source>
@@ -6824,7 +6824,7 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
   <message>
    <source>{action}: {step}</source>
    <extracomment>[procc_annotator/gui/window/menus.py]</extracomment>
-   <translation>{action} : {step}</translation>
+   <translation>{action} : {step}</translation>
   </message>
   <message>
    <source>Panel</source>
@@ -6864,12 +6864,12 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
   <message>
    <source>Live fit: model {model}</source>
    <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Ajustement continu : modèle {model}</translation>
+   <translation>Ajustement continu : modèle {model}</translation>
   </message>
   <message>
    <source>Fit this model to the clicks; auto takes the simplest that they support</source>
    <extracomment>[procc_annotator/gui/window/palette_entries.py]</extracomment>
-   <translation>Ajuster ce modèle aux clics ; auto prend le plus simple qu’ils permettent</translation>
+   <translation>Ajuster ce modèle aux clics ; auto prend le plus simple qu’ils permettent</translation>
   </message>
   <message>
    <source>Panel {title}</source>
@@ -6901,7 +6901,7 @@ Annoter et auditer des calibrations de caméras de sport avec le protocole ProCC
 Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <extracomment>[procc_annotator/gui/window/rail.py]</extracomment>
    <translation>Image
-Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez change</translation>
+Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez change</translation>
   </message>
   <message>
    <source>saved {time}</source>
@@ -6912,8 +6912,8 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez 
    <source>NOT SAVED: {n} frames</source>
    <extracomment>NOT SAVED: {n} frame / NOT SAVED: {n} frames [procc_annotator/gui/window/save_state.py]</extracomment>
    <translation>
-    <numerusform>NON ENREGISTRÉE : {n} image</numerusform>
-    <numerusform>NON ENREGISTRÉES : {n} images</numerusform>
+    <numerusform>NON ENREGISTRÉE : {n} image</numerusform>
+    <numerusform>NON ENREGISTRÉES : {n} images</numerusform>
    </translation>
   </message>
   <message>
@@ -6934,7 +6934,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez 
   <message>
    <source>{setting}: back to {value}</source>
    <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>{setting} : revenir à {value}</translation>
+   <translation>{setting} : revenir à {value}</translation>
   </message>
   <message>
    <source>Settings</source>
@@ -6954,7 +6954,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez 
   <message>
    <source>No setting has “{text}”.</source>
    <extracomment>[procc_annotator/gui/window/settings_dialog.py]</extracomment>
-   <translation>Aucun paramètre ne contient « {text} ».</translation>
+   <translation>Aucun paramètre ne contient « {text} ».</translation>
   </message>
   <message>
    <source>none of your own</source>
@@ -6969,7 +6969,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez 
   <message>
    <source>Cursor in picture pixels; the centre of the top left pixel is 0 0</source>
    <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
-   <translation>Curseur en pixels de l’image ; le centre du pixel en haut à gauche est 0 0</translation>
+   <translation>Curseur en pixels de l’image ; le centre du pixel en haut à gauche est 0 0</translation>
   </message>
   <message>
    <source>Cursor on the ground of the field, in metres from its centre</source>
@@ -6980,14 +6980,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez 
    <source>How far apart the active and the compared camera see the cursor:
 on the ground, and in pixels of the evaluation size</source>
    <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
-   <translation>À quelle distance la caméra active et la caméra comparée voient le curseur :
+   <translation>À quelle distance la caméra active et la caméra comparée voient le curseur :
 au sol, et en pixels de la taille d’évaluation</translation>
   </message>
   <message>
    <source>How surely the fitted camera knows the ground point at the cursor: standard
 deviation in the worst direction, whatever the cursor itself is off by</source>
    <extracomment>[procc_annotator/gui/window/status.py]</extracomment>
-   <translation>Avec quelle sûreté la caméra ajustée connaît le point du sol au curseur : écart type
+   <translation>Avec quelle sûreté la caméra ajustée connaît le point du sol au curseur : écart type
 dans la pire direction, quelle que soit l’erreur du curseur lui-même</translation>
   </message>
   <message>
@@ -7018,7 +7018,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Threshold tau: an element passes when all its points are nearer (+ and -)</source>
    <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
-   <translation>Seuil tau : un élément passe si tous ses points sont plus proches (+ et -)</translation>
+   <translation>Seuil tau : un élément passe si tous ses points sont plus proches (+ et -)</translation>
   </message>
   <message>
    <source>Threshold tau</source>
@@ -7038,7 +7038,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>Terrain : {field}</translation>
+   <translation>Terrain : {field}</translation>
   </message>
   <message>
    <source>Click to choose another one</source>
@@ -7093,7 +7093,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>unexpected error ({what}); the terminal says more</source>
    <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>erreur inattendue ({what}) ; le terminal en dit plus</translation>
+   <translation>erreur inattendue ({what}) ; le terminal en dit plus</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7123,7 +7123,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>ghost: expected here</source>
    <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>fantôme : attendu ici</translation>
+   <translation>fantôme : attendu ici</translation>
   </message>
   <message>
    <source>annotated, in its class's colour</source>
@@ -7148,12 +7148,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>choose an element first: field map, list, or its key</source>
    <extracomment>[procc_annotator/interact/draw_tool.py]</extracomment>
-   <translation>choisissez d’abord un élément : plan du terrain, liste ou touche</translation>
+   <translation>choisissez d’abord un élément : plan du terrain, liste ou touche</translation>
   </message>
   <message>
    <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
    <extracomment>[procc_annotator/interact/edit_tool.py]</extracomment>
-   <translation>{title} est épinglé, pour qu’un faux geste ne le bouge pas : glissez ses points, ou libérez les éléments (Ctrl+P, menu Élément) pour le glisser en entier</translation>
+   <translation>{title} est épinglé, pour qu’un faux geste ne le bouge pas : glissez ses points, ou libérez les éléments (Ctrl+P, menu Élément) pour le glisser en entier</translation>
   </message>
   <message numerus="yes">
    <source>{n} to go</source>
@@ -7171,7 +7171,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>choose an element: field map, list, its key or /</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>choisissez un élément : plan du terrain, liste, touche ou /</translation>
+   <translation>choisissez un élément : plan du terrain, liste, touche ou /</translation>
   </message>
   <message>
    <source>Backspace takes back the last point</source>
@@ -7196,7 +7196,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>click or drag a point, drag on empty ground to choose several</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>cliquer ou glisser un point ; glisser sur un endroit vide pour en choisir plusieurs</translation>
+   <translation>cliquer ou glisser un point ; glisser sur un endroit vide pour en choisir plusieurs</translation>
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
@@ -7242,16 +7242,16 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>Tab: next of {n} ghosts</source>
    <extracomment>Tab: next of {n} ghost / Tab: next of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
    <translation>
-    <numerusform>Tab : suivant de {n} fantôme</numerusform>
-    <numerusform>Tab : suivant de {n} fantômes</numerusform>
+    <numerusform>Tab : suivant de {n} fantôme</numerusform>
+    <numerusform>Tab : suivant de {n} fantômes</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>Tab: first of {n} ghosts</source>
    <extracomment>Tab: first of {n} ghost / Tab: first of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
    <translation>
-    <numerusform>Tab : premier de {n} fantôme</numerusform>
-    <numerusform>Tab : premier de {n} fantômes</numerusform>
+    <numerusform>Tab : premier de {n} fantôme</numerusform>
+    <numerusform>Tab : premier de {n} fantômes</numerusform>
    </translation>
   </message>
   <message>
@@ -7267,12 +7267,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Shift+Enter: all</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>Maj+Entrée : tous</translation>
+   <translation>Maj+Entrée : tous</translation>
   </message>
   <message>
    <source>or choose its element first: field map, list, its key or /</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>ou choisissez d’abord son élément : plan du terrain, liste, touche ou /</translation>
+   <translation>ou choisissez d’abord son élément : plan du terrain, liste, touche ou /</translation>
   </message>
   <message>
    <source>DRAW</source>
@@ -7404,7 +7404,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>click does nothing: there are no points to edit, draw an element first</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>un clic ne fait rien : il n’y a pas de points à éditer, dessinez d’abord un élément</translation>
+   <translation>un clic ne fait rien : il n’y a pas de points à éditer, dessinez d’abord un élément</translation>
   </message>
   <message>
    <source>click a point to drag it, beside it to let go</source>
@@ -7440,7 +7440,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Enter does nothing: no line is found along it</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>Entrée ne fait rien : aucune ligne n’est trouvée dessus</translation>
+   <translation>Entrée ne fait rien : aucune ligne n’est trouvée dessus</translation>
   </message>
   <message>
    <source>click begins a line that is named after</source>
@@ -7538,7 +7538,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Shift+Enter: accept all</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>Maj+Entrée : tout accepter</translation>
+   <translation>Maj+Entrée : tout accepter</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -7642,12 +7642,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
-   <translation>{element} convient : son point le plus loin, le {number}, est à {px} px ; il passe à tau &gt; {px}.</translation>
+   <translation>{element} convient : son point le plus loin, le {number}, est à {px} px ; il passe à tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
-   <translation>{element} est trop loin : le point {number} est à {px} px ; il passe à tau &gt; {px}.</translation>
+   <translation>{element} est trop loin : le point {number} est à {px} px ; il passe à tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{title} (judged as {other}, labels mirrored)</source>
@@ -7657,17 +7657,17 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
-   <translation>{element} est manqué : il est annoté, mais la caméra ne le montre pas dans l’image.</translation>
+   <translation>{element} est manqué : il est annoté, mais la caméra ne le montre pas dans l’image.</translation>
   </message>
   <message>
    <source>{element} is not annotated, but the camera shows it: a false positive.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
-   <translation>{element} n’est pas annoté, mais la caméra le montre : un faux positif.</translation>
+   <translation>{element} n’est pas annoté, mais la caméra le montre : un faux positif.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
-   <translation>{element} est trop loin : le point {number} n’a pas de distance, car la projection y a des échantillons confondus ; il ne passe à aucun tau.</translation>
+   <translation>{element} est trop loin : le point {number} n’a pas de distance, car la projection y a des échantillons confondus ; il ne passe à aucun tau.</translation>
   </message>
   <message>
    <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
@@ -7677,17 +7677,17 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
-   <translation>{element} est manqué : il est annoté, mais le terrain n’a pas un tel élément à projeter.</translation>
+   <translation>{element} est manqué : il est annoté, mais le terrain n’a pas un tel élément à projeter.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
-   <translation>{element} est manqué : il est annoté, mais il quitte le sol, et la caméra ne connaît que le sol.</translation>
+   <translation>{element} est manqué : il est annoté, mais il quitte le sol, et la caméra ne connaît que le sol.</translation>
   </message>
   <message>
    <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
    <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
-   <translation>Ajustée aux clics de chaque image ; rien n’en est dans un fichier</translation>
+   <translation>Ajustée aux clics de chaque image ; rien n’en est dans un fichier</translation>
   </message>
   <message>
    <source>no fit of {frame} yet</source>
@@ -7702,12 +7702,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Followed through the shot; nothing of it is in a file</source>
    <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>Suivie à travers le plan ; rien n’en est dans un fichier</translation>
+   <translation>Suivie à travers le plan ; rien n’en est dans un fichier</translation>
   </message>
   <message>
    <source>no track here: {why}</source>
    <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>pas de suivi ici : {why}</translation>
+   <translation>pas de suivi ici : {why}</translation>
   </message>
   <message>
    <source>no camera was found</source>
@@ -7867,17 +7867,17 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>{title} was surveyed: its position stays as it is</source>
    <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
-   <translation>{title} a été mesuré sur place : sa position reste ce qu’elle est</translation>
+   <translation>{title} a été mesuré sur place : sa position reste ce qu’elle est</translation>
   </message>
   <message>
    <source>{title} moves: its positions hold for an instant each</source>
    <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
-   <translation>{title} se déplace : chacune de ses positions vaut pour un instant</translation>
+   <translation>{title} se déplace : chacune de ses positions vaut pour un instant</translation>
   </message>
   <message>
    <source>its camera is hardly determined: {what}</source>
    <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>sa caméra est à peine déterminée : {what}</translation>
+   <translation>sa caméra est à peine déterminée : {what}</translation>
   </message>
   <message>
    <source>no camera in {frame} ({why}), and {count} more</source>
@@ -7892,7 +7892,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>surveyed: kept as it is</source>
    <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>mesuré sur place : reste ce qu’il est</translation>
+   <translation>mesuré sur place : reste ce qu’il est</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
@@ -7952,7 +7952,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>A description of your own: any sport, see the user guide</source>
    <extracomment>[the action field_file]</extracomment>
-   <translation>Votre propre description : n’importe quel sport, voir le guide</translation>
+   <translation>Votre propre description : n’importe quel sport, voir le guide</translation>
   </message>
   <message>
    <source>Switch to the field that fits</source>
@@ -7982,7 +7982,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Every finished edit is saved at once; this tries again what failed</source>
    <extracomment>[the action save]</extracomment>
-   <translation>Toute modification terminée est enregistrée aussitôt ; ceci réessaie ce qui a échoué</translation>
+   <translation>Toute modification terminée est enregistrée aussitôt ; ceci réessaie ce qui a échoué</translation>
   </message>
   <message>
    <source>Import annotations…</source>
@@ -8002,7 +8002,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Write the annotations for another program: CVAT, labelme, COCO, SoccerNet, masks</source>
    <extracomment>[the action export_as]</extracomment>
-   <translation>Écrire les annotations pour un autre programme : CVAT, labelme, COCO, SoccerNet, masques</translation>
+   <translation>Écrire les annotations pour un autre programme : CVAT, labelme, COCO, SoccerNet, masques</translation>
   </message>
   <message>
    <source>Export SoccerNet JSON…</source>
@@ -8092,7 +8092,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Close the window; everything is saved</source>
    <extracomment>[the action quit]</extracomment>
-   <translation>Fermer la fenêtre ; tout est enregistré</translation>
+   <translation>Fermer la fenêtre ; tout est enregistré</translation>
   </message>
   <message>
    <source>Undo</source>
@@ -8122,7 +8122,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Remove the selected point; without one, the selected element</source>
    <extracomment>[the action delete]</extracomment>
-   <translation>Retirer le point sélectionné ; à défaut, l’élément sélectionné</translation>
+   <translation>Retirer le point sélectionné ; à défaut, l’élément sélectionné</translation>
   </message>
   <message>
    <source>Insert point</source>
@@ -8172,7 +8172,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Move the chosen points 1 px; where none is chosen, the crosshair</source>
    <extracomment>[the action nudge_down, the action nudge_left, the action nudge_right]</extracomment>
-   <translation>Déplacer de 1 px les points choisis ; si aucun ne l’est, le réticule</translation>
+   <translation>Déplacer de 1 px les points choisis ; si aucun ne l’est, le réticule</translation>
   </message>
   <message>
    <source>Right 1 px</source>
@@ -8197,7 +8197,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Move the chosen points 0.1 px; where none is chosen, the crosshair</source>
    <extracomment>[the action nudge_down_fine, the action nudge_left_fine, the action nudge_right_fine]</extracomment>
-   <translation>Déplacer de 0.1 px les points choisis ; si aucun ne l’est, le réticule</translation>
+   <translation>Déplacer de 0.1 px les points choisis ; si aucun ne l’est, le réticule</translation>
   </message>
   <message>
    <source>Right 0.1 px</source>
@@ -8222,7 +8222,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Move the chosen points 10 px; where none is chosen, the crosshair</source>
    <extracomment>[the action nudge_down_far, the action nudge_left_far, the action nudge_right_far]</extracomment>
-   <translation>Déplacer de 10 px les points choisis ; si aucun ne l’est, le réticule</translation>
+   <translation>Déplacer de 10 px les points choisis ; si aucun ne l’est, le réticule</translation>
   </message>
   <message>
    <source>Right 10 px</source>
@@ -8247,7 +8247,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Move the chosen points 100 px; where none is chosen, the crosshair</source>
    <extracomment>[the action nudge_down_farther, the action nudge_left_farther, the action nudge_right_farther]</extracomment>
-   <translation>Déplacer de 100 px les points choisis ; si aucun ne l’est, le réticule</translation>
+   <translation>Déplacer de 100 px les points choisis ; si aucun ne l’est, le réticule</translation>
   </message>
   <message>
    <source>Right 100 px</source>
@@ -8322,7 +8322,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The frame with the lowest JaC; once more: the next better one</source>
    <extracomment>[the action next_worst]</extracomment>
-   <translation>L’image au JaC le plus bas ; une fois de plus : la suivante, un peu meilleure</translation>
+   <translation>L’image au JaC le plus bas ; une fois de plus : la suivante, un peu meilleure</translation>
   </message>
   <message>
    <source>Next largest error</source>
@@ -8332,7 +8332,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The frame with the largest error of a point; once more: the next smaller one</source>
    <extracomment>[the action next_largest_error]</extracomment>
-   <translation>L’image où un point a la plus grande erreur ; une fois de plus : la suivante, plus petite</translation>
+   <translation>L’image où un point a la plus grande erreur ; une fois de plus : la suivante, plus petite</translation>
   </message>
   <message>
    <source>Next by disagreement</source>
@@ -8342,7 +8342,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The frame where the active source and the compared one are farthest apart on the ground; once more: the next</source>
    <extracomment>[the action next_disagreement]</extracomment>
-   <translation>L’image où la source active et la source comparée sont le plus éloignées au sol ; une fois de plus : la suivante</translation>
+   <translation>L’image où la source active et la source comparée sont le plus éloignées au sol ; une fois de plus : la suivante</translation>
   </message>
   <message>
    <source>Label check</source>
@@ -8377,7 +8377,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Mend the current finding: relabel, swap, remove the bad point, or look at it</source>
    <extracomment>[the action apply_remedy]</extracomment>
-   <translation>Corriger le constat actuel : renommer, échanger, retirer le mauvais point, ou aller voir</translation>
+   <translation>Corriger le constat actuel : renommer, échanger, retirer le mauvais point, ou aller voir</translation>
   </message>
   <message>
    <source>Next without annotation</source>
@@ -8432,7 +8432,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Find the cameras of all frames of this shot, from this one in both directions; once more stops</source>
    <extracomment>[the action follow_shot]</extracomment>
-   <translation>Trouver les caméras de toutes les images de ce plan, à partir de celle-ci dans les deux sens ; une fois de plus arrête</translation>
+   <translation>Trouver les caméras de toutes les images de ce plan, à partir de celle-ci dans les deux sens ; une fois de plus arrête</translation>
   </message>
   <message>
    <source>Accept the stretch</source>
@@ -8442,7 +8442,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Annotate the frames of the shot, or of the stretch marked on the strip, along their track; doubtful frames and annotated ones are left out</source>
    <extracomment>[the action accept_stretch]</extracomment>
-   <translation>Annoter les images du plan, ou du passage marqué sur la bande, le long de leur suivi ; les images douteuses et les images annotées sont laissées de côté</translation>
+   <translation>Annoter les images du plan, ou du passage marqué sur la bande, le long de leur suivi ; les images douteuses et les images annotées sont laissées de côté</translation>
   </message>
   <message>
    <source>Take back the accepted stretch</source>
@@ -8522,7 +8522,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Show the frames one after the other; once more, or any edit, stops</source>
    <extracomment>[the action play]</extracomment>
-   <translation>Montrer les images l’une après l’autre ; une fois de plus, ou toute modification, arrête</translation>
+   <translation>Montrer les images l’une après l’autre ; une fois de plus, ou toute modification, arrête</translation>
   </message>
   <message>
    <source>Find frame…</source>
@@ -8552,7 +8552,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Blind mode for everybody who annotates this dataset; unlocking asks, and is recorded</source>
    <extracomment>[the action lock_blind]</extracomment>
-   <translation>Mode aveugle pour tous ceux qui annotent ce jeu ; le lever demande confirmation et est consigné</translation>
+   <translation>Mode aveugle pour tous ceux qui annotent ce jeu ; le lever demande confirmation et est consigné</translation>
   </message>
   <message>
    <source>Done</source>
@@ -8562,7 +8562,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>This frame is done; in blind mode that shows the projection</source>
    <extracomment>[the action commit]</extracomment>
-   <translation>Cette image est terminée ; en mode aveugle, cela montre la projection</translation>
+   <translation>Cette image est terminée ; en mode aveugle, cela montre la projection</translation>
   </message>
   <message>
    <source>Approve</source>
@@ -8582,7 +8582,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>A reviewer sends this frame back; say why in a comment</source>
    <extracomment>[the action reject]</extracomment>
-   <translation>Un relecteur renvoie cette image ; dites pourquoi dans un commentaire</translation>
+   <translation>Un relecteur renvoie cette image ; dites pourquoi dans un commentaire</translation>
   </message>
   <message>
    <source>In progress again</source>
@@ -8612,7 +8612,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Look at every saved version of this frame and bring one back</source>
    <extracomment>[the action versions]</extracomment>
-   <translation>Voir toutes les versions enregistrées de cette image et en reprendre une</translation>
+   <translation>Voir toutes les versions enregistrées de cette image et en restaurer une</translation>
   </message>
   <message>
    <source>Overview of the set…</source>
@@ -8652,7 +8652,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Take over elements of the frame annotated before, moved as the camera moved; they wait to be confirmed</source>
    <extracomment>[the action copy_previous]</extracomment>
-   <translation>Reprendre les éléments de l’image annotée avant, déplacés comme la caméra ; ils attendent d’être confirmés</translation>
+   <translation>Reprendre les éléments de l’image annotée avant, déplacés comme la caméra ; ils attendent d’être confirmés</translation>
   </message>
   <message>
    <source>Confirm all copied elements</source>
@@ -8787,7 +8787,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The selected element counts and is saved from now on (in edit mode: Enter)</source>
    <extracomment>[the action confirm]</extracomment>
-   <translation>L’élément sélectionné compte et est enregistré désormais (en mode édition : Entrée)</translation>
+   <translation>L’élément sélectionné compte et est enregistré désormais (en mode édition : Entrée)</translation>
   </message>
   <message>
    <source>Regularise</source>
@@ -8797,7 +8797,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Resample the element along its painted line: two clicks make a straight element, five a curve</source>
    <extracomment>[the action regularise]</extracomment>
-   <translation>Rééchantillonner l’élément le long de sa ligne peinte : deux clics font un élément droit, cinq une courbe</translation>
+   <translation>Rééchantillonner l’élément le long de sa ligne peinte : deux clics font un élément droit, cinq une courbe</translation>
   </message>
   <message>
    <source>Close gaps</source>
@@ -8867,7 +8867,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Without an element chosen, a click begins a line; once it is finished, the likeliest elements are offered at the pen</source>
    <extracomment>[the action draw_first, the setting draw_first]</extracomment>
-   <translation>Sans élément choisi, un clic commence une ligne ; une fois terminée, les éléments les plus probables sont proposés au stylet</translation>
+   <translation>Sans élément choisi, un clic commence une ligne ; une fois terminée, les éléments les plus probables sont proposés au bout du trait</translation>
   </message>
   <message>
    <source>Pin elements</source>
@@ -8912,7 +8912,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Make the ghost an element: points on its painted line, none where that is hidden (Enter)</source>
    <extracomment>[the action accept_ghost]</extracomment>
-   <translation>Faire du fantôme un élément : des points sur sa ligne peinte, aucun là où elle est cachée (Entrée)</translation>
+   <translation>Faire du fantôme un élément : des points sur sa ligne peinte, aucun là où elle est cachée (Entrée)</translation>
   </message>
   <message>
    <source>Accept all ghosts whose painted lines are seen well enough (Shift+Enter while nothing is being drawn)</source>
@@ -8927,7 +8927,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Accept all ghosts of this frame and show the next one: one key a frame</source>
    <extracomment>[the action accept_go_on]</extracomment>
-   <translation>Accepter tous les fantômes de cette image et montrer la suivante : une touche par image</translation>
+   <translation>Accepter tous les fantômes de cette image et montrer la suivante : une touche par image</translation>
   </message>
   <message>
    <source>Line seen to accept all…</source>
@@ -8942,12 +8942,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
-   <translation>Le fantôme, ou l’élément choisi, ne se voit pas sur cette image ; une fois de plus revient dessus</translation>
+   <translation>Le fantôme, ou l’élément choisi, ne se voit pas sur cette image ; une fois de plus revient dessus</translation>
   </message>
   <message>
    <source>Take back “not visible here”</source>
    <extracomment>[the action visible_again]</extracomment>
-   <translation>Revenir sur « pas visible ici »</translation>
+   <translation>Revenir sur « pas visible ici »</translation>
   </message>
   <message>
    <source>The element said last to be not visible in this frame may be seen after all</source>
@@ -8972,7 +8972,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Where nothing is annotated yet, find the camera without a click and show its elements as ghosts; nothing is saved before it is accepted</source>
    <extracomment>[the action propose, the setting propose]</extracomment>
-   <translation>Là où rien n’est encore annoté, trouver la caméra sans un clic et montrer ses éléments comme fantômes ; rien n’est enregistré avant d’être accepté</translation>
+   <translation>Là où rien n’est encore annoté, trouver la caméra sans un clic et montrer ses éléments comme fantômes ; rien n’est enregistré avant d’être accepté</translation>
   </message>
   <message>
    <source>Say what to annotate next</source>
@@ -9032,7 +9032,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The left button moves the picture (or hold Space, or the middle button); Esc ends it</source>
    <extracomment>[the action pan]</extracomment>
-   <translation>Le bouton gauche déplace l’image (ou tenir Espace, ou bouton du milieu) ; Échap y met fin</translation>
+   <translation>Le bouton gauche déplace l’image (ou tenir Espace, ou bouton du milieu) ; Échap y met fin</translation>
   </message>
   <message>
    <source>Keep zoom across frames</source>
@@ -9082,7 +9082,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Points by how they came to be: clicked, snapped, regularised, copied, moved</source>
    <extracomment>[the action colour_origin]</extracomment>
-   <translation>Les points selon leur origine : cliqués, aimantés, régularisés, copiés, déplacés</translation>
+   <translation>Les points selon leur origine : cliqués, aimantés, régularisés, copiés, déplacés</translation>
   </message>
   <message>
    <source>Annotator</source>
@@ -9112,7 +9112,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Beside every segment a strip: solid where the picture shows paint under it, dashed where paint runs beside it, on that side, dotted where there is none</source>
    <extracomment>[the action evidence, the setting evidence]</extracomment>
-   <translation>Le long de chaque segment une bande : pleine où l’image montre de la peinture dessous, tiretée où la peinture passe à côté, de ce côté, pointillée où il n’y en a pas</translation>
+   <translation>Le long de chaque segment une bande : pleine où l’image montre de la peinture dessous, tiretée où la peinture passe à côté, de ce côté, pointillée où il n’y en a pas</translation>
   </message>
   <message>
    <source>Loupe</source>
@@ -9122,7 +9122,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Keep the loupe at the cursor (or hold Z; it also comes while a point is dragged)</source>
    <extracomment>[the action loupe, the setting loupe]</extracomment>
-   <translation>Garder la loupe au curseur (ou tenir Z ; elle vient aussi quand un point est glissé)</translation>
+   <translation>Garder la loupe au curseur (ou tenir Z ; elle vient aussi quand un point est glissé)</translation>
   </message>
   <message>
    <source>Legend in the picture</source>
@@ -9132,7 +9132,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>What the colours, dashes and marks over the picture mean, in its corner; it gives way to the hand</source>
    <extracomment>[the action legend, the setting legend]</extracomment>
-   <translation>Ce que signifient les couleurs, tirets et marques sur l’image, dans son coin ; elle cède la place à la main</translation>
+   <translation>Ce que signifient les couleurs, tirets et marques sur l’image, dans son coin ; elle cède la place à la main</translation>
   </message>
   <message>
    <source>Turn the field map to the camera</source>
@@ -9142,7 +9142,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
-   <translation>Le plan a en bas le côté où se tient la caméra, et ce qu’elle ne voit pas est pâle ; la moitié hors de vue laisse sa place à l’autre</translation>
+   <translation>Le plan a en bas le côté où se tient la caméra, et ce qu’elle ne voit pas est pâle ; la moitié hors de vue laisse sa place à l’autre</translation>
   </message>
   <message>
    <source>Strip of frames</source>
@@ -9152,12 +9152,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Below the picture: of a video, or of frames that follow one another, how their cameras do and where they are annotated; of other frames small pictures with their states</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>Sous l’image : pour une vidéo ou des images qui se suivent, comment vont leurs caméras et où elles sont annotées ; pour d’autres, des vignettes avec leur état</translation>
+   <translation>Sous l’image : pour une vidéo ou des images qui se suivent, ce que valent leurs caméras et où elles sont annotées ; pour d’autres, des vignettes avec leur état</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
    <extracomment>[the action plots]</extracomment>
-   <translation>Erreurs et JaC de l’image ou du jeu en graphiques, pour toutes les sources affichées, dans un tiroir sous l’image ; une fois de plus le ferme</translation>
+   <translation>Erreurs et JaC de l’image ou du jeu en graphiques, pour toutes les sources affichées, dans un tiroir sous l’image ; une fois de plus le ferme</translation>
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -9167,7 +9167,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Elements, what the check found, landmarks</source>
    <extracomment>[the action desk_annotate]</extracomment>
-   <translation>Éléments, constats de la vérification, points de repère</translation>
+   <translation>Éléments, constats de la vérification, repères</translation>
   </message>
   <message>
    <source>Panels to judge</source>
@@ -9207,7 +9207,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Tab goes through ghosts in the picture; this takes the keyboard on to the panels</source>
    <extracomment>[the action to_panels]</extracomment>
-   <translation>Dans l’image, Tab parcourt les fantômes ; ceci mène le clavier aux panneaux</translation>
+   <translation>Dans l’image, Tab parcourt les fantômes ; ceci mène le clavier aux panneaux</translation>
   </message>
   <message>
    <source>Keyboard to the next part</source>
@@ -9217,7 +9217,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Picture, panels, tool bar: the keyboard goes round them</source>
    <extracomment>[the action next_region]</extracomment>
-   <translation>Image, panneaux, barres : le clavier en fait le tour</translation>
+   <translation>Image, panneaux, barres : le clavier en fait le tour</translation>
   </message>
   <message>
    <source>Keyboard to the part before</source>
@@ -9287,7 +9287,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Judge with the source compared, and compare with this one (or tap the comma; hold it to look only)</source>
    <extracomment>[the action swap_cameras]</extracomment>
-   <translation>Juger avec la source comparée, et comparer avec celle-ci (ou taper la virgule ; la tenir pour voir seulement)</translation>
+   <translation>Juger avec la source comparée, et comparer avec celle-ci (ou taper la virgule ; la tenir pour voir seulement)</translation>
   </message>
   <message>
    <source>Draw other sources</source>
@@ -9312,7 +9312,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>How many metres apart the active and the compared source see each pixel on the ground</source>
    <extracomment>[the action disagreement]</extracomment>
-   <translation>De combien de mètres la source active et la source comparée voient chaque pixel à distance au sol</translation>
+   <translation>À combien de mètres l’une de l’autre, au sol, la source active et la source comparée voient chaque pixel</translation>
   </message>
   <message>
    <source>Uncertainty map</source>
@@ -9352,12 +9352,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Length and width of this stadium's field, entered or found from all frames; and where on its lines the clicks lie</source>
    <extracomment>[the action field_dimensions]</extracomment>
-   <translation>Longueur et largeur du terrain de ce stade, saisies ou trouvées d’après toutes les images ; et où sur ses lignes sont les clics</translation>
+   <translation>Longueur et largeur du terrain de ce stade, saisies ou trouvées d’après toutes les images ; et où sur ses lignes sont les clics</translation>
   </message>
   <message>
    <source>Threshold up 0.5 px</source>
    <extracomment>[the action tau_up]</extracomment>
-   <translation>Seuil : 0.5 px de plus</translation>
+   <translation>Seuil : 0.5 px de plus</translation>
   </message>
   <message>
    <source>Allow larger distances</source>
@@ -9367,7 +9367,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Threshold down 0.5 px</source>
    <extracomment>[the action tau_down]</extracomment>
-   <translation>Seuil : 0.5 px de moins</translation>
+   <translation>Seuil : 0.5 px de moins</translation>
   </message>
   <message>
    <source>Allow smaller distances only</source>
@@ -9422,7 +9422,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The active camera is wrong in this frame; once more takes the verdict back</source>
    <extracomment>[the action mark_camera]</extracomment>
-   <translation>La caméra active est fausse sur cette image ; une fois de plus retire le verdict</translation>
+   <translation>La caméra active est fausse sur cette image ; une fois de plus retire le verdict</translation>
   </message>
   <message>
    <source>Annotation fault</source>
@@ -9432,7 +9432,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The clicks are wrong in this frame; once more takes the verdict back</source>
    <extracomment>[the action mark_annotation]</extracomment>
-   <translation>Les clics sont faux sur cette image ; une fois de plus retire le verdict</translation>
+   <translation>Les clics sont faux sur cette image ; une fois de plus retire le verdict</translation>
   </message>
   <message>
    <source>Fine</source>
@@ -9442,7 +9442,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Camera and clicks are right in this frame; once more takes the verdict back</source>
    <extracomment>[the action mark_fine]</extracomment>
-   <translation>Caméra et clics sont justes sur cette image ; une fois de plus retire le verdict</translation>
+   <translation>Caméra et clics sont justes sur cette image ; une fois de plus retire le verdict</translation>
   </message>
   <message>
    <source>Note on the verdict…</source>
@@ -9452,7 +9452,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Say in a few words what is wrong; it is exported with the verdict</source>
    <extracomment>[the action verdict_note]</extracomment>
-   <translation>Dire en quelques mots ce qui est faux ; c’est exporté avec le verdict</translation>
+   <translation>Dire en quelques mots ce qui est faux ; c’est exporté avec le verdict</translation>
   </message>
   <message>
    <source>Stop scoring the set</source>
@@ -9467,12 +9467,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Find anything…</source>
    <extracomment>[the action palette]</extracomment>
-   <translation>Tout trouver…</translation>
+   <translation>Rechercher…</translation>
   </message>
   <message>
    <source>The command palette: every action, element, frame, camera source and recent folder, by a few letters of its name</source>
    <extracomment>[the action palette]</extracomment>
-   <translation>La palette de commandes : toute action, tout élément, image, source de caméras et dossier récent, par quelques lettres de son nom</translation>
+   <translation>La palette de commandes : toute action, tout élément, image, source de caméras et dossier récent, par quelques lettres de son nom</translation>
   </message>
   <message>
    <source>Show all actions and their keys on one sheet</source>
@@ -9487,7 +9487,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
-   <translation>Le guide fourni avec le programme ; il n’a pas besoin du réseau</translation>
+   <translation>Le guide fourni avec le programme ; il n’a pas besoin du réseau</translation>
   </message>
   <message>
    <source>Version</source>
@@ -9532,7 +9532,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>How large texts are, of what the system says; from the next start on</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>La taille des textes, par rapport à celle du système ; dès le prochain démarrage</translation>
+   <translation>La taille des textes, par rapport à celle du système ; dès le prochain démarrage</translation>
   </message>
   <message>
    <source>Language</source>
@@ -9542,7 +9542,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The language of the window; from the next start on. Files stay as they are</source>
    <extracomment>[the setting language]</extracomment>
-   <translation>La langue de la fenêtre ; dès le prochain démarrage. Les fichiers restent ce qu’ils sont</translation>
+   <translation>La langue de la fenêtre ; dès le prochain démarrage. Les fichiers restent ce qu’ils sont</translation>
   </message>
   <message>
    <source>What the colours over the picture say</source>
@@ -9557,7 +9557,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Whose name points, comments and versions bear; empty: that of the system's user</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>Le nom que portent points, commentaires et versions ; vide : celui de l’utilisateur du système</translation>
+   <translation>Le nom que portent points, commentaires et versions ; vide : celui de l’utilisateur du système</translation>
   </message>
   <message>
    <source>Judging</source>
@@ -9577,7 +9577,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>How cameras are judged: as the official evaluation does, quirks included, or by the paper's definition</source>
    <extracomment>[the setting protocol]</extracomment>
-   <translation>Comment les caméras sont jugées : comme l’évaluation officielle, bizarreries comprises, ou selon la définition de l’article</translation>
+   <translation>Comment les caméras sont jugées : comme l’évaluation officielle, bizarreries comprises, ou selon la définition de l’article</translation>
   </message>
   <message>
    <source>procc (the paper's)</source>
@@ -9587,7 +9587,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>How elements count that a homography cannot project: goals, baskets, nets</source>
    <extracomment>[the setting off_plane]</extracomment>
-   <translation>Comment comptent les éléments qu’une homographie ne peut pas projeter : buts, paniers, filets</translation>
+   <translation>Comment comptent les éléments qu’une homographie ne peut pas projeter : buts, paniers, filets</translation>
   </message>
   <message>
    <source>Model of the live fit</source>
@@ -9597,7 +9597,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>The camera that is fitted to the clicks; auto: the simplest that they support</source>
    <extracomment>[the setting fit_model]</extracomment>
-   <translation>La caméra ajustée aux clics ; auto : la plus simple qu’ils permettent</translation>
+   <translation>La caméra ajustée aux clics ; auto : la plus simple qu’ils permettent</translation>
   </message>
   <message>
    <source>auto</source>
@@ -11187,7 +11187,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Left penalty near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Surface gauche, côté proche</translation>
+   <translation>Surface gauche, proche</translation>
   </message>
   <message>
    <source>Left penalty front</source>
@@ -11197,12 +11197,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Left penalty far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Surface gauche, côté lointain</translation>
+   <translation>Surface gauche, lointain</translation>
   </message>
   <message>
    <source>Right penalty near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Surface droite, côté proche</translation>
+   <translation>Surface droite, proche</translation>
   </message>
   <message>
    <source>Right penalty front</source>
@@ -11212,7 +11212,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Right penalty far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Surface droite, côté lointain</translation>
+   <translation>Surface droite, lointain</translation>
   </message>
   <message>
    <source>Left penalty arc</source>
@@ -11227,7 +11227,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Left goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Surface de but gauche, côté proche</translation>
+   <translation>Surface de but gauche, proche</translation>
   </message>
   <message>
    <source>Left goal area front</source>
@@ -11237,12 +11237,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Left goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Surface de but gauche, côté lointain</translation>
+   <translation>Surface de but gauche, lointain</translation>
   </message>
   <message>
    <source>Right goal area near</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Surface de but droite, côté proche</translation>
+   <translation>Surface de but droite, proche</translation>
   </message>
   <message>
    <source>Right goal area front</source>
@@ -11252,7 +11252,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   <message>
    <source>Right goal area far</source>
    <extracomment>[the field soccer]</extracomment>
-   <translation>Surface de but droite, côté lointain</translation>
+   <translation>Surface de but droite, lointain</translation>
   </message>
   <message>
    <source>Left far corner flag (foot)</source>

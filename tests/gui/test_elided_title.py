@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import pytest
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication, QTableView
 
+from procc_annotator.field.load import load_field
+from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.judged.score_table import ELEMENT
 from procc_annotator.gui.panels.titles import TitleDelegate, elided_title
+from procc_annotator.language import tr
 
 
 def test_near_and_far_of_either_side_can_be_told_apart(qapp: QApplication) -> None:
@@ -20,6 +24,18 @@ def test_near_and_far_of_either_side_can_be_told_apart(qapp: QApplication) -> No
         assert all(metrics.horizontalAdvance(text) <= width for text in shown)
     assert elided_title(titles[-1], metrics, whole) == titles[-1]
     assert elided_title(titles[-1], metrics, whole - 1) == "Right … near straight"
+
+
+@pytest.mark.parametrize("name", ["de", "es", "fr"])
+def test_sides_can_be_told_apart_in_other_languages(qapp: QApplication, name: str) -> None:
+    metrics = QFontMetrics(qapp.font())
+    width = metrics.horizontalAdvance("n" * 18)
+    take_up(qapp, name)
+    titles = {tr(element.title) for element in load_field("soccer").elements}
+    shown = {elided_title(title, metrics, width) for title in titles}
+    take_up(qapp, "en")
+    assert len(shown) == len(titles)
+    assert all(metrics.horizontalAdvance(text) <= width for text in shown)
 
 
 def test_the_scores_use_them_and_say_the_whole_in_the_tip(audited: MainWindow) -> None:

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.rows import Index
-from procc_annotator.language import tr
+from procc_annotator.language import is_english, tr
 
 _COMMAS = (",", "、", "，")
 
@@ -68,14 +68,27 @@ class TitleDelegate(QStyledItemDelegate):
 def elided_title(title: str, metrics: QFontMetrics, width: int) -> str:
     """A title in so many px: the side of the field stands first, what tells its parts apart last.
 
-    "Right three-point far straight" becomes "Right … far straight", then "R… far straight".
+    "Right three-point far straight" becomes "Right … far straight", then "R… far straight". Other
+    languages have the side anywhere: there every long word is shortened.
     """
+    if not is_english():
+        return _abbreviated(title, metrics, width)
     words = title.split()
     fewer = (words[1 + left_out :] for left_out in range(1, len(words) - 2))
     shorter = [title, *(" ".join((words[0], "…", *rest)) for rest in fewer)]
     if len(words) > 2:
         shorter.append(" ".join((f"{words[0][0]}…", *words[-2:])))
     for text in shorter:
+        if metrics.horizontalAdvance(text) <= width:
+            return text
+    return metrics.elidedText(title, Qt.TextElideMode.ElideMiddle, max(width, 0))
+
+
+def _abbreviated(title: str, metrics: QFontMetrics, width: int) -> str:
+    """A title whose longest words give way first: "Surf. gauc. côté loin."."""
+    words = title.split()
+    for most in range(max(map(len, words), default=0), 1, -1):
+        text = " ".join(w if len(w) <= most else f"{w[: most - 1]}." for w in words)
         if metrics.horizontalAdvance(text) <= width:
             return text
     return metrics.elidedText(title, Qt.TextElideMode.ElideMiddle, max(width, 0))
