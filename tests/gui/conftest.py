@@ -30,6 +30,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.paint_watch import Evidence
 from procc_annotator.session.strokes.paint_evidence import paint_evidence
+from tests.gui.known_already import hand_out
 from tests.gui.one_window import OneWindow
 
 SIZE = (640, 360)
@@ -99,6 +100,12 @@ def nothing_proposed(monkeypatch: pytest.MonkeyPatch) -> None:
         return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)
 
     monkeypatch.setattr("procc_annotator.gui.state.proposals.propose_camera", none)
+
+
+@pytest.fixture(autouse=True)
+def worked_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What goes on beside a window is the same in most tests, see `known_already`."""
+    hand_out(monkeypatch)
 
 
 @pytest.fixture(autouse=True)
