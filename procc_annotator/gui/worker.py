@@ -201,7 +201,7 @@ class _Desk(QObject):
         self.patient = ThreadPoolExecutor(
             _PATIENT_THREADS, thread_name_prefix="background", initializer=_give_way
         )
-        self.held: list[tuple[Job, int | None]] | None = None  # to be begun once the window is there
+        self.held: list[tuple[Job, int | None]] | None = None  # until the window is there
         self._owned: WeakKeyDictionary[QObject, WeakSet[Job]] = WeakKeyDictionary()
         self.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
         self.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
