@@ -4401,6 +4401,16 @@ Chargez-en ou affichez-en une autre.</translation>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>régulariser {what}</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>copier de {frame}</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>choisissez d’abord un élément annoté</translation>
@@ -4432,11 +4442,6 @@ Chargez-en ou affichez-en une autre.</translation>
    <translation>aucun élément du terrain n’est annoté ici</translation>
   </message>
   <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>régulariser {what}</translation>
-  </message>
-  <message>
    <source>no frame before this one is annotated</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
    <translation>aucune image avant celle-ci n’est annotée</translation>
@@ -4445,11 +4450,6 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>{frame} has no element that is missing here</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
    <translation>{frame} n’a aucun élément qui manque ici</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>copier de {frame}</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
@@ -4470,6 +4470,27 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>fusionner {element} dans {other}</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>fermer les écarts</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>confirmer {n} élément</numerusform>
+    <numerusform>confirmer {n} éléments</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>écarter {n} élément non confirmé</numerusform>
+    <numerusform>écarter {n} éléments non confirmés</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4522,27 +4543,6 @@ Chargez-en ou affichez-en une autre.</translation>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>aucun bout n’est si près d’un coin ou du bord de l’image</translation>
   </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>fermer les écarts</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>confirmer {n} élément</numerusform>
-    <numerusform>confirmer {n} éléments</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>écarter {n} élément non confirmé</numerusform>
-    <numerusform>écarter {n} éléments non confirmés</numerusform>
-   </translation>
-  </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
    <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
@@ -4591,6 +4591,11 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>la caméra est une autre entre-temps</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>accepter {what}</translation>
   </message>
   <message numerus="yes">
    <source>{n} ghosts</source>
@@ -4662,11 +4667,6 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>accepted {what} on {frame}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>{what} accepté sur {frame}</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>accepter {what}</translation>
   </message>
   <message>
    <source>no ghost was accepted: there is no picture to look for their lines in</source>
@@ -5500,6 +5500,12 @@ Perd {loses}.</translation>
     <numerusform>{n:,} images contiennent déjà la même chose.</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>importer</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5537,12 +5543,6 @@ Perd {loses}.</translation>
    <source>it could not be saved: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
    <translation>elle n’a pas pu être enregistrée : {why}</translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>importer</translation>
   </message>
   <message>
    <source>? (stays as it is, an unknown class)</source>
@@ -6090,6 +6090,11 @@ Perd {loses}.</translation>
    <translation>{source} est calculée ici : un verdict porte sur une caméra chargée</translation>
   </message>
   <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>restaurer une version antérieure</translation>
+  </message>
+  <message>
    <source>the earlier version is back; undo takes it away again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>la version antérieure est revenue ; annuler l’enlève à nouveau</translation>
@@ -6098,11 +6103,6 @@ Perd {loses}.</translation>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>l’image a été changée ailleurs : regardez-la, puis restaurez à nouveau</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>restaurer une version antérieure</translation>
   </message>
   <message>
    <source>There is no earlier version of this frame.</source>
@@ -6311,6 +6311,16 @@ Perd {loses}.</translation>
    <translation>aucune image acceptée : {why}</translation>
   </message>
   <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>accepter le suivi</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>revenir sur le suivi</translation>
+  </message>
+  <message>
    <source>nothing was accepted that could be taken back</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>rien n’a été accepté qui puisse être annulé</translation>
@@ -6324,16 +6334,6 @@ Perd {loses}.</translation>
    <source>no frame was accepted: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>accepter le suivi</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>revenir sur le suivi</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>

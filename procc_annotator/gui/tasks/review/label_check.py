@@ -15,7 +15,7 @@ from procc_annotator.gui.panels.findings.rows import Entry
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.language import kept, spoken, tr, tr_count, word
+from procc_annotator.language import Said, said, said_count, tr, tr_count, word
 from procc_annotator.report.findings import CheckReport, ToldFinding, findings_csv
 from procc_annotator.session.clicks.remedies import apply_remedy
 from procc_annotator.session.facts.frame_check import FoundInFrame
@@ -188,7 +188,7 @@ class LabelCheckCommands(QObject):
         if remedy.kind is RemedyKind.FOLLOW:
             self.followWanted.emit(finding.elements[0])
             return
-        done = kept(lambda: self._done(finding, remedy))
+        done = self._done(finding, remedy)
 
         def mend(annotation: FrameAnnotation) -> FrameAnnotation:
             if not found.holds_for(annotation):  # another window changed them
@@ -202,23 +202,27 @@ class LabelCheckCommands(QObject):
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
         document.select_point(None)
         document.select_class(shown)
-        document.say(tr("{done}; Ctrl+Z takes it back", done=spoken(done)))
+        document.say(tr("{done}; Ctrl+Z takes it back", done=done))
 
-    def _done(self, finding: Finding, remedy: Remedy) -> str:
+    def _done(self, finding: Finding, remedy: Remedy) -> Said:
         """What a remedy has done, in words."""
-        title, renamed = self._title, remedy.renamed
+
+        def title(name: str) -> Said:
+            return said(self._document.field.title_of(name))
+
+        renamed = remedy.renamed
         if remedy.kind is RemedyKind.REMOVE_POINT:
             element = title(finding.elements[0])
             if finding.point is None:
-                return tr("removed point of {element}", element=element)
-            return tr("removed point {n} of {element}", n=finding.point + 1, element=element)
+                return said("removed point of {element}", element=element)
+            return said("removed point {n} of {element}", n=finding.point + 1, element=element)
         if remedy.kind is RemedyKind.SWAP and len(renamed) == 2:
             first, second = title(renamed[0][0]), title(renamed[1][0])
-            return tr("swapped {element} and {other}", element=first, other=second)
+            return said("swapped {element} and {other}", element=first, other=second)
         if len(renamed) == 1:
             before, after = map(title, renamed[0])
-            return tr("relabelled {element} to {other}", element=before, other=after)
-        return tr_count(len(renamed), "relabelled {n} element", "relabelled {n} elements")
+            return said("relabelled {element} to {other}", element=before, other=after)
+        return said_count(len(renamed), "relabelled {n} element", "relabelled {n} elements")
 
     # --- ignoring -------------------------------------------------------------------------
 
