@@ -959,11 +959,6 @@
    <translation>Bereiche</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>nicht zu bearbeiten: die Leiste über dem Bild sagt, warum</translation>
-  </message>
-  <message>
    <source>Choose another place…</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Anderen Ort wählen…</translation>
@@ -7024,6 +7019,11 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>Threshold tau</source>
    <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
    <translation>Schwelle tau</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
+   <translation>nicht zu bearbeiten: die Leiste über dem Bild sagt, warum</translation>
   </message>
   <message>
    <source>Top bar</source>

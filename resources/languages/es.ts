@@ -959,11 +959,6 @@
    <translation>Paneles</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>no editable: la barra sobre la imagen dice por qué</translation>
-  </message>
-  <message>
    <source>Choose another place…</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Elegir otro lugar…</translation>
@@ -7024,6 +7019,11 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>Threshold tau</source>
    <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
    <translation>Umbral tau</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
+   <translation>no editable: la barra sobre la imagen dice por qué</translation>
   </message>
   <message>
    <source>Top bar</source>

@@ -959,11 +959,6 @@
    <translation>Panneaux</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
-  </message>
-  <message>
    <source>Choose another place…</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Choisir un autre lieu…</translation>
@@ -7024,6 +7019,11 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>Threshold tau</source>
    <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
    <translation>Seuil tau</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
+   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
   </message>
   <message>
    <source>Top bar</source>

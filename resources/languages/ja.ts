@@ -950,11 +950,6 @@
    <translation>パネル</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>編集できません。理由は画像の上のバーにあります</translation>
-  </message>
-  <message>
    <source>Choose another place…</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>別の場所を選ぶ…</translation>
@@ -6922,6 +6917,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Threshold tau</source>
    <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
    <translation>しきい値 tau</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
+   <translation>編集できません。理由は画像の上のバーにあります</translation>
   </message>
   <message>
    <source>Top bar</source>

@@ -950,11 +950,6 @@
    <translation>面板</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>不可编辑：图片上方的提示栏说明了原因</translation>
-  </message>
-  <message>
    <source>Choose another place…</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>选择其他位置…</translation>
@@ -6922,6 +6917,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Threshold tau</source>
    <extracomment>[procc_annotator/gui/window/tau_control.py]</extracomment>
    <translation>阈值 tau</translation>
+  </message>
+  <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
+   <translation>不可编辑：图片上方的提示栏说明了原因</translation>
   </message>
   <message>
    <source>Top bar</source>

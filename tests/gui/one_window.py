@@ -112,7 +112,7 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     window.plots._turn_page()
     window.canvas.comparison.split.move_to(window.canvas.viewport().width() / 2)
     if _layout_of(window) != new["layout"]:
-        window.reset_layout()
+        window.panels.reset_layout()
     window.message_bar.hide()
     window.status.forget(just_told=True)
     now = _settings_of(window)

@@ -157,7 +157,7 @@ class _Paints(QObject):
 
 def test_a_list_in_which_nothing_changes_is_not_painted(begun: MainWindow, qtbot: QtBot) -> None:
     held, paints = _Held(begun, qtbot), _Paints()
-    begun.show_panel("elements")
+    begun.panels.show("elements")
     held.take()
     panel, refresher = begun.elements, begun.elements._refresher
 

@@ -149,7 +149,7 @@ def test_findings_are_marked_on_picture_list_and_map(window: MainWindow, qtbot: 
     labels = {x.sign: x for x in window.canvas.overlay_item.overlay.labels if x.sign}
     assert labels["error"].texts == ("Left penalty front",)
     assert labels["hint"].texts == ("",)
-    window.show_panel("elements")
+    window.panels.show("elements")
     tree, items = window.elements.tree, window.elements._items
     qtbot.waitUntil(lambda: not items[FRONT].icon(CHECK).isNull())
     assert "Error: Big rect. left main is off" in items[FRONT].toolTip(CHECK)
@@ -246,7 +246,7 @@ def mistaken(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWind
 
 
 def check_set(window: MainWindow, qtbot: QtBot) -> None:
-    window.show_panel("findings")
+    window.panels.show("findings")
     window.findings.check_button.click()
     assert window.document.label_check.running
     qtbot.waitUntil(lambda: not window.document.label_check.running, timeout=60_000)
@@ -362,7 +362,7 @@ def test_what_was_found_in_clicks_that_are_gone_is_not_kept(
 
 def test_checking_a_set_can_be_stopped(mistaken: MainWindow, qtbot: QtBot) -> None:
     window = mistaken
-    window.show_panel("findings")
+    window.panels.show("findings")
     window.findings.check_button.click()
     assert window.findings.stop_button.isVisible()
     assert window.findings.progress.isVisible()
@@ -390,7 +390,7 @@ def test_a_large_set_is_checked_in_a_process_of_its_own(
 
 def test_the_list_shows_what_the_signs_above_let_through(window: MainWindow, qtbot: QtBot) -> None:
     put(window, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
-    window.show_panel("findings")
+    window.panels.show("findings")
     panel = window.findings
     qtbot.waitUntil(lambda: panel.model.rowCount() == 2)
     assert [panel.severity_buttons[s].text() for s in Severity] == ["1", "0", "1"]
@@ -411,7 +411,7 @@ def test_long_reasons_are_whole(window: MainWindow, qtbot: QtBot) -> None:
         Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT, SMALL_FRONT), long, (remedy,)),
         about("Circle left", Severity.HINT),
     )
-    window.show_panel("findings")
+    window.panels.show("findings")
     panel = window.findings
     press(window, Qt.Key.Key_F10)
     qtbot.waitUntil(lambda: any(button.isVisible() for button in panel.remedy_buttons))
@@ -431,7 +431,7 @@ def test_a_click_in_the_list_goes_there_and_buttons_mend(window: MainWindow, qtb
         about("Circle left", Severity.ERROR),
         Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT,), "off", (remedy,)),
     )
-    window.show_panel("findings")
+    window.panels.show("findings")
     qtbot.waitUntil(lambda: panel.model.rowCount() == 2)
     at = panel.list.visualRect(panel.model.index(1)).center()
     QTest.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(at.x(), at.y()))
@@ -452,7 +452,7 @@ def test_an_ignored_finding_is_gone_until_its_element_changes(
     swap(window, qtbot)
     keys = [found.key for found in check.shown]
     press(window, Qt.Key.Key_F10)
-    window.show_panel("findings")
+    window.panels.show("findings")
     qtbot.waitUntil(lambda: window.findings.list.currentIndex().isValid())
     window.findings.list.setFocus()
     QTest.keyClick(window.findings.list, Qt.Key.Key_Delete)
@@ -510,7 +510,7 @@ def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
         return not concerned(window) and not concerned(other)
 
     qtbot.waitUntil(both_know)
-    window.show_panel("findings")
+    window.panels.show("findings")
     qtbot.waitUntil(lambda: "2 ignored" in window.findings.empty.text()
                     or "2 ignored" in window.findings.note.text())  # fmt: skip
 
@@ -541,7 +541,7 @@ def test_blind_mode_shows_only_what_no_camera_was_needed_for(
                 check.of(name) == check_without_fit(annotation, document.field, size=size).found
             ), name
     window.findings.scope.setCurrentIndex(0)
-    window.show_panel("findings")
+    window.panels.show("findings")
     qtbot.waitUntil(lambda: "Blind" in window.findings.empty.text() + window.findings.note.text())
     document.commit_frame()
     qtbot.waitUntil(lambda: bool(check.shown), timeout=20_000)
@@ -620,7 +620,7 @@ def test_a_turned_frame_is_told_by_the_set_and_turned_back(
 
 def test_the_panel_says_why_it_is_empty(window: MainWindow, qtbot: QtBot) -> None:
     document, panel = window.document, window.findings
-    window.show_panel("findings")
+    window.panels.show("findings")
 
     def says(words: str) -> None:
         qtbot.waitUntil(lambda: words in panel.empty.text(), timeout=20_000)

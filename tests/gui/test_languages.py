@@ -179,9 +179,9 @@ def test_no_word_of_the_window_is_left_out(
     audited.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
     _draw_and_ask(audited)
     for desk in DESKS:
-        audited.turn_to(desk)
+        audited.panels.turn_to(desk)
         for name in DESKS[desk]:
-            audited.show_panel(name)
+            audited.panels.show(name)
             QApplication.processEvents()
     found += texts_of(audited)
     for spec in ACTIONS:
@@ -403,9 +403,9 @@ def test_nothing_is_cut_off(
     audited.resize(1280, 720)
     cut: dict[str, str] = {}
     for desk in DESKS:
-        audited.turn_to(desk)
+        audited.panels.turn_to(desk)
         for name in DESKS[desk]:
-            audited.show_panel(name)
+            audited.panels.show(name)
             cut |= _cut_off(audited)
     assert audited.size() == QSize(1280, 720)
     Asked(monkeypatch, lambda dialog: cut.update(_cut_off(dialog)))

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Severity
+from procc_annotator.gui.panels.findings.panel import FindingsPanel
 from procc_annotator.gui.panels.findings.rows import Entry
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
@@ -43,6 +44,16 @@ class LabelCheckCommands(QObject):
         self._passed: set[str] = set()  # keys of this frame's findings that were walked through
         self._passed_in = ""
         self._check.finished.connect(self._tell_finished)
+
+    def serve(self, panel: FindingsPanel) -> None:
+        """Do what the list of findings asks for."""
+        panel.goTo.connect(self.go)
+        panel.remedyWanted.connect(self.apply)
+        panel.ignoreWanted.connect(self.ignore)
+        panel.restoreWanted.connect(self.restore)
+        panel.checkWanted.connect(self.check_set)
+        panel.stopWanted.connect(self.stop)
+        panel.exportWanted.connect(self.ask_export)
 
     # --- walking --------------------------------------------------------------------------
 
