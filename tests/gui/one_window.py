@@ -128,7 +128,8 @@ def _settings_of(window: MainWindow) -> dict[str, object]:
         "selected": state.selection,
         "field": state.setup.field,
         "model": window.document.live_fit.model,
-        "canvas": (canvas.colour_by, canvas.keep_zoom, canvas.overlays_hidden, canvas.loupe_always),
+        "canvas": (canvas.keep_zoom, canvas.loupe_always),
+        "drawing": (canvas.drawing.colour_by, canvas.drawing.hidden),
         "layout": _layout_of(window),
     }
     found |= _switches(window)
