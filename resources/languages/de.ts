@@ -4821,7 +4821,7 @@ Laden oder zeigen Sie eine weitere.</translation>
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/workspace.py]</extracomment>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/frame_state.py]</extracomment>
    <translation>zurückgenommen</translation>
   </message>
   <message>
@@ -7695,6 +7695,16 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>noch keine Anpassung von {frame}</translation>
   </message>
   <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <translation>wie vorgefunden</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/frame_state.py]</extracomment>
+   <translation>gespeichert</translation>
+  </message>
+  <message>
    <source>the paint is {px:.1f} px from the lines</source>
    <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
    <translation>die Farbe liegt {px:.1f} px neben den Linien</translation>
@@ -7733,16 +7743,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>overwritten</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>überschrieben</translation>
-  </message>
-  <message>
-   <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>wie vorgefunden</translation>
-  </message>
-  <message>
-   <source>saved</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>gespeichert</translation>
   </message>
   <message>
    <source>untouched</source>

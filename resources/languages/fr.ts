@@ -4821,7 +4821,7 @@ Chargez-en ou affichez-en une autre.</translation>
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/workspace.py]</extracomment>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/frame_state.py]</extracomment>
    <translation>annulé</translation>
   </message>
   <message>
@@ -7695,6 +7695,16 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>pas encore d’ajustement de {frame}</translation>
   </message>
   <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <translation>comme trouvé</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/frame_state.py]</extracomment>
+   <translation>enregistré</translation>
+  </message>
+  <message>
    <source>the paint is {px:.1f} px from the lines</source>
    <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
    <translation>la peinture est à {px:.1f} px des lignes</translation>
@@ -7733,16 +7743,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>overwritten</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>écrasé</translation>
-  </message>
-  <message>
-   <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>comme trouvé</translation>
-  </message>
-  <message>
-   <source>saved</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>enregistré</translation>
   </message>
   <message>
    <source>untouched</source>

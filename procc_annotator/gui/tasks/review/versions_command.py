@@ -34,7 +34,7 @@ class Versions:
         index = document.frame_index
 
         def read(version: str) -> FrameAnnotation:
-            return workspace.restore(index, database.version_data(version))
+            return workspace.parse(index, database.version_data(version))
 
         dialog = VersionsDialog(
             self._parent,
@@ -57,7 +57,7 @@ def apply_version(document: Document, version: str) -> None:
         return
     seen = document.annotation
     try:
-        restored = workspace.restore(document.frame_index, database.version_data(version))
+        restored = workspace.parse(document.frame_index, database.version_data(version))
     except InputError as error:
         document.say(str(error), "error")
         return
