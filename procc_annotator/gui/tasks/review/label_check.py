@@ -19,7 +19,7 @@ from procc_annotator.io.atomic import write_atomic
 from procc_annotator.language import Said, said, said_count, tr, tr_count, word
 from procc_annotator.report.findings import CheckReport, ToldFinding, findings_csv
 from procc_annotator.session.clicks.remedies import apply_remedy
-from procc_annotator.session.facts.frame_check import FoundInFrame
+from procc_annotator.session.facts.frame_check import FoundInFrame, by_severity
 
 _MOST_NAMED = 2  # elements that fit the status bar by name
 
@@ -87,7 +87,7 @@ class LabelCheckCommands(QObject):
 
     def _walked(self) -> list[Entry]:
         chosen = self._check.severities
-        return [(n, f) for n, f in self._check.in_set() if f.finding.severity in chosen]
+        return [(n, f) for n, f in self._check.known.in_set() if f.finding.severity in chosen]
 
     def _next(self, entries: list[Entry], step: int) -> int:
         """Which finding comes next; the one walked to last may have been mended meanwhile."""
@@ -132,8 +132,8 @@ class LabelCheckCommands(QObject):
 
     def _why_nothing(self) -> str:
         check = self._check
-        if not check.in_set():
-            if check.known_frames > 1:
+        if not check.known.in_set():
+            if check.known.count > 1:
                 return tr("the label check has found nothing")
             return tr(
                 "the label check has found nothing; check the whole set to look at all frames"
@@ -277,9 +277,9 @@ class LabelCheckCommands(QObject):
 
     def _tell_finished(self, checked: int) -> None:
         check = self._check
-        found = [f for _, f in check.in_set()]
-        counts = [_so_many(severity, n) for severity, n in check.counts(found).items() if n]
-        said = tr_count(
+        found = [f for _, f in check.known.in_set()]
+        counts = [_so_many(severity, n) for severity, n in by_severity(found).items() if n]
+        words = tr_count(
             checked,
             "checked {n:,} frame, camera model {model}: {found}",
             "checked {n:,} frames, camera model {model}: {found}",
@@ -290,8 +290,8 @@ class LabelCheckCommands(QObject):
             not_checked = tr_count(
                 problems, "{n:,} frame cannot be checked", "{n:,} frames cannot be checked"
             )
-            said = f"{said}; {not_checked}"
-        self._document.say(said)
+            words = f"{words}; {not_checked}"
+        self._document.say(words)
 
     def ask_export(self) -> None:
         """Ask for a file and write the findings of all checked frames there."""
@@ -301,11 +301,11 @@ class LabelCheckCommands(QObject):
 
     def export(self, path: Path) -> None:
         """Write the findings of all checked frames as CSV, without those that are ignored."""
-        document, known = self._document, self._check.known_frames
+        document, known = self._document, self._check.known.count
         found = [
             ToldFinding(frame, one.finding, checked.size)
-            for frame, one in self._check.in_set()
-            if (checked := self._check.check_of(frame)) is not None
+            for frame, one in self._check.known.in_set()
+            if (checked := self._check.known.check_of(frame)) is not None
         ]
         unreadable = list(self._check.problems.items())
         try:
