@@ -256,9 +256,7 @@ class Workspace:
         states = [(index, self.state(index)) for index in dict.fromkeys(indices)]
         changed = [(index, state) for index, state in states if not state.error and state.dirty]
         assert not any(state.being_written for _, state in changed)
-        batch = [
-            pending_of(index, self.frames[index], state, self.root) for index, state in changed
-        ]
+        batch = [pending_of(i, self.frames[i], state, self.root) for i, state in changed]
         for _, state in changed:
             state.being_written = True
         return batch
