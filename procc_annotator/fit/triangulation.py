@@ -198,9 +198,7 @@ class _Search:
             far_off = said("would be farther than {metres:g} m from the field", metres=FARTHEST_M)
             return Triangulated(failure=far_off)
         slopes = np.array([projection_slopes(v.camera, place[None])[1][0] for v in self.views])
-        angle = _largest_angle(
-            [SightLine(place, np.linalg.svd(s)[2][2], False) for s in slopes[used]]
-        )
+        angle = _largest_angle([SightLine(place, np.linalg.svd(s)[2][2]) for s in slopes[used]])
         if angle < LEAST_ANGLE_DEGREES:
             return Triangulated(residuals_px=residuals, failure=_parallel(angle))
         squares, spare = float((away[used, 0] ** 2).sum()), 2 * int(used.sum()) - 3
