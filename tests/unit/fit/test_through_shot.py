@@ -187,6 +187,19 @@ def test_the_motion_of_a_picture_is_that_of_its_camera() -> None:
     assert turn_between(small_grey(_picture(3)), unlike, vector, np.zeros(4), FRAME) is None
 
 
+def test_a_banner_laid_over_the_picture_does_not_hold_the_camera_back() -> None:
+    banner = np.random.default_rng(2).integers(20, 90, (6, 32, 4), dtype=np.uint8)
+    banner = banner.repeat(20, axis=0).repeat(20, axis=1)
+    cameras = [camera(0.4 + turned, 1.33, 1500.0) for turned in (0.0, 0.0015)]
+    pictures = [draw(one, seed=seed).copy() for seed, one in enumerate(cameras)]
+    for picture in pictures:
+        picture[-len(banner) :] = banner
+    before, now = (vector_from_camera(one, FRAME) for one in cameras)
+    turn = turn_between(*map(small_grey, pictures), before, np.zeros(4), FRAME)
+    assert turn is not None
+    assert np.abs(turn.step - (now - before)[OWN])[:2].max() < 0.5 / 1500  # half a solver px
+
+
 def test_a_chain_is_solved_as_all_of_it_at_once_would_be() -> None:
     random = np.random.default_rng(3)
     count, own, shared = 5, 3, 2
