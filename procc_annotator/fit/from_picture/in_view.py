@@ -77,15 +77,15 @@ def _in_view(
     length = np.where(blind[row], 0, np.minimum(length, _LONGEST_PX))
     total, times = _evenly(length, row, np.count_nonzero(inside, axis=1), count)
     taken = np.repeat(np.arange(len(seen)), times)
-    points = np.stack([x[taken], y[taken]]).reshape(2, len(vectors), count).swapaxes(0, 1)
-    angles = np.arctan2(down[taken], across[taken])
     shape = (len(vectors), count)
-    return column[taken].reshape(shape), total, points, angles.reshape(shape)
+    points = np.stack([x[taken].reshape(shape), y[taken].reshape(shape)], axis=1)
+    angles = np.arctan2(down[taken], across[taken]).reshape(shape)
+    return column[taken].reshape(shape), total, points, np.asarray(angles)
 
 
 def _evenly(
     length: NDArray[np.float32], row: IntArray, seen: IntArray, count: int
-) -> tuple[NDArray[np.float32], IntArray]:
+) -> tuple[FloatArray, IntArray]:
     """Along what each of B cameras sees.
 
     Args:
@@ -111,7 +111,7 @@ def _evenly(
     passed[end - 1] = count
     times = np.diff(passed, prepend=0)
     times[first] = passed[first]
-    return total, times
+    return np.asarray(total, dtype=gone.dtype), times
 
 
 def apart_px(
