@@ -283,13 +283,13 @@ class _Work:
 
 def _beliefs(chain: FrameChain, numbers: Iterable[int]) -> dict[int, Belief]:
     """What is believed of the cameras of those frames that a chain has got to."""
-    steps = dict(zip(chain.numbers, chain.steps, strict=True))
-    return {number: steps[number].belief for number in numbers if number in steps}
+    places = {number: place for place, number in enumerate(chain.numbers)}
+    return {number: chain.steps[places[number]].belief for number in numbers if number in places}
 
 
 def _may_move(still: Smoothed, asked: int) -> bool:
     """Whether one position leaves so much open that a camera that moves has to be tried."""
-    found = still.coverages()
+    found = still.coverages
     return (
         still.beside_px > _MOVES_PX
         or still.explained < _HELD * asked
@@ -300,7 +300,7 @@ def _may_move(still: Smoothed, asked: int) -> bool:
 def _missing(found: Smoothed, asked: int) -> float:
     """The share of the visible model that was not found on paint, of all frames asked for; all of
     it in those that were not followed."""
-    return 1 - float(found.coverages().sum()) / asked
+    return 1 - float(found.coverages.sum()) / asked
 
 
 def tracked(
