@@ -6,13 +6,13 @@ import ctypes
 import gc
 import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -21,6 +21,7 @@ from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import APPLICATION, LANGUAGE, ORGANISATION, Settings
 from procc_annotator.gui.theme import follow_system
+from procc_annotator.gui.worker import hold_back, let_go
 from procc_annotator.resources import resources_dir
 
 _M_ARENA_MAX, _M_MMAP_THRESHOLD = -8, -3  # of malloc.h
@@ -99,10 +100,25 @@ def main(
     start_lean()
     app = application()
     take_up(app, Settings().get(LANGUAGE))  # before anything is made that says something
-    QTimer.singleShot(0, partial(collect_between_gestures, app))  # once the window is there
+    hold_back()
     window = build_window(path, annotations=annotations, cameras=cameras, field=field)
+    window.installEventFilter(_FirstPaint(partial(go_to_work, app), window))
     window.coach.begin()
     return run(app, window)
+
+
+class _FirstPaint(QObject):
+    """Calls somebody once a window was painted for the first time."""
+
+    def __init__(self, then: Callable[[], object], window: QWidget) -> None:
+        super().__init__(window)
+        self._then = then
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Paint:  # what lies in it is painted along with it
+            watched.removeEventFilter(self)
+            QTimer.singleShot(0, self._then)
+        return False
 
 
 def start_lean() -> None:
@@ -113,6 +129,12 @@ def start_lean() -> None:
         libc = ctypes.CDLL(None)
         libc.mallopt(_M_ARENA_MAX, 2)
         libc.mallopt(_M_MMAP_THRESHOLD, _LARGE_BYTES)
+
+
+def go_to_work(app: QApplication) -> None:
+    """The window was painted: begin what waited for that."""
+    let_go()
+    collect_between_gestures(app)
 
 
 def collect_between_gestures(app: QApplication) -> None:

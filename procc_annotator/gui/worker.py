@@ -128,8 +128,9 @@ class Job:
         self._control._cancel()
         if self._future is not None:
             self._future.cancel()
-        elif self._patience is not None:
-            if shiboken6.isValid(self._patience):  # Qt may have ended before, with the program
+        else:
+            # Qt may have ended before, with the program.
+            if self._patience is not None and shiboken6.isValid(self._patience):
                 self._patience.stop()
             self._drop()
 
@@ -200,6 +201,7 @@ class _Desk(QObject):
         self.patient = ThreadPoolExecutor(
             _PATIENT_THREADS, thread_name_prefix="background", initializer=_give_way
         )
+        self.held: list[tuple[Job, int | None]] | None = None  # until the window is there
         self._owned: WeakKeyDictionary[QObject, WeakSet[Job]] = WeakKeyDictionary()
         self.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
         self.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
@@ -276,11 +278,33 @@ def run_in_background(
     drop = partial(desk.jobs.pop, number, None)
     job = Job(control, submit, drop, on_result, on_error, on_progress, owner)
     desk.take(number, job, owner)
+    if desk.held is not None and threads in (desk.urgent, desk.patient):
+        desk.held.append((job, wait_ms))
+    else:
+        _begin(job, wait_ms)
+    return job
+
+
+def hold_back() -> None:
+    """From now on begin nothing but what is short, until `let_go`: it would take the interpreter
+    from a window that is being made and painted for the first time."""
+    _desk().held = []
+
+
+def let_go() -> None:
+    """Begin all that was held back, and from now on everything at once."""
+    desk = _desk()
+    held, desk.held = desk.held or [], None
+    for job, wait_ms in held:
+        if job.running:
+            _begin(job, wait_ms)
+
+
+def _begin(job: Job, wait_ms: int | None) -> None:
     if wait_ms is None:
         job._begin()
     else:
         job._begin_in(wait_ms)
-    return job
 
 
 class Latest:

@@ -76,6 +76,18 @@ def test_rows_fill_in_behind(qtbot: QtBot, panel: FramesPanel) -> None:
     assert thumbnail.pixelColor(3, 3).red() == 50
 
 
+def test_pictures_come_from_the_top_down(qtbot: QtBot, panel: FramesPanel) -> None:
+    came: list[list[int]] = []
+
+    def note(first: QModelIndex, *_: Any) -> None:
+        came.append([row for row in range(12) if _info(panel, row).thumbnail is not None])
+
+    panel.model.dataChanged.connect(note)
+    qtbot.waitUntil(lambda: all(_known(panel, row) for row in range(8)))
+    first = next(rows for rows in came if rows)
+    assert first == [0, 1, 2, 3]
+
+
 def test_a_click_goes_to_the_frame_and_the_list_follows(
     qtbot: QtBot, panel: FramesPanel, document: Document
 ) -> None:

@@ -14,7 +14,13 @@ from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
-from procc_annotator.gui.worker import JobControl, Latest, run_in_background
+from procc_annotator.gui.worker import (
+    JobControl,
+    Latest,
+    hold_back,
+    let_go,
+    run_in_background,
+)
 
 
 class Heard:
@@ -260,6 +266,33 @@ def test_work_may_begin_later_and_is_never_begun_if_it_is_cancelled_before(qtbot
     qtbot.waitUntil(lambda: len(heard.results) == 2)
     assert job.begun
     assert len(begun) == 2
+
+
+def test_while_the_window_is_made_only_short_work_begins(qtbot: QtBot) -> None:
+    heard, begun = Heard(), []
+    given = {"on_result": heard.on_result, "on_error": heard.on_error}
+
+    def work(name: str) -> str:
+        begun.append(name)
+        return name
+
+    hold_back()
+    try:
+        jobs = [
+            run_in_background(lambda _: work("fit"), **given, urgent=True, wait_ms=0),
+            run_in_background(lambda _: work("audit"), **given),
+        ]
+        dropped = run_in_background(lambda _: work("dropped"), **given)
+        dropped.cancel()
+        run_in_background(lambda _: work("picture"), **given, at_once=True)
+        qtbot.waitUntil(lambda: heard.results == ["picture"])
+        assert begun == ["picture"]
+        assert not any(job.begun for job in jobs)
+    finally:
+        let_go()
+    qtbot.waitUntil(lambda: len(heard.results) == 3)
+    assert sorted(begun) == ["audit", "fit", "picture"]
+    assert not dropped.running
 
 
 def test_whoever_tells_nothing_hides_no_error(

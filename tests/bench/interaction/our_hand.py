@@ -26,10 +26,11 @@ from PySide6.QtWidgets import QApplication
 from procc_annotator.gui.app import (
     application,
     build_window,
-    collect_between_gestures,
+    go_to_work,
     start_lean,
 )
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.worker import hold_back
 from tests.bench.interaction.stopwatch import Stopwatch, resident_mb
 
 ELEMENT = "Big rect. left main"
@@ -44,11 +45,12 @@ def main() -> None:
     app = application()
     watch = Stopwatch(app.processEvents)
     tell_when_painted(watch)
+    hold_back()
     window = build_window(dataset, cameras=cameras if cameras is not None else ())
     window.resize(1920, 1080)
     watch.time("painting alone", window.show)
     start = time.monotonic() - float(begun)
-    collect_between_gestures(app)
+    go_to_work(app)
     hand = OurHand(window, watch)
     watch.rest(hand.quiet, least_s=0.5)
     hand.edit(first)

@@ -1,7 +1,12 @@
-"""Thumbnails of the rows on screen, decoded in the background, newest wish first."""
+"""Thumbnails of the rows on screen, decoded in the background.
+
+Rows painted last come first, since what was scrolled past is not looked at; of rows painted
+together the upper ones.
+"""
 
 from __future__ import annotations
 
+import itertools
 from collections import OrderedDict
 from pathlib import Path
 
@@ -17,6 +22,7 @@ from procc_annotator.image.decode import PixelArray, decode_thumbnail, shrink
 
 _KEPT = 150  # 192 x 108 x 4 bytes each: 12 MB
 _BATCH = 4
+_MOST_WANTED = 60  # more were only scrolled past
 _SOON_MS, _HAND_MS = 20, 100  # after a frame is painted; after another look at a busy hand
 _SIDE = 192
 
@@ -32,7 +38,10 @@ class Thumbnails(QObject):
         super().__init__(parent)
         self._cache = cache
         self._images: OrderedDict[Path, QImage | None] = OrderedDict()
-        self._wanted: OrderedDict[Path, None] = OrderedDict()
+        self._wanted: dict[Path, tuple[int, int]] = {}  # what is wanted sooner has less
+        self._asked = itertools.count()
+        self._looks = 0
+        self._look_over = QTimer(self, singleShot=True, interval=0)
         self._job: Job | None = None
         self._start_soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._start_soon.timeout.connect(self._start)
@@ -42,10 +51,12 @@ class Thumbnails(QObject):
         if path in self._images:
             self._images.move_to_end(path)
             return self._images[path] or QImage()
-        self._wanted[path] = None
-        self._wanted.move_to_end(path)
-        while len(self._wanted) > 60:  # rows that were only scrolled past
-            self._wanted.popitem(last=False)
+        if not self._look_over.isActive():  # rows are painted together, in one turn
+            self._looks += 1
+            self._look_over.start()
+        self._wanted[path] = (-self._looks, next(self._asked))
+        if len(self._wanted) > _MOST_WANTED:
+            del self._wanted[max(self._wanted, key=self._wanted.__getitem__)]
         # Whoever asks again and again, as rows do that are painted often, puts nothing off.
         if not self._start_soon.isActive() and (self._job is None or not self._job.running):
             self._start_soon.start(_SOON_MS)
@@ -65,7 +76,9 @@ class Thumbnails(QObject):
         if QApplication.mouseButtons() != Qt.MouseButton.NoButton:
             self._start_soon.start(_HAND_MS)  # whatever the mouse holds comes first
             return
-        batch = [self._wanted.popitem(last=True)[0] for _ in range(min(_BATCH, len(self._wanted)))]
+        batch = sorted(self._wanted, key=self._wanted.__getitem__)[:_BATCH]
+        for path in batch:
+            del self._wanted[path]
         cache = self._cache
         self._job = run_in_background(
             lambda control: _decode(batch, cache, control),
