@@ -34,7 +34,7 @@ from procc_annotator.report.comparison import (
     paint_frames,
     write_comparison,
 )
-from procc_annotator.report.comparison_chance import intervals_sheet, nearer_sheet
+from procc_annotator.report.comparison_chance import comparison_intervals_sheet, nearer_sheet
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
@@ -228,11 +228,11 @@ def _chance(
     a, b = compared.marked_names
     clusters = alike([frame.name for frame in compared.frames])
     described = compared.described
-    sheets = [intervals_sheet(compared.frames, clusters, draws, (a, b), described)]
+    sheets = [comparison_intervals_sheet(compared.frames, clusters, draws, (a, b), described)]
     for other in others:
         names = a, other.marked_names[1]
         clusters = alike([frame.name for frame in other.frames])
-        sheets.append(intervals_sheet(other.frames, clusters, draws, names, described))
+        sheets.append(comparison_intervals_sheet(other.frames, clusters, draws, names, described))
         of_other = {frame.name: frame for frame in other.frames}
         own = [frame for frame in compared.frames if frame.name in of_other]
         if not own:

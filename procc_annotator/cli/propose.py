@@ -25,8 +25,8 @@ from procc_annotator.report.proposals import (
     doubtful_table,
     positions_words,
     propose_for_set,
+    proposed_words,
     states_table,
-    summary_words,
 )
 from procc_annotator.report.targets import Interrupted, is_archive
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
@@ -263,5 +263,5 @@ def _report(found: ProposedSet, wanted: _Wanted, out: Path) -> int:
     if wanted.damaged:
         frames = count_of(len(wanted.damaged), "frame")
         typer.echo(f"passed over: {frames} whose annotation cannot be read (--all)")
-    typer.echo(f"{summary_words(found)}; written to {out}, with {TABLE_FILE}")
+    typer.echo(f"{proposed_words(found)}; written to {out}, with {TABLE_FILE}")
     return datasets.report_unreadable([*found.errors, *wanted.damaged])

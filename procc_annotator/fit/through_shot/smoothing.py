@@ -19,7 +19,7 @@ from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, LOG_FOCAL, X,
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.through_shot.banded import BandedSolution, Normal, solve_normal
 from procc_annotator.fit.through_shot.chain import FrameChain
-from procc_annotator.fit.through_shot.stand import TRIPOD, Stand, lens_change
+from procc_annotator.fit.through_shot.stand import TRIPOD, ShotStand, lens_change
 from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.turning import OWN, Turn
 
@@ -74,7 +74,7 @@ class Smoothed:
 
 
 def smoothed(
-    chain: FrameChain, field: Field, frame: PictureFrame, stand: Stand = TRIPOD
+    chain: FrameChain, field: Field, frame: PictureFrame, stand: ShotStand = TRIPOD
 ) -> Smoothed:
     """The same frames, each with the camera that is best for all of them together."""
     data = _data_of(chain.steps)
@@ -133,7 +133,7 @@ def _normal(
     vectors: FloatArray,
     before: Belief,
     frame: PictureFrame,
-    stand: Stand,
+    stand: ShotStand,
     scale_px: float,
 ) -> Normal:
     """The normal equations at K cameras (K, 11)."""
@@ -211,7 +211,7 @@ def _of_marks(
 
 
 def _beside(
-    data: _Data, vectors: FloatArray, normal: Normal, frame: PictureFrame, stand: Stand
+    data: _Data, vectors: FloatArray, normal: Normal, frame: PictureFrame, stand: ShotStand
 ) -> tuple[float, FloatArray]:
     """What it does to the cameras that elements lie beside the model, each all along the chain by
     as much as elements of single frames do: more frames do not average that out.
@@ -255,7 +255,7 @@ def _held(
     return shares, residuals
 
 
-def _covariances(found: BandedSolution, beside: FloatArray, stand: Stand) -> FloatArray:
+def _covariances(found: BandedSolution, beside: FloatArray, stand: ShotStand) -> FloatArray:
     """(K, 8, 8) of each frame's parameters: of the marks' noise, and of what elements do."""
     own, shared = stand.own, stand.shared
     full = beside @ beside.transpose(0, 2, 1)
