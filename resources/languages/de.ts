@@ -5587,6 +5587,14 @@ Verliert {loses}.</translation>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>zu sagen</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} Label ist keine Klasse von {field}. Sagen Sie, wofür es steht; der Vorschlag folgt aus seinen Wörtern und daraus, auf welchen Elementen seine Formen liegen.</numerusform>
+    <numerusform>{n} Labels sind keine Klassen von {field}. Sagen Sie, wofür sie stehen; die Vorschläge folgen aus ihren Wörtern und daraus, auf welchen Elementen ihre Formen liegen.</numerusform>
+   </translation>
+  </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
@@ -5596,14 +5604,6 @@ Verliert {loses}.</translation>
    <source>Names of another program</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>Namen eines anderen Programms</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} Label ist keine Klasse von {field}. Sagen Sie, wofür es steht; der Vorschlag folgt aus seinen Wörtern und daraus, auf welchen Elementen seine Formen liegen.</numerusform>
-    <numerusform>{n} Labels sind keine Klassen von {field}. Sagen Sie, wofür sie stehen; die Vorschläge folgen aus ihren Wörtern und daraus, auf welchen Elementen ihre Formen liegen.</numerusform>
-   </translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>

@@ -5587,6 +5587,14 @@ Pierde {loses}.</translation>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>por decir</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} etiqueta no es ninguna clase de {field}. Diga qué significa; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
+    <numerusform>{n} etiquetas no son ninguna clase de {field}. Diga qué significan; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
+   </translation>
+  </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
@@ -5596,14 +5604,6 @@ Pierde {loses}.</translation>
    <source>Names of another program</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>Nombres de otro programa</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} etiqueta no es ninguna clase de {field}. Diga qué significa; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
-    <numerusform>{n} etiquetas no son ninguna clase de {field}. Diga qué significan; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
-   </translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>
