@@ -3087,7 +3087,7 @@ Open a folder of pictures first.</source>
   </message>
   <message numerus="yes">
    <source>{n} pegs hold the camera</source>
-   <extracomment>{n} peg hold the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
    <translation>
     <numerusform>{n} Pflock hält die Kamera</numerusform>
     <numerusform>{n} Pflöcke halten die Kamera</numerusform>

@@ -3087,7 +3087,7 @@ Abra primero una carpeta de imágenes.</translation>
   </message>
   <message numerus="yes">
    <source>{n} pegs hold the camera</source>
-   <extracomment>{n} peg hold the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
    <translation>
     <numerusform>{n} estaca sujeta la cámara</numerusform>
     <numerusform>{n} estacas sujetan la cámara</numerusform>

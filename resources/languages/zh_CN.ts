@@ -3042,7 +3042,7 @@ Open a folder of pictures first.</source>
   </message>
   <message numerus="yes">
    <source>{n} pegs hold the camera</source>
-   <extracomment>{n} peg hold the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
+   <extracomment>{n} peg holds the camera / {n} pegs hold the camera [procc_annotator/gui/picture/camera_hand.py]</extracomment>
    <translation>
     <numerusform>{n} 个固定桩约束相机</numerusform>
    </translation>
