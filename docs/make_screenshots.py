@@ -98,7 +98,7 @@ def audit(window: MainWindow, dataset: Path) -> None:
     """A mediocre camera judged against the clicks."""
     window.document.load_cameras(dataset / "cameras" / "bad")
     window.document.go_to(1)
-    window.show_panel("scores")
+    window.panels.show("scores")
     wait(2500)
     take(window, "audit")
     as_others_see_it("audit")
@@ -113,7 +113,7 @@ def other_sport(folder: Path) -> None:
     window.show()
     window.document.load_cameras(dataset / "cameras" / "late")
     window.document.go_to(1)
-    window.show_panel("scores")
+    window.panels.show("scores")
     wait(2500)
     take(window, "basketball")
     window.close()
@@ -124,7 +124,7 @@ def annotate(window: MainWindow, dataset: Path) -> None:
     document = window.document
     document.remove_camera_set(0)
     document.go_to(4)
-    window.show_panel("elements")
+    window.panels.show("elements")
     truth = CameraSet.open(dataset / "cameras" / "true").camera("00005", (960, 540))
     assert truth is not None
 
@@ -199,7 +199,7 @@ def review(window: MainWindow, dataset: Path) -> None:
         document.review.set_status(f"{number:05d}", status)
     document.go_to(2)
     document.select_class(None)
-    window.show_panel("review")
+    window.panels.show("review")
     name = "00003"
     document.review.add_comment(name, "The far touchline ends before the corner.")
     document.review.add_comment(name, "The arc sits on the edge of the paint, not its middle.")
@@ -219,13 +219,13 @@ def disagree(folder: Path) -> None:
     for name in ("true", "bad"):
         document.load_cameras(dataset / "cameras" / name)
     document.go_to(5)
-    window.show_panel("cameras")
+    window.panels.show("cameras")
     window.actions_["disagreement"].trigger()
     wait(2500)
     take(window, "disagreement")
     window.actions_["disagreement"].trigger()
     window.actions_["split"].trigger()
-    window.show_panel("plots")
+    window.panels.show("plots")
     wait(2500)
     take(window, "plots")
     window.close()
@@ -244,7 +244,7 @@ def clicks(folder: Path) -> None:
     for name in annotation.annotated[4:]:
         annotation = annotation.without(name)
     document.commit_edit("four elements", annotation)
-    window.show_panel("fit")
+    window.panels.show("fit")
     window.canvas.setFocus()
     wait(2000)
     QTest.keyClick(window.canvas, Qt.Key.Key_Tab)
@@ -254,7 +254,7 @@ def clicks(folder: Path) -> None:
     document.go_to(2)
     document.select_class("Side line right")
     window.element_edits.change_class("Side line left")
-    window.show_panel("findings")
+    window.panels.show("findings")
     wait(3000)
     take(window, "check")
     window.close()
@@ -272,7 +272,7 @@ def without_a_click(folder: Path) -> None:
     window.show()
     document = window.document
     document.go_to(FRAMES // 6)
-    window.show_panel("elements")
+    window.panels.show("elements")
     wait_until(lambda: bool(document.ghosts.painted), "looking for the camera in the picture")
     wait(1500)
     take(window, "proposal")

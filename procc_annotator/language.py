@@ -45,7 +45,7 @@ def tr(text: str, /, about: str = "", **values: object) -> str:
     Args:
         text: the English words, with ``{name}`` (or ``{name:.1f}``) where a value stands. They are
             the key of the translation: written out where this is called, or marked by ``word``
-            where they stand in a table. Or what ``said`` made elsewhere.
+            where they stand in a table. Or what ``said`` made elsewhere, or a file kept.
         about: tells two meanings of the same English words apart ("left": a side, or remaining).
         values: what stands in the places; without any, braces are braces.
     """
@@ -92,7 +92,8 @@ class Said(str):
 
 
 def said(text: str, /, about: str = "", **values: object) -> Said:
-    """Words made where nobody knows who reads them: as ``tr``, but English until ``tr`` says them.
+    """Words made where nobody knows who reads them, or that are shown and go into a file, too (the
+    name of a step of undo, say): as ``tr``, but English until ``tr`` says them.
 
     Args:
         text, about: as of ``tr``; or a title, which is said if the tables have it.
@@ -136,29 +137,6 @@ def in_english() -> Iterator[None]:
         yield
     finally:
         _in_english.reset(token)
-
-
-class Kept(str):
-    """English words that a file keeps, with ``spoken``: the same in the language of the window."""
-
-    spoken: str
-
-
-def kept(say: Callable[[], str]) -> Kept:
-    """What is shown now and goes into a file, too: the name of a step of undo, say.
-
-    Args:
-        say: makes the words by ``tr`` and ``tr_count``; called twice.
-    """
-    with in_english():
-        words = Kept(say())
-    words.spoken = say()
-    return words
-
-
-def spoken(words: str) -> str:
-    """What is kept in English, as the window says it: what ``kept`` made, or ``word`` marked."""
-    return words.spoken if isinstance(words, Kept) else tr(words)
 
 
 def _filled(text: str, values: Mapping[str, object]) -> str:

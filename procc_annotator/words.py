@@ -22,11 +22,6 @@ def first_of(names: Sequence[str]) -> str:
     return ", ".join(names[:_NAMED]) + (", ..." if len(names) > _NAMED else "")
 
 
-def all_of(names: Sequence[str]) -> str:
-    """Names as a sentence names them: "one", "one and two", "one, two and three"."""
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
-
-
 def listed(names: Sequence[str], thing: str, several: str = "") -> str:
     """How many there are and the first few of them: ``2 frames (a, b)``."""
     return f"{count_of(len(names), thing, several)} ({first_of(names)})"

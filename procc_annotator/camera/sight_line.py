@@ -24,14 +24,10 @@ _STARTS = 6
 
 
 class SightLine(NamedTuple):
-    """A line in space: (3,) metres of a place on it, and (3,) its direction, a unit vector.
-
-    ``oriented``: whether it begins at the place and runs away from the camera.
-    """
+    """A line in space: (3,) metres of a place on it, and (3,) its direction, a unit vector."""
 
     place: FloatArray
     direction: FloatArray
-    oriented: bool
 
 
 def sight_line(camera: Camera, point_px: FloatArray) -> SightLine | None:
@@ -56,7 +52,7 @@ def sight_line(camera: Camera, point_px: FloatArray) -> SightLine | None:
         length = float(np.linalg.norm(ray))
         if not (np.isfinite(length) and length > 0):
             return None
-        return SightLine(np.array(camera.position_world), ray / length, True)
+        return SightLine(np.array(camera.position_world), ray / length)
     return _searched(camera, point_px)
 
 
@@ -118,4 +114,4 @@ def _newton(camera: Camera, point_px: FloatArray, place: FloatArray) -> SightLin
         place, px, slopes = place + share * step, tried, tried_slopes
     if not (float(np.hypot(*(px[0] - point_px))) < _CLOSE_PX and np.isfinite(slopes).all()):
         return None
-    return SightLine(place, np.linalg.svd(slopes[0])[2][2], False)
+    return SightLine(place, np.linalg.svd(slopes[0])[2][2])

@@ -18,6 +18,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.barrel import is_demanded, perhaps_barrel
 from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
 from procc_annotator.fit.solving.cut_out import is_cut_out, perhaps_cut_out
+from procc_annotator.fit.solving.final_fit import MINIMUM_ELEMENTS, FoundCamera, fit_models
 from procc_annotator.fit.solving.models import (
     KAPPA,
     strong_vector_from_camera,
@@ -25,7 +26,7 @@ from procc_annotator.fit.solving.models import (
 )
 from procc_annotator.fit.solving.observations import Observations, PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing, objection
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, FoundCamera, believed, fit_models
+from procc_annotator.fit.solving.search import believed
 from procc_annotator.fit.solving.starts import (
     side_of,
     wide_prior,

@@ -11,10 +11,10 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.choose import fit_simplest
 from procc_annotator.fit.one_model import find_model, result_of
 from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.final_fit import MINIMUM_ELEMENTS
 from procc_annotator.fit.solving.models import MODELS
 from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 from procc_annotator.language import said
 
 DEFAULT_SIZE = (960, 540)

@@ -20,6 +20,7 @@ from procc_annotator.fit.solving.covariance import (
 )
 from procc_annotator.fit.solving.cut_out import perhaps_cut_out
 from procc_annotator.fit.solving.element_offsets import element_offsets
+from procc_annotator.fit.solving.final_fit import OUTLIER_PX, FoundCamera
 from procc_annotator.fit.solving.models import (
     LOG_FOCAL,
     STRONG,
@@ -38,14 +39,7 @@ from procc_annotator.fit.solving.models import (
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import homography_of
-from procc_annotator.fit.solving.search import (
-    OUTLIER_PX,
-    FoundCamera,
-    refine,
-    refine_homography,
-    search,
-    search_homography,
-)
+from procc_annotator.fit.solving.search import refine, refine_homography, search, search_homography
 from procc_annotator.fit.solving.strong_lens import fit_strong, refine_strong
 from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.language import said

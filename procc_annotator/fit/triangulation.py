@@ -37,9 +37,9 @@ LEAST_ANGLE_DEGREES = 1.0
 _USUAL_WIDTH = 960
 # Beyond so many standard deviations a click is on another place, or its camera is wrong; of honest
 # ones 1 in 3000 is.
-_GATE = 4.0
+GATE = 4.0
 _MEDIAN = 1.1774  # of the length of a vector whose two parts have a standard deviation of 1
-_MOST_NOISE = 3.0
+MOST_NOISE = 3.0
 _MOST_PAIRS = 400
 _ROUNDS = 50
 _REPEATS = 5
@@ -138,57 +138,6 @@ def triangulate(
     return _Search(usable, lines, known).run()
 
 
-@dataclass(frozen=True)
-class PlaceAgreement:
-    """How clicks agree with a place that is known.
-
-    Attributes:
-        residuals_px: frame -> distance from the click to where its camera shows the place; frames
-            that do not show it are left out.
-        astray: frames whose click is farther off than chance and the clicks' own noise explain, or
-            that do not show the place.
-    """
-
-    residuals_px: tuple[tuple[str, float], ...] = ()
-    astray: tuple[str, ...] = ()
-
-
-def agreement_of_views(
-    views: Sequence[View],
-    position: Vector,
-    covariance: Covariance | None = None,
-    *,
-    estimate_noise: bool = True,
-) -> PlaceAgreement:
-    """Compare a place that was surveyed with its clicks.
-
-    Args:
-        views: one click each; cameras that know only the ground say nothing.
-        position: metres.
-        covariance: (3, 3) m^2 of the position, if it is known.
-        estimate_noise: as of `triangulate`; the place that the clicks themselves tell says how far
-            they are off.
-    """
-    able = [view for view in views if not projects_only_ground(view.camera)]
-    noise = min(max(triangulate(able, estimate_noise=estimate_noise).noise, 1.0), _MOST_NOISE)
-    place = np.array([position], dtype=np.float64)
-    residuals: list[tuple[str, float]] = []
-    astray: list[str] = []
-    for view in able:
-        px, slopes = projection_slopes(view.camera, place)
-        off = px[0] - view.point_px
-        if not np.isfinite(slopes).all():
-            astray.append(view.name)
-            continue
-        residuals.append((view.name, float(np.hypot(*off))))
-        spread = noise**2 * _covariance(view, place)[0]
-        if covariance is not None:
-            spread = spread + slopes[0] @ np.array(covariance) @ slopes[0].T
-        if float(off @ np.linalg.solve(spread, off)) > _GATE**2:
-            astray.append(view.name)
-    return PlaceAgreement(tuple(residuals), tuple(astray))
-
-
 def _too_few(views: Sequence[View], usable: Sequence[View]) -> str:
     ground = sum(projects_only_ground(view.camera) for view in views)
     if len(views) < 2:
@@ -249,9 +198,7 @@ class _Search:
             far_off = said("would be farther than {metres:g} m from the field", metres=FARTHEST_M)
             return Triangulated(failure=far_off)
         slopes = np.array([projection_slopes(v.camera, place[None])[1][0] for v in self.views])
-        angle = _largest_angle(
-            [SightLine(place, np.linalg.svd(s)[2][2], False) for s in slopes[used]]
-        )
+        angle = _largest_angle([SightLine(place, np.linalg.svd(s)[2][2]) for s in slopes[used]])
         if angle < LEAST_ANGLE_DEGREES:
             return Triangulated(residuals_px=residuals, failure=_parallel(angle))
         squares, spare = float((away[used, 0] ** 2).sum()), 2 * int(used.sum()) - 3
@@ -287,7 +234,7 @@ class _Search:
         """The meeting point that most views agree with; None where none is in front of two."""
         _, away, _ = self._residuals(starts)
         seen = np.isfinite(away)
-        cost = np.where(seen, np.minimum(away, 4 * _GATE) ** 2, (8 * _GATE) ** 2).sum(axis=0)
+        cost = np.where(seen, np.minimum(away, 4 * GATE) ** 2, (8 * GATE) ** 2).sum(axis=0)
         cost[seen.sum(axis=0) < 2] = np.inf
         best = int(np.argmin(cost))
         return starts[best] if np.isfinite(cost[best]) else None
@@ -311,12 +258,12 @@ class _Search:
         """
         count = len(away)
         if self.noise is not None:
-            return _GATE * min(max(self.noise, 1.0), _MOST_NOISE)
+            return GATE * min(max(self.noise, 1.0), MOST_NOISE)
         if count < 3:
-            return _GATE
+            return GATE
         fitted = math.sqrt(2 * count / (2 * count - 3))
         noise = float(np.nanmedian(away)) / _MEDIAN * fitted
-        return _GATE * min(max(noise, 1.0), _MOST_NOISE)
+        return GATE * min(max(noise, 1.0), MOST_NOISE)
 
     def _residuals(self, places: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Of n views and P places: (n, P) px, (n, P) standard deviations, (n, P, 2, 2) px^2; NaN
@@ -327,7 +274,7 @@ class _Search:
         for i, view in enumerate(self.views):
             px, shown = view.camera.project(places)
             shown = shown & np.isfinite(px).all(axis=1)
-            covariances[i] = _covariance(view, places)
+            covariances[i] = spread_px(view, places)
             off = px - view.point_px
             weighted = np.einsum("pi,pij,pj->p", off, np.linalg.inv(covariances[i]), off)
             away_px[i] = np.where(shown, np.hypot(off[:, 0], off[:, 1]), np.nan)
@@ -337,7 +284,7 @@ class _Search:
     def _refined(self, place: FloatArray, used: BoolArray) -> FloatArray:
         """Levenberg and Marquardt's method on the views that have a say."""
         views = [view for view, counts in zip(self.views, used, strict=True) if counts]
-        weights = [np.linalg.inv(np.linalg.cholesky(_covariance(v, place[None])[0])) for v in views]
+        weights = [np.linalg.inv(np.linalg.cholesky(spread_px(v, place[None])[0])) for v in views]
 
         def linear(at: FloatArray) -> tuple[FloatArray, FloatArray]:
             parts = [projection_slopes(v.camera, at[None]) for v in views]
@@ -368,7 +315,7 @@ class _Search:
         return place
 
 
-def _covariance(view: View, places: FloatArray) -> FloatArray:
+def spread_px(view: View, places: FloatArray) -> FloatArray:
     """(P, 2, 2) px^2 of a click against where the camera shows places."""
     own = np.broadcast_to(view.click_px**2 * np.eye(2), (len(places), 2, 2))
     if view.covariance is None:

@@ -5,18 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import (
-    QCloseEvent,
-    QDragEnterEvent,
-    QDropEvent,
-    QShowEvent,
-)
-from PySide6.QtWidgets import (
-    QMainWindow,
-    QStackedWidget,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
+from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from procc_annotator.gui.digit_row import DigitRow
 from procc_annotator.gui.element_keys import ElementShortcuts
@@ -41,8 +31,6 @@ from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.plots.panel import PlotsPanel
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.notices import UNSAVED, Told
-from procc_annotator.gui.state.state import State
 from procc_annotator.gui.strip.filmstrip import Filmstrip
 from procc_annotator.gui.strip.place import StripPlace
 from procc_annotator.gui.strip.shot_strip import ShotStrip
@@ -84,16 +72,16 @@ from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions, ActionStates
 from procc_annotator.gui.window.options import Options, dress
 from procc_annotator.gui.window.palette_entries import PaletteEntries
+from procc_annotator.gui.window.panel_commands import PanelCommands
 from procc_annotator.gui.window.rail import Rail
 from procc_annotator.gui.window.regions import Regions
 from procc_annotator.gui.window.remembering import Remembering
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.gui.window.status_report import StatusReport
+from procc_annotator.gui.window.telling import Telling
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
 from procc_annotator.language import tr
-
-_TITLE = "ProCC Annotator[*]"  # not shown
 
 
 class MainWindow(QMainWindow):
@@ -115,8 +103,33 @@ class MainWindow(QMainWindow):
         self._make_centre()
         self.actions_ = Actions(self, self.canvas)
         ActionStates(self.document, self.actions_, self)
-        self._docks.turned = self._show_desk
+        self._docks.turned = self.panels.note_desk
         self.drawer.take_keys(self.actions_["plots"])
+        self._make_bars()
+        self._add_panel_toggles()
+        self._add_recent()
+        self.palette_ = CommandPalette(
+            self,
+            PaletteEntries(
+                self.document,
+                self.actions_,
+                self.settings,
+                self.panels.show,
+                self.opening.open_path,
+                self.commands.show_settings,
+            ).found,
+            self.settings,
+        )
+        self._make_helpers()
+        self._remembering = Remembering(self.settings, self, self.options, self._docks)
+        self._connect()
+        self._remembering.take_up()
+        self._refresh_frame()
+
+    # --- assembly -------------------------------------------------------------------------
+
+    def _make_bars(self) -> None:
+        """What stands around the picture and the panels, with the actions in it."""
         self.desk_switch = DeskSwitch(self, self.actions_)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
@@ -125,25 +138,16 @@ class MainWindow(QMainWindow):
         self.addToolBar(self.top_bar)
         self.rail = Rail(self.actions_)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.rail)
-        self._add_panel_toggles()
-        self._add_recent()
         self.field_choosing.fill(
             self.actions_.menus["File/Field"],
             self.actions_["field_file"],
             self.actions_["switch_field"],
         )
-        self.palette_ = CommandPalette(
-            self,
-            PaletteEntries(
-                self.document,
-                self.actions_,
-                self.settings,
-                self.show_panel,
-                self.opening.open_path,
-                self.commands.show_settings,
-            ).found,
-            self.settings,
-        )
+        self.status = StatusLine()
+        self.setStatusBar(self.status)
+
+    def _make_helpers(self) -> None:
+        """What watches the window and helps: tips, keys, what is told."""
         self.keys_back = KeysBack(self.canvas)
         self.finding_tips = FindingTips(self.document, self.canvas)
         self.coach = Coach(self.document, self.canvas, self.actions_, self.settings)
@@ -151,16 +155,13 @@ class MainWindow(QMainWindow):
         self.focus_ring = FocusRing(self)
         self.element_shortcuts = ElementShortcuts(self, self.document)
         self.digit_row = DigitRow(self)
-        self.status = StatusLine()
-        self.setStatusBar(self.status)
         self._report = StatusReport(self.document, self.canvas, self.status, self)
-        self._remembering = Remembering(self.settings, self, self.options, self._docks)
-        self._connect()
-        self._remembering.take_up()
-        self._refresh_frame()
-        self._refresh_saved()
-
-    # --- assembly -------------------------------------------------------------------------
+        Telling(
+            self.document,
+            (self.message_bar, self.frame_bar, self.conflict_bar),
+            self.status,
+            self,
+        )
 
     def _make_tasks(self) -> None:
         """What the table of actions calls."""
@@ -221,7 +222,18 @@ class MainWindow(QMainWindow):
         column.addWidget(self.strip)
         column.addWidget(self.filmstrip)
         self.drawer = Drawer(self._docks)
-        self.drawer.clicked.connect(self.toggle_plots)
+        self.panels = PanelCommands(
+            self._docks,
+            self.drawer,
+            self.canvas,
+            {
+                "frames": self.frames.focus_filter,
+                "elements": self.elements.focus_search,
+                "review": self.review.focus_comment,
+            },
+            lambda name: self.actions_[name],
+        )
+        self.drawer.clicked.connect(self.panels.toggle_plots)
         column.addWidget(self.drawer)
         self.import_bar = ImportBar()
         self.import_offer = ImportOffer(self.document, self.importer, self.import_bar)
@@ -277,26 +289,15 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         document = self.document
-        document.datasetChanged.connect(self.message_bar.hide)
         document.frameChanged.connect(self._refresh_frame)
-        document.annotationChanged.connect(self._refresh_frame_bar)
-        document.saveStateChanged.connect(self._refresh_saved)
-        document.frameChanged.connect(self._refresh_saved)
         document.frameChanged.connect(self._fit_below_bars)
-        document.modeChanged.connect(self._refresh_frame_bar)
-        document.frameChanged.connect(lambda: self.status.forget())
-        document.blindChanged.connect(self._hide_told)
-        document.store.watch(lambda state: state.notices, self.message_bar.keep)
         self.message_bar.remedy_wanted.connect(lambda name: self.actions_[name].trigger())
-        document.store.changed.connect(self._hear)  # a watch would miss lines said together
         self.welcome.open_folder.connect(self.opening.open_folder)
         self.welcome.open_picture.connect(self.opening.open_picture)
         self.welcome.open_video.connect(self.opening.open_video)
         self.welcome.open_sample.connect(self.opening.open_sample)
         self.opening.secondChosen.connect(self.agreement.open)
         self.document.second.opened.connect(self._show_second)
-        self.conflict_bar.reload_chosen.connect(document.editing.reload_frame)
-        self.conflict_bar.overwrite_chosen.connect(document.editing.overwrite_frame)
         self.elements.left.connect(self.canvas.setFocus)
         self.frames.left.connect(self.canvas.setFocus)
         self.review.left.connect(self.canvas.setFocus)
@@ -307,10 +308,10 @@ class MainWindow(QMainWindow):
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
         self.ghost_tasks.accepting.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)
-        self._connect_findings()
-        for fault, button in self.scores.verdict.buttons.items():
-            button.clicked.connect(lambda _=False, fault=str(fault): self.triage.mark(fault))
-            button.clicked.connect(self.scores.verdict.refresh)  # also where nothing was marked
+        self.triage.serve(self.scores.verdict)
+        self.label_check.serve(self.findings)
+        # Its reason should be in sight.
+        self.label_check.walked.connect(lambda: self.panels.show_unless_hidden("findings"))
         for hand_moved in (
             self.canvas.cursorMoved,
             self.canvas.viewChanged,
@@ -319,31 +320,12 @@ class MainWindow(QMainWindow):
         ):
             hand_moved.connect(document.review.note_activity)
 
-    def _connect_findings(self) -> None:
-        panel, commands = self.findings, self.label_check
-        panel.goTo.connect(commands.go)
-        panel.remedyWanted.connect(commands.apply)
-        panel.ignoreWanted.connect(commands.ignore)
-        panel.restoreWanted.connect(commands.restore)
-        panel.checkWanted.connect(commands.check_set)
-        panel.stopWanted.connect(commands.stop)
-        panel.exportWanted.connect(commands.ask_export)
-        commands.walked.connect(self._show_findings)
-
-    def _show_findings(self) -> None:
-        """A finding was gone to: its reason should be in sight, unless all panels are hidden."""
-        if not self.actions_["hide_panels"].isChecked():
-            self.show_panel("findings")
-
     # --- showing the document -------------------------------------------------------------
 
     def _refresh_frame(self) -> None:
         frame = self.document.frame
-        if not self.document.saver.problems:
-            self.message_bar.grow_old()
         opened = frame is not None and self.pages.currentWidget() is self.welcome
         self.pages.setCurrentWidget(self.welcome if frame is None else self.canvas)
-        self._refresh_frame_bar()
         if opened or (frame is not None and not self.canvas.hasFocus() and self.frames.isHidden()):
             self.canvas.setFocus()
 
@@ -351,40 +333,6 @@ class MainWindow(QMainWindow):
         """A frame comes whole; while it is on screen no bar moves it."""
         self.bars.place()
         self.canvas.fit_below_cover()
-
-    def _refresh_frame_bar(self) -> None:
-        self.frame_bar.tell(self.document.frame_error)
-
-    def _refresh_saved(self) -> None:
-        saver, index = self.document.saver, self.document.frame_index
-        conflict = saver.conflict(index)
-        self.conflict_bar.tell(str(conflict) if conflict is not None else "")
-        frame = self.document.frame
-        self.setWindowTitle(f"{frame.name}[*]" if frame is not None else _TITLE)
-        self.setWindowModified(bool(saver.problems))
-
-    def _hide_told(self, blind: bool) -> None:
-        if blind:  # it may say how a camera does
-            self.status.forget(just_told=True)
-
-    def _hear(self, before: State, after: State) -> None:
-        if after.told is not None and after.told is not before.told:
-            self._tell(after.told)
-
-    def _tell(self, told: Told) -> None:
-        document = self.document
-        conflict = document.saver.conflict(document.frame_index)
-        if told.level == "info":
-            self.status.tell(told.text)
-        elif told.text == document.state.why_broken:
-            self.status.tell(tr("not editable: the bar over the picture says why"))
-        elif told.key != UNSAVED:
-            # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
-            # everything).
-            unsaved = [notice for notice in document.state.notices if notice.key == UNSAVED]
-            self.message_bar.tell(told, above=unsaved)
-        elif conflict is None or told.text != str(conflict):  # that one has a bar of its own
-            self.message_bar.tell(told)
 
     def _show_menu(self, at: QPoint) -> None:
         """The menu of what is under the cursor."""
@@ -404,63 +352,13 @@ class MainWindow(QMainWindow):
 
     # --- panels ---------------------------------------------------------------------------
 
-    def show_panel(self, name: str) -> None:
-        """Open a panel and bring it to the front of its tabs."""
-        self._show_panels()
-        self._docks.show(name)
-
-    def turn_to(self, desk: str) -> None:
-        """Show the panels of one kind of work: annotate, judge or review."""
-        self._show_panels()
-        self._docks.turn_to(desk)
-        self._show_desk(desk)  # a tick that was taken away by hand comes back
-
-    def toggle_plots(self) -> None:
-        """Open the drawer with the plots, or shut it."""
-        if self.drawer.is_open and not self.docks["plots"].isFloating():
-            self._docks.hide("plots")
-            self.canvas.setFocus()
-        else:
-            self.show_panel("plots")
-
-    def _show_desk(self, desk: str) -> None:
-        self.drawer.show_for(desk)
-        self.actions_.set_checked(f"desk_{desk}", True)
-
-    def _show_panels(self) -> None:
-        if self.actions_["hide_panels"].isChecked():
-            self.actions_["hide_panels"].setChecked(False)
-            self.set_panels_hidden(False)
-
     def find_anything(self) -> None:
         """Show the command palette; once more puts it away."""
         self.palette_.ask()
 
-    def enter_panel(self, name: str) -> None:
-        """Open a panel and put the keyboard where one writes in it."""
-        self.show_panel(name)
-        {
-            "frames": self.frames.focus_filter,
-            "elements": self.elements.focus_search,
-            "review": self.review.focus_comment,
-        }[name]()
-
     def _show_second(self, folder: Path) -> None:
         self.settings.set(SECOND, str(folder))
-        self.show_panel("agreement")
-
-    def set_panels_hidden(self, hidden: bool) -> None:
-        """Hide all panels, or bring back those that were open."""
-        if hidden:
-            self._docks.hide_all()
-            self.canvas.setFocus()
-        else:
-            self._docks.bring_back()
-
-    def reset_layout(self) -> None:
-        """Forget the arrangement of panels."""
-        self.actions_["hide_panels"].setChecked(False)
-        self._docks.arrange()
+        self.panels.show("agreement")
 
     # --- events ---------------------------------------------------------------------------
 

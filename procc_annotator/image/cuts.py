@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 
 from procc_annotator.image.pixels import PixelArray
 
-FloatArray = NDArray[np.float64]
-
 Values = NDArray[np.float32]
 
 STEP_PX = 0.5  # between the samples of a cut

@@ -8,8 +8,14 @@ from typing import Literal
 
 from procc_annotator.annotation import FrameAnnotation, point_from_px, points_px
 from procc_annotator.interact import step_names
+from procc_annotator.interact.chosen_points import (
+    confirmed,
+    deletion,
+    nudged,
+    points_within,
+    toggled,
+)
 from procc_annotator.interact.gesture import (
-    ARROWS,
     IGNORED,
     Context,
     Edit,
@@ -102,11 +108,11 @@ class EditTool:
         if modifiers.alt and modifiers.shift:
             if hit.kind != "point":
                 return Reaction(select=Selection(hit.class_name))
-            return _deletion(context, hit.class_name, hit.index)
+            return deletion(context, hit.class_name, hit.index)
         if hit.kind == "point":
             ref = (hit.class_name, hit.index)
             if modifiers.shift:
-                return _toggled(ref, context)
+                return toggled(ref, context)
             together = context.chosen_points if ref in context.chosen_points else frozenset()
             return self._grab(hit, hit.index, position, context, together=together)
         if modifiers.alt:
@@ -219,7 +225,7 @@ class EditTool:
         if math.dist(begin, position) * context.view_scale < _DRAG_BEGINS_SCREEN_PX:
             keep = context.selected_class
             return Reaction(select=Selection(keep)) if context.chosen_points else Reaction()
-        inside = _points_within(begin, position, context)
+        inside = points_within(begin, position, context)
         if modifiers.shift:
             inside |= context.chosen_points
         if not inside:
@@ -250,8 +256,8 @@ class EditTool:
             return IGNORED
         if name in ("Delete", "Backspace"):
             if len(chosen) == 1:
-                return _deletion(context, *next(iter(chosen)))
-            base = _confirmed(context.annotation, chosen)
+                return deletion(context, *next(iter(chosen)))
+            base = confirmed(context.annotation, chosen)
             edited = edits.delete_points(base, chosen)
             label = step_names.deleting_points(len(chosen))
             return Reaction(edit=Edit(label, edited), select=Selection(selected))
@@ -262,7 +268,7 @@ class EditTool:
         chosen = context.chosen_points
         if self.busy or not chosen:
             return IGNORED
-        return _nudge(context, chosen, arrow, step)
+        return nudged(context, chosen, arrow, step)
 
     def _escape(self, context: Context) -> Reaction:
         if self.busy:
@@ -300,7 +306,7 @@ class EditTool:
         if self.grabbed is None or self._held == "points":
             dx, dy = position[0] - self._pressed[0], position[1] - self._pressed[1]
             width, height = context.picture_size
-            base = _confirmed(self._before, self._together)
+            base = confirmed(self._before, self._together)
             return edits.move_points(base, self._together, dx / (width - 1), dy / (height - 1))
         x, y = position[0] + self._offset[0], position[1] + self._offset[1]
         base = edits.confirm(self._before, self.grabbed[0])
@@ -355,51 +361,3 @@ def _pinned_words(title: str) -> str:
         " (Ctrl+P, menu Element) to drag it as a whole",
         title=tr(title),
     )
-
-
-def _confirmed(annotation: FrameAnnotation, chosen: frozenset[PointRef]) -> FrameAnnotation:
-    for name in sorted({name for name, _ in chosen}):
-        annotation = edits.confirm(annotation, name)
-    return annotation
-
-
-def _toggled(ref: PointRef, context: Context) -> Reaction:
-    chosen = context.chosen_points ^ {ref}
-    if not chosen:
-        return Reaction(select=Selection(ref[0]))
-    name, index = ref if ref in chosen else min(chosen)
-    return Reaction(select=Selection(name, index, frozenset(chosen)))
-
-
-def _points_within(begin: Position, end: Position, context: Context) -> set[PointRef]:
-    left, right = sorted((begin[0], end[0]))
-    top, bottom = sorted((begin[1], end[1]))
-    inside: set[PointRef] = set()
-    for polyline in (*context.annotation.polylines, *context.annotation.unconfirmed):
-        for i, (x, y) in enumerate(points_px(polyline, context.picture_size).tolist()):
-            if left <= x <= right and top <= y <= bottom:
-                inside.add((polyline.class_name, i))
-    return inside
-
-
-def _deletion(context: Context, class_name: str, index: int) -> Reaction:
-    base = edits.confirm(context.annotation, class_name)
-    edited = edits.delete_point(base, class_name, index)
-    left = edited.get(class_name)
-    after = min(index, len(left.points) - 1) if left is not None else None
-    label = step_names.deleting_point(index + 1, context.title(class_name))
-    return Reaction(edit=Edit(label, edited), select=Selection(class_name, after))
-
-
-def _nudge(context: Context, chosen: frozenset[PointRef], arrow: str, step: float) -> Reaction:
-    width, height = context.picture_size
-    dx, dy = ARROWS[arrow]
-    base = _confirmed(context.annotation, chosen)
-    edited = edits.move_points(base, chosen, dx * step / (width - 1), dy * step / (height - 1))
-    names = {name for name, _ in chosen}
-    label = (
-        step_names.nudging(context.title(next(iter(names))))
-        if len(names) == 1
-        else step_names.nudging_points(len(chosen))
-    )
-    return Reaction(edit=Edit(label, edited, OriginKind.MOVED))

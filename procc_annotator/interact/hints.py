@@ -14,7 +14,6 @@ from procc_annotator.interact.edit_tool import FAR_NUDGE_PX, FINE_NUDGE_PX, NUDG
 from procc_annotator.interact.gesture import Context
 from procc_annotator.interact.hit import Hit
 from procc_annotator.language import tr, tr_count, word
-from procc_annotator.words import count_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -312,11 +311,6 @@ def _point_words(context: Context) -> tuple[str, ...]:
         far=FAR_NUDGE_PX,
     )
     return nudge, tr_count(count, "Delete removes the point", "Delete removes {n} points")
-
-
-def counted(count: int, what: str, several: str = "") -> str:
-    """A number and what it counts: "1 point", "2 points", or what is to be said of ``several``."""
-    return count_of(count, what, several, thousands=",")
 
 
 def _title(class_name: str, field: Field) -> str:

@@ -25,11 +25,6 @@ def unnamed_class(annotation: FrameAnnotation) -> str:
     return name
 
 
-def is_unnamed(class_name: str | None) -> bool:
-    """Whether a class is one of `unnamed_class`."""
-    return class_name is not None and class_name.startswith(UNNAMED)
-
-
 def likeliest(
     drawn: FloatArray,
     courses: Mapping[str, Sequence[FloatArray]],

@@ -1,8 +1,7 @@
 """A folder, a single file or a zip archive, read alike.
 
 Data sets are published as files in the top folder or all inside one split folder (``test/``); both
-look the same here. Deeper files are a tree, which is listed by itself; hidden ones and macOS's
-resource forks do not count.
+look the same here. Deeper files are a tree, which is listed by itself.
 """
 
 from __future__ import annotations
@@ -12,28 +11,21 @@ import stat
 import struct
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import partial
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Protocol, Self
 
 from natsort import natsort_keygen, natsorted
 
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.io.folders import DEEPEST, counts, entries, too_deep, walk
 from procc_annotator.io.frame_names import leads_out
 from procc_annotator.io.json_text import printable
 
-# A folder with such a name stands where a file was expected; any other may be a split (``v1.2``).
-_FILE_SUFFIXES = frozenset(
-    {".json", ".npy", ".npz", ".mat", ".txt", ".homographymatrix", ".yml", ".yaml", ".xml"}
-)
 _LONGEST_NAME = 255  # of what a file system takes; an archive may hold any
 # Annotations and cameras have a few kilobytes. A larger file is another one, or a zip bomb.
 LARGEST_FILE = 50 * 1024 * 1024
-# Deeper folders, or more files than any set has, are a whole disk or a trap.
-_DEEPEST = 24
-_MOST_ENTRIES = 1_000_000
-_RESOURCE_FORKS = "__MACOSX"
 _METHODS = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
 # What zipfile raises for damage in one place or another; RuntimeError is an encrypted member.
 _ZIP_ERRORS = (
@@ -144,9 +136,9 @@ class FolderSource(_Opened):
         self._place = str(_from(base, path))
 
     def files(self) -> list[str]:
-        names, folders = _entries(Path(self._place))
+        names, folders = entries(Path(self._place))
         if not names and len(folders) == 1:
-            inner, _ = _entries(Path(self._place, folders[0]))
+            inner, _ = entries(Path(self._place, folders[0]))
             names = [f"{folders[0]}/{name}" for name in inner]
         return natsorted(names)
 
@@ -157,7 +149,7 @@ class FolderSource(_Opened):
         return found
 
     def folders(self) -> list[str]:
-        return natsorted(_entries(Path(self._place))[1])
+        return natsorted(entries(Path(self._place))[1])
 
     # Joined as text: pathlib would cost more here than reading the file.
     def read(self, name: str) -> bytes:
@@ -227,8 +219,8 @@ class ZipSource(_Opened):
 
     def tree(self) -> list[str]:
         names = self._members()
-        if any(name.count("/") > _DEEPEST for name in names):
-            raise _too_deep(self.path)
+        if any(name.count("/") > DEEPEST for name in names):
+            raise too_deep(self.path)
         by_folder: dict[str, list[str]] = {}
         for name in names:
             by_folder.setdefault(name.rpartition("/")[0], []).append(name)
@@ -240,14 +232,14 @@ class ZipSource(_Opened):
     def _members(self) -> list[str]:
         # A member that was replaced by appending is listed twice; the later one counts.
         members = dict.fromkeys(self._archive.namelist())
-        return [n for n in members if not n.endswith("/") and _counts(n)]
+        return [n for n in members if not n.endswith("/") and counts(n)]
 
     def names(self) -> list[str]:
         """Every name in the archive as stored, however deep, hidden or repeated."""
         return self._archive.namelist()
 
     def folders(self) -> list[str]:
-        inside = (n for n in self._archive.namelist() if "/" in n and _counts(n))
+        inside = (n for n in self._archive.namelist() if "/" in n and counts(n))
         return natsorted({n.split("/", 1)[0] for n in inside})
 
     def read(self, name: str) -> bytes:
@@ -283,93 +275,6 @@ class ZipSource(_Opened):
 
     def __exit__(self, *failure: object) -> None:
         self._archive.close()
-
-
-def walk(
-    root: Path, on_unread: Callable[[InputError], None] | None = None
-) -> Iterator[tuple[str, list[str]]]:
-    """Every folder below a place with the names in it that are not folders: the place itself
-    first, then each folder before those in it, in natural order.
-
-    A folder that is a link is not gone into: it may lead out, or in a circle.
-
-    Args:
-        root: the place.
-        on_unread: told of each folder below it that cannot be listed, which is then left out; None:
-            that is raised.
-
-    Yields:
-        The folder below the place with a slash at its end (``game/img1/``; empty for the place
-        itself), and its files' names in no order.
-
-    Raises:
-        InputError: a folder cannot be listed, or there are more, or deeper ones, than any set has.
-    """
-    waiting, met = [""], 0
-    while waiting:
-        folder = waiting.pop()
-        if folder.count("/") > _DEEPEST:
-            raise _too_deep(root)
-        try:
-            names, folders = _entries(root / folder)
-        except InputError as error:
-            if on_unread is None or not folder:
-                raise
-            on_unread(error)
-            continue
-        met += len(names) + len(folders)
-        if met > _MOST_ENTRIES:
-            raise InputError(
-                root,
-                f"holds more than {_MOST_ENTRIES} files and folders",
-                advice="name a folder further down",
-            )
-        yield folder, names
-        inner = [f"{folder}{name}/" for name in natsorted(folders, reverse=True)]
-        waiting += (name for name in inner if not os.path.islink(root / name.rstrip("/")))
-
-
-def _too_deep(path: Path) -> InputError:
-    return InputError(
-        path, f"holds folders more than {_DEEPEST} deep", advice="name a folder further down"
-    )
-
-
-def _entries(folder: Path) -> tuple[list[str], list[str]]:
-    """Names of everything that is not a folder, and of the folders; hidden ones left out.
-
-    A folder named like a file (``00001.json/``) counts as a file, so that reading it is an error.
-    """
-    names: list[str] = []
-    folders: list[str] = []
-    try:
-        with os.scandir(folder) as entries:
-            for entry in entries:
-                if entry.name[0] == "." or entry.name == _RESOURCE_FORKS:
-                    continue
-                is_folder = _is_folder(entry) and not _named_like_file(entry.name)
-                (folders if is_folder else names).append(entry.name)
-    except OSError as error:
-        raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
-    return names, folders
-
-
-def _is_folder(entry: os.DirEntry[str]) -> bool:
-    try:
-        return entry.is_dir()
-    except OSError:  # a link in a circle is one file that cannot be read, not the end of the rest
-        return False
-
-
-def _named_like_file(name: str) -> bool:
-    return PurePosixPath(name).suffix.lower() in _FILE_SUFFIXES
-
-
-def _counts(name: str) -> bool:
-    parts = PurePosixPath(name).parts
-    return (
-        bool(parts) and _RESOURCE_FORKS not in parts and not any(p.startswith(".") for p in parts)
-    )
 
 
 def read_file(

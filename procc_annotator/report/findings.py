@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from procc_annotator.errors import UsageError
 from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severity
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
+from procc_annotator.fit.solving.final_fit import MINIMUM_ELEMENTS
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.sheet.as_csv import csv_bytes

@@ -959,11 +959,6 @@
    <translation>Bereiche</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>nicht zu bearbeiten: die Leiste über dem Bild sagt, warum</translation>
-  </message>
-  <message>
    <source>Choose another place…</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Anderen Ort wählen…</translation>
@@ -4401,6 +4396,16 @@ Laden oder zeigen Sie eine weitere.</translation>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{what} begradigen</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>von {frame} kopieren</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>wählen Sie zuerst ein annotiertes Element</translation>
@@ -4432,11 +4437,6 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>hier ist kein Element des Feldes annotiert</translation>
   </message>
   <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} begradigen</translation>
-  </message>
-  <message>
    <source>no frame before this one is annotated</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
    <translation>kein Bild vor diesem ist annotiert</translation>
@@ -4445,11 +4445,6 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>{frame} has no element that is missing here</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
    <translation>{frame} hat kein Element, das hier fehlt</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>von {frame} kopieren</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
@@ -4470,6 +4465,27 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>{element} mit {other} vereinen</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>Lücken schließen</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element bestätigen</numerusform>
+    <numerusform>{n} Elemente bestätigen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} unbestätigtes Element verwerfen</numerusform>
+    <numerusform>{n} unbestätigte Elemente verwerfen</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4522,27 +4538,6 @@ Laden oder zeigen Sie eine weitere.</translation>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>kein Ende liegt so nahe an einer Ecke oder am Bildrand</translation>
   </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>Lücken schließen</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} Element bestätigen</numerusform>
-    <numerusform>{n} Elemente bestätigen</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} unbestätigtes Element verwerfen</numerusform>
-    <numerusform>{n} unbestätigte Elemente verwerfen</numerusform>
-   </translation>
-  </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
    <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
@@ -4591,6 +4586,11 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>die Kamera ist inzwischen eine andere</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} annehmen</translation>
   </message>
   <message numerus="yes">
    <source>{n} ghosts</source>
@@ -4662,11 +4662,6 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>accepted {what} on {frame}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>{what} auf {frame} angenommen</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} annehmen</translation>
   </message>
   <message>
    <source>no ghost was accepted: there is no picture to look for their lines in</source>
@@ -4826,7 +4821,7 @@ Laden oder zeigen Sie eine weitere.</translation>
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/workspace.py]</extracomment>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/frame_state.py]</extracomment>
    <translation>zurückgenommen</translation>
   </message>
   <message>
@@ -5500,6 +5495,12 @@ Verliert {loses}.</translation>
     <numerusform>{n:,} Bilder enthalten bereits dasselbe.</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>Importieren</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5537,12 +5538,6 @@ Verliert {loses}.</translation>
    <source>it could not be saved: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
    <translation>es ließ sich nicht speichern: {why}</translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Importieren</translation>
   </message>
   <message>
    <source>? (stays as it is, an unknown class)</source>
@@ -6090,6 +6085,11 @@ Verliert {loses}.</translation>
    <translation>{source} entsteht hier: ein Urteil gilt einer geladenen Kamera</translation>
   </message>
   <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>eine frühere Fassung zurückholen</translation>
+  </message>
+  <message>
    <source>the earlier version is back; undo takes it away again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>die frühere Fassung ist zurück; Rückgängig nimmt sie wieder weg</translation>
@@ -6098,11 +6098,6 @@ Verliert {loses}.</translation>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>das Bild wurde anderswo geändert: sehen Sie es an, dann holen Sie es noch einmal zurück</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>eine frühere Fassung zurückholen</translation>
   </message>
   <message>
    <source>There is no earlier version of this frame.</source>
@@ -6311,6 +6306,16 @@ Verliert {loses}.</translation>
    <translation>kein Bild angenommen: {why}</translation>
   </message>
   <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>Spur annehmen</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>Spur zurücknehmen</translation>
+  </message>
+  <message>
    <source>nothing was accepted that could be taken back</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>nichts Angenommenes, das zurückzunehmen wäre</translation>
@@ -6324,16 +6329,6 @@ Verliert {loses}.</translation>
    <source>no frame was accepted: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>kein Bild angenommen: zu wenig ihrer Linien ist zu sehen</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Spur annehmen</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Spur zurücknehmen</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -7026,6 +7021,11 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Schwelle tau</translation>
   </message>
   <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
+   <translation>nicht zu bearbeiten: die Leiste über dem Bild sagt, warum</translation>
+  </message>
+  <message>
    <source>Top bar</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Obere Leiste</translation>
@@ -7695,6 +7695,16 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>noch keine Anpassung von {frame}</translation>
   </message>
   <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <translation>wie vorgefunden</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/frame_state.py]</extracomment>
+   <translation>gespeichert</translation>
+  </message>
+  <message>
    <source>the paint is {px:.1f} px from the lines</source>
    <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
    <translation>die Farbe liegt {px:.1f} px neben den Linien</translation>
@@ -7733,16 +7743,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>overwritten</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>überschrieben</translation>
-  </message>
-  <message>
-   <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>wie vorgefunden</translation>
-  </message>
-  <message>
-   <source>saved</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>gespeichert</translation>
   </message>
   <message>
    <source>untouched</source>

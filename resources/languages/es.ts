@@ -959,11 +959,6 @@
    <translation>Paneles</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>no editable: la barra sobre la imagen dice por qué</translation>
-  </message>
-  <message>
    <source>Choose another place…</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Elegir otro lugar…</translation>
@@ -4401,6 +4396,16 @@ Cargue o muestre otra.</translation>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>regularizar {what}</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>copiar de {frame}</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>elija primero un elemento anotado</translation>
@@ -4432,11 +4437,6 @@ Cargue o muestre otra.</translation>
    <translation>aquí no hay anotado ningún elemento del campo</translation>
   </message>
   <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>regularizar {what}</translation>
-  </message>
-  <message>
    <source>no frame before this one is annotated</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
    <translation>ninguna imagen antes de esta está anotada</translation>
@@ -4445,11 +4445,6 @@ Cargue o muestre otra.</translation>
    <source>{frame} has no element that is missing here</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
    <translation>{frame} no tiene ningún elemento que falte aquí</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>copiar de {frame}</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
@@ -4470,6 +4465,27 @@ Cargue o muestre otra.</translation>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>unir {element} con {other}</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>cerrar huecos</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>confirmar {n} elemento</numerusform>
+    <numerusform>confirmar {n} elementos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>descartar {n} elemento sin confirmar</numerusform>
+    <numerusform>descartar {n} elementos sin confirmar</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4522,27 +4538,6 @@ Cargue o muestre otra.</translation>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>ningún extremo está tan cerca de una esquina o del borde de la imagen</translation>
   </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>cerrar huecos</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>confirmar {n} elemento</numerusform>
-    <numerusform>confirmar {n} elementos</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>descartar {n} elemento sin confirmar</numerusform>
-    <numerusform>descartar {n} elementos sin confirmar</numerusform>
-   </translation>
-  </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
    <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
@@ -4591,6 +4586,11 @@ Cargue o muestre otra.</translation>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>la cámara es otra entretanto</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>aceptar {what}</translation>
   </message>
   <message numerus="yes">
    <source>{n} ghosts</source>
@@ -4662,11 +4662,6 @@ Cargue o muestre otra.</translation>
    <source>accepted {what} on {frame}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>{what} aceptado en {frame}</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>aceptar {what}</translation>
   </message>
   <message>
    <source>no ghost was accepted: there is no picture to look for their lines in</source>
@@ -4826,7 +4821,7 @@ Cargue o muestre otra.</translation>
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/workspace.py]</extracomment>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/frame_state.py]</extracomment>
    <translation>retirado</translation>
   </message>
   <message>
@@ -5500,6 +5495,12 @@ Pierde {loses}.</translation>
     <numerusform>{n:,} imágenes ya contienen lo mismo.</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>importar</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5537,12 +5538,6 @@ Pierde {loses}.</translation>
    <source>it could not be saved: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
    <translation>no se pudo guardar: {why}</translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>importar</translation>
   </message>
   <message>
    <source>? (stays as it is, an unknown class)</source>
@@ -6090,6 +6085,11 @@ Pierde {loses}.</translation>
    <translation>{source} se calcula aquí: un veredicto es sobre una cámara que se cargó</translation>
   </message>
   <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>recuperar una versión anterior</translation>
+  </message>
+  <message>
    <source>the earlier version is back; undo takes it away again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>la versión anterior ha vuelto; deshacer la quita otra vez</translation>
@@ -6098,11 +6098,6 @@ Pierde {loses}.</translation>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>la imagen se cambió en otra parte: mírela y recupere de nuevo</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>recuperar una versión anterior</translation>
   </message>
   <message>
    <source>There is no earlier version of this frame.</source>
@@ -6311,6 +6306,16 @@ Pierde {loses}.</translation>
    <translation>no se aceptó ninguna imagen: {why}</translation>
   </message>
   <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>aceptar el seguimiento</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>retirar el seguimiento</translation>
+  </message>
+  <message>
    <source>nothing was accepted that could be taken back</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>no se aceptó nada que pudiera retirarse</translation>
@@ -6324,16 +6329,6 @@ Pierde {loses}.</translation>
    <source>no frame was accepted: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>no se aceptó ninguna imagen: se ve demasiado poco de sus líneas</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>aceptar el seguimiento</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>retirar el seguimiento</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -7026,6 +7021,11 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>Umbral tau</translation>
   </message>
   <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
+   <translation>no editable: la barra sobre la imagen dice por qué</translation>
+  </message>
+  <message>
    <source>Top bar</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Barra superior</translation>
@@ -7695,6 +7695,16 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>aún no hay ajuste de {frame}</translation>
   </message>
   <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <translation>como se encontró</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/frame_state.py]</extracomment>
+   <translation>guardado</translation>
+  </message>
+  <message>
    <source>the paint is {px:.1f} px from the lines</source>
    <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
    <translation>la pintura está a {px:.1f} px de las líneas</translation>
@@ -7733,16 +7743,6 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>overwritten</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>sobrescrito</translation>
-  </message>
-  <message>
-   <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>como se encontró</translation>
-  </message>
-  <message>
-   <source>saved</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>guardado</translation>
   </message>
   <message>
    <source>untouched</source>

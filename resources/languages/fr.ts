@@ -959,11 +959,6 @@
    <translation>Panneaux</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
-  </message>
-  <message>
    <source>Choose another place…</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Choisir un autre lieu…</translation>
@@ -4401,6 +4396,16 @@ Chargez-en ou affichez-en une autre.</translation>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>régulariser {what}</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>copier de {frame}</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>choisissez d’abord un élément annoté</translation>
@@ -4432,11 +4437,6 @@ Chargez-en ou affichez-en une autre.</translation>
    <translation>aucun élément du terrain n’est annoté ici</translation>
   </message>
   <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>régulariser {what}</translation>
-  </message>
-  <message>
    <source>no frame before this one is annotated</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
    <translation>aucune image avant celle-ci n’est annotée</translation>
@@ -4445,11 +4445,6 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>{frame} has no element that is missing here</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
    <translation>{frame} n’a aucun élément qui manque ici</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>copier de {frame}</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
@@ -4470,6 +4465,27 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>fusionner {element} dans {other}</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>fermer les écarts</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>confirmer {n} élément</numerusform>
+    <numerusform>confirmer {n} éléments</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>écarter {n} élément non confirmé</numerusform>
+    <numerusform>écarter {n} éléments non confirmés</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4522,27 +4538,6 @@ Chargez-en ou affichez-en une autre.</translation>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>aucun bout n’est si près d’un coin ou du bord de l’image</translation>
   </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>fermer les écarts</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>confirmer {n} élément</numerusform>
-    <numerusform>confirmer {n} éléments</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>écarter {n} élément non confirmé</numerusform>
-    <numerusform>écarter {n} éléments non confirmés</numerusform>
-   </translation>
-  </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
    <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
@@ -4591,6 +4586,11 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>la caméra est une autre entre-temps</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>accepter {what}</translation>
   </message>
   <message numerus="yes">
    <source>{n} ghosts</source>
@@ -4662,11 +4662,6 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>accepted {what} on {frame}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>{what} accepté sur {frame}</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>accepter {what}</translation>
   </message>
   <message>
    <source>no ghost was accepted: there is no picture to look for their lines in</source>
@@ -4826,7 +4821,7 @@ Chargez-en ou affichez-en une autre.</translation>
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/workspace.py]</extracomment>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/frame_state.py]</extracomment>
    <translation>annulé</translation>
   </message>
   <message>
@@ -5500,6 +5495,12 @@ Perd {loses}.</translation>
     <numerusform>{n:,} images contiennent déjà la même chose.</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>importer</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5537,12 +5538,6 @@ Perd {loses}.</translation>
    <source>it could not be saved: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
    <translation>elle n’a pas pu être enregistrée : {why}</translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>importer</translation>
   </message>
   <message>
    <source>? (stays as it is, an unknown class)</source>
@@ -6090,6 +6085,11 @@ Perd {loses}.</translation>
    <translation>{source} est calculée ici : un verdict porte sur une caméra chargée</translation>
   </message>
   <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>restaurer une version antérieure</translation>
+  </message>
+  <message>
    <source>the earlier version is back; undo takes it away again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>la version antérieure est revenue ; annuler l’enlève à nouveau</translation>
@@ -6098,11 +6098,6 @@ Perd {loses}.</translation>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>l’image a été changée ailleurs : regardez-la, puis restaurez à nouveau</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>restaurer une version antérieure</translation>
   </message>
   <message>
    <source>There is no earlier version of this frame.</source>
@@ -6311,6 +6306,16 @@ Perd {loses}.</translation>
    <translation>aucune image acceptée : {why}</translation>
   </message>
   <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>accepter le suivi</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>revenir sur le suivi</translation>
+  </message>
+  <message>
    <source>nothing was accepted that could be taken back</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>rien n’a été accepté qui puisse être annulé</translation>
@@ -6324,16 +6329,6 @@ Perd {loses}.</translation>
    <source>no frame was accepted: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>accepter le suivi</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>revenir sur le suivi</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -7026,6 +7021,11 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Seuil tau</translation>
   </message>
   <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
+   <translation>non modifiable : la barre sur l’image dit pourquoi</translation>
+  </message>
+  <message>
    <source>Top bar</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Barre supérieure</translation>
@@ -7695,6 +7695,16 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>pas encore d’ajustement de {frame}</translation>
   </message>
   <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <translation>comme trouvé</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/frame_state.py]</extracomment>
+   <translation>enregistré</translation>
+  </message>
+  <message>
    <source>the paint is {px:.1f} px from the lines</source>
    <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
    <translation>la peinture est à {px:.1f} px des lignes</translation>
@@ -7733,16 +7743,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>overwritten</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>écrasé</translation>
-  </message>
-  <message>
-   <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>comme trouvé</translation>
-  </message>
-  <message>
-   <source>saved</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>enregistré</translation>
   </message>
   <message>
    <source>untouched</source>

@@ -950,11 +950,6 @@
    <translation>パネル</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>編集できません。理由は画像の上のバーにあります</translation>
-  </message>
-  <message>
    <source>Choose another place…</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>別の場所を選ぶ…</translation>
@@ -4345,6 +4340,16 @@ Load or show another one.</source>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{what}を整える</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{frame} からコピー</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>まず注釈済みの要素を選んでください</translation>
@@ -4374,11 +4379,6 @@ Load or show another one.</source>
    <translation>ここにはフィールドの要素が注釈されていません</translation>
   </message>
   <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what}を整える</translation>
-  </message>
-  <message>
    <source>no frame before this one is annotated</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
    <translation>これより前に注釈済みのフレームはありません</translation>
@@ -4387,11 +4387,6 @@ Load or show another one.</source>
    <source>{frame} has no element that is missing here</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
    <translation>{frame} には、ここにない要素がありません</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{frame} からコピー</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
@@ -4412,6 +4407,25 @@ Load or show another one.</source>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>{element} を {other} に統合</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>すき間を閉じる</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n} 個を確定</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>未確定の要素 {n} 個を捨てる</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4462,25 +4476,6 @@ Load or show another one.</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>角や画像の縁にそれほど近い端はありません</translation>
   </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>すき間を閉じる</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>要素 {n} 個を確定</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>未確定の要素 {n} 個を捨てる</numerusform>
-   </translation>
-  </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
    <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
@@ -4526,6 +4521,11 @@ Load or show another one.</source>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>その間にカメラが変わりました</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{what}を採用</translation>
   </message>
   <message numerus="yes">
    <source>{n} ghosts</source>
@@ -4595,11 +4595,6 @@ Load or show another one.</source>
    <source>accepted {what} on {frame}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>{frame} で{what}を採用しました</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what}を採用</translation>
   </message>
   <message>
    <source>no ghost was accepted: there is no picture to look for their lines in</source>
@@ -4757,7 +4752,7 @@ Load or show another one.</source>
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/workspace.py]</extracomment>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/frame_state.py]</extracomment>
    <translation>取り消し</translation>
   </message>
   <message>
@@ -5413,6 +5408,12 @@ Loses {loses}.</source>
     <numerusform>{n:,} フレームはすでに同じ内容です。</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>取り込み</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5449,12 +5450,6 @@ Loses {loses}.</source>
    <source>it could not be saved: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
    <translation>保存できませんでした：{why}</translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>取り込み</translation>
   </message>
   <message>
    <source>? (stays as it is, an unknown class)</source>
@@ -5994,6 +5989,11 @@ Loses {loses}.</source>
    <translation>{source} はここで計算したものです。判定は読み込んだカメラに対するものです</translation>
   </message>
   <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>以前の版に戻す</translation>
+  </message>
+  <message>
    <source>the earlier version is back; undo takes it away again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>以前の版に戻しました。元に戻すで取り消せます</translation>
@@ -6002,11 +6002,6 @@ Loses {loses}.</source>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>フレームが別の場所で変更されました。確認してからもう一度戻してください</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>以前の版に戻す</translation>
   </message>
   <message>
    <source>There is no earlier version of this frame.</source>
@@ -6212,6 +6207,16 @@ Loses {loses}.</source>
    <translation>採用したフレームはありません：{why}</translation>
   </message>
   <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>追跡を採用</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>追跡を取り消す</translation>
+  </message>
+  <message>
    <source>nothing was accepted that could be taken back</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>取り消せる採用はありません</translation>
@@ -6225,16 +6230,6 @@ Loses {loses}.</source>
    <source>no frame was accepted: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>採用したフレームはありません：線がほとんど見えません</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>追跡を採用</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>追跡を取り消す</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -6924,6 +6919,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>しきい値 tau</translation>
   </message>
   <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
+   <translation>編集できません。理由は画像の上のバーにあります</translation>
+  </message>
+  <message>
    <source>Top bar</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>上部バー</translation>
@@ -7580,6 +7580,16 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>{frame} の当てはめはまだありません</translation>
   </message>
   <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <translation>元の状態</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/frame_state.py]</extracomment>
+   <translation>保存済み</translation>
+  </message>
+  <message>
    <source>the paint is {px:.1f} px from the lines</source>
    <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
    <translation>塗りが線から {px:.1f} px 離れています</translation>
@@ -7618,16 +7628,6 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>overwritten</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>上書き</translation>
-  </message>
-  <message>
-   <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>元の状態</translation>
-  </message>
-  <message>
-   <source>saved</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>保存済み</translation>
   </message>
   <message>
    <source>untouched</source>

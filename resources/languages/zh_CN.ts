@@ -950,11 +950,6 @@
    <translation>面板</translation>
   </message>
   <message>
-   <source>not editable: the bar over the picture says why</source>
-   <extracomment>[procc_annotator/gui/main_window.py]</extracomment>
-   <translation>不可编辑：图片上方的提示栏说明了原因</translation>
-  </message>
-  <message>
    <source>Choose another place…</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>选择其他位置…</translation>
@@ -4345,6 +4340,16 @@ Load or show another one.</source>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>规整 {what}</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>从 {frame} 复制</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>请先选择已标注的元素</translation>
@@ -4374,11 +4379,6 @@ Load or show another one.</source>
    <translation>此处没有标注场地的元素</translation>
   </message>
   <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>规整 {what}</translation>
-  </message>
-  <message>
    <source>no frame before this one is annotated</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/shot/walking.py]</extracomment>
    <translation>本帧之前没有已标注的帧</translation>
@@ -4387,11 +4387,6 @@ Load or show another one.</source>
    <source>{frame} has no element that is missing here</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
    <translation>{frame} 没有此处缺少的元素</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>从 {frame} 复制</translation>
   </message>
   <message>
    <source>{element} becomes {other}</source>
@@ -4412,6 +4407,25 @@ Load or show another one.</source>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>将 {element} 并入 {other}</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>闭合间隙</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>确认 {n} 个元素</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>丢弃 {n} 个未确认的元素</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4462,25 +4476,6 @@ Load or show another one.</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>没有端点那么靠近角点或图片边缘</translation>
   </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>闭合间隙</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>确认 {n} 个元素</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>丢弃 {n} 个未确认的元素</numerusform>
-   </translation>
-  </message>
   <message numerus="yes">
    <source>dropped {n} unconfirmed elements</source>
    <extracomment>dropped {n} unconfirmed element / dropped {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
@@ -4526,6 +4521,11 @@ Load or show another one.</source>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>相机此时已不同</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>接受 {what}</translation>
   </message>
   <message numerus="yes">
    <source>{n} ghosts</source>
@@ -4595,11 +4595,6 @@ Load or show another one.</source>
    <source>accepted {what} on {frame}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>已在 {frame} 上接受 {what}</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>接受 {what}</translation>
   </message>
   <message>
    <source>no ghost was accepted: there is no picture to look for their lines in</source>
@@ -4757,7 +4752,7 @@ Load or show another one.</source>
   </message>
   <message>
    <source>taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/workspace.py]</extracomment>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/frame_state.py]</extracomment>
    <translation>已撤回</translation>
   </message>
   <message>
@@ -5413,6 +5408,12 @@ Loses {loses}.</source>
     <numerusform>{n:,} 帧已含相同内容。</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>导入</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5449,12 +5450,6 @@ Loses {loses}.</source>
    <source>it could not be saved: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
    <translation>无法保存：{why}</translation>
-  </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>导入</translation>
   </message>
   <message>
    <source>? (stays as it is, an unknown class)</source>
@@ -5994,6 +5989,11 @@ Loses {loses}.</source>
    <translation>{source} 在此计算得出：判定针对加载的相机</translation>
   </message>
   <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>恢复早期版本</translation>
+  </message>
+  <message>
    <source>the earlier version is back; undo takes it away again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>已恢复早期版本；撤销可再次取消</translation>
@@ -6002,11 +6002,6 @@ Loses {loses}.</source>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>该帧已在别处更改：请查看后再恢复</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>恢复早期版本</translation>
   </message>
   <message>
    <source>There is no earlier version of this frame.</source>
@@ -6212,6 +6207,16 @@ Loses {loses}.</source>
    <translation>未接受任何帧：{why}</translation>
   </message>
   <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>接受跟踪</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>撤回跟踪</translation>
+  </message>
+  <message>
    <source>nothing was accepted that could be taken back</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>没有可撤回的已接受内容</translation>
@@ -6225,16 +6230,6 @@ Loses {loses}.</source>
    <source>no frame was accepted: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>未接受任何帧：可见的线太少</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>接受跟踪</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>撤回跟踪</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -6924,6 +6919,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>阈值 tau</translation>
   </message>
   <message>
+   <source>not editable: the bar over the picture says why</source>
+   <extracomment>[procc_annotator/gui/window/telling.py]</extracomment>
+   <translation>不可编辑：图片上方的提示栏说明了原因</translation>
+  </message>
+  <message>
    <source>Top bar</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>顶栏</translation>
@@ -7580,6 +7580,16 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>{frame} 尚无拟合</translation>
   </message>
   <message>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <translation>原始状态</translation>
+  </message>
+  <message>
+   <source>saved</source>
+   <extracomment>[procc_annotator/session/dataset/frame_state.py]</extracomment>
+   <translation>已保存</translation>
+  </message>
+  <message>
    <source>the paint is {px:.1f} px from the lines</source>
    <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
    <translation>画线偏离线 {px:.1f} px</translation>
@@ -7618,16 +7628,6 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>overwritten</source>
    <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
    <translation>已覆盖</translation>
-  </message>
-  <message>
-   <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>原始状态</translation>
-  </message>
-  <message>
-   <source>saved</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>已保存</translation>
   </message>
   <message>
    <source>untouched</source>

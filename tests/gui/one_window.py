@@ -112,7 +112,7 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     window.plots._turn_page()
     window.canvas.comparison.split.move_to(window.canvas.viewport().width() / 2)
     if _layout_of(window) != new["layout"]:
-        window.reset_layout()
+        window.panels.reset_layout()
     window.message_bar.hide()
     window.status.forget(just_told=True)
     now = _settings_of(window)
@@ -128,7 +128,8 @@ def _settings_of(window: MainWindow) -> dict[str, object]:
         "selected": state.selection,
         "field": state.setup.field,
         "model": window.document.live_fit.model,
-        "canvas": (canvas.colour_by, canvas.keep_zoom, canvas.overlays_hidden, canvas.loupe_always),
+        "canvas": (canvas.keep_zoom, canvas.loupe_always),
+        "drawing": (canvas.drawing.colour_by, canvas.drawing.hidden),
         "layout": _layout_of(window),
     }
     found |= _switches(window)

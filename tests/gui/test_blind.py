@@ -65,7 +65,7 @@ def window(make_window: MakeWindow, dataset: Path, qtbot: QtBot) -> MainWindow:
     settle(window, qtbot)
     window.triage.mark("camera")
     for name in ("scores", "fit", "cameras"):
-        window.show_panel(name)
+        window.panels.show(name)
     return window
 
 
@@ -101,7 +101,7 @@ class Look:
         return ghosts.painted or ghosts.suggestion
 
     def scores_panel(self) -> object:
-        self.window.show_panel("scores")
+        self.window.panels.show("scores")
         self._pass()
         return self.window.scores.jac.isVisible()
 
@@ -110,12 +110,12 @@ class Look:
         return any(button.isChecked() for button in self.window.scores.verdict.buttons.values())
 
     def fit_panel(self) -> object:
-        self.window.show_panel("fit")
+        self.window.panels.show("fit")
         self._pass()
         return self.window.fit.mean.isVisible()
 
     def source_rows(self) -> object:
-        self.window.show_panel("cameras")
+        self.window.panels.show("cameras")
         self._pass()
         label = self.window.findChild(QLabel, "cameras_jac_0")
         return re.search(r"\d", label.text() + label.toolTip())
@@ -258,7 +258,7 @@ class Look:
 
     def _plotted(self, scope: str) -> bool:
         plots = self.window.plots
-        self.window.show_panel("plots")
+        self.window.panels.show("plots")
         plots.scope.setCurrentIndex(plots.scope.findData(scope))
         plots.choose(TimelinePage.title if scope == "set" else TauPage.title)
         self._pass()
@@ -338,7 +338,7 @@ def nudge(window: MainWindow) -> None:
 
 
 def said_in_review(window: MainWindow, qtbot: QtBot) -> str:
-    window.show_panel("review")
+    window.panels.show("review")
     all_done(qtbot)
     label = window.findChild(QLabel, "reviewBlind")
     return label.text() if label.isVisible() else ""
@@ -439,7 +439,7 @@ def test_an_empty_frame_is_committed_by_the_second_key_only(
 def test_done_chosen_for_an_empty_frame_shows_what_holds(blind: MainWindow, qtbot: QtBot) -> None:
     document = blind.document
     document.go_to(document.workspace.index[EMPTY])
-    blind.show_panel("review")
+    blind.panels.show("review")
     all_done(qtbot)
     box = blind.findChild(QComboBox, "reviewStatus")
     box.setCurrentIndex(box.findData(Status.DONE))

@@ -192,7 +192,7 @@ class TestZoomAndPan:
     def test_magnified_pixels_are_not_smoothed(self, window: MainWindow) -> None:
         window.canvas.set_scale(32.0)
         window.canvas.fly_to(40.0, 100.0)  # a border between two stripes
-        window.canvas.set_overlays_hidden(True)
+        window.canvas.drawing.set_hidden(True)
         shown = window.canvas.viewport().grab().toImage()
         greens = {shown.pixelColor(x, shown.height() // 2).green() for x in range(shown.width())}
         assert len(greens) == 2

@@ -109,7 +109,7 @@ class TestWireframes:
         assert audited.canvas.comparison.wireframes.strokes
 
     def test_the_box_of_a_row_shows_and_hides_one(self, audited: MainWindow, qtbot: QtBot) -> None:
-        audited.show_panel("cameras")
+        audited.panels.show("cameras")
         box = audited.findChild(QCheckBox, "cameras_drawn_1")
         qtbot.waitUntil(box.isVisible)
         box.click()
@@ -212,7 +212,7 @@ class TestKeysHeldElsewhere:
             view = window.findChild(QAbstractItemView, "frames_list")
             QTest.keyClick(view, Qt.Key.Key_Down)
         elif where == "source":
-            window.show_panel("cameras")
+            window.panels.show("cameras")
             radio = window.cameras.list.rows[0].radio  # not one that is about to be deleted
             qtbot.waitUntil(radio.isVisible)
             QTest.mouseClick(radio, LEFT, NONE, QPoint(8, radio.height() // 2))
@@ -417,7 +417,7 @@ class TestDisagreement:
         for source in audited.document.sources:
             audited.document.set_source_visible(source, False)
         audited.document.compare_with(named(audited, "bad"))
-        audited.show_panel("cameras")
+        audited.panels.show("cameras")
         return pixels(audited)
 
     @pytest.fixture(autouse=True)

@@ -70,9 +70,9 @@ def test_texts_over_the_picture_grow_with_the_setting(lined: MainWindow) -> None
 
     def painted() -> tuple[int, int]:
         """(width, height) of what the text at the cursor covers, px."""
-        canvas.set_overlays_hidden(True)
+        canvas.drawing.set_hidden(True)
         bare = image(lined)
-        canvas.set_overlays_hidden(False)
+        canvas.drawing.set_hidden(False)
         hand.move(120, 200)
         shown = image(lined)
         at = hand.at(120, 200)

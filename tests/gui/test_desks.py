@@ -61,38 +61,38 @@ def test_keys_and_buttons_turn_to_the_panels_of_a_work(
 
 
 def test_a_panel_that_is_asked_for_brings_its_work(window: MainWindow, in_front: InFront) -> None:
-    window.show_panel("plots")
+    window.panels.show("plots")
     assert window.actions_["desk_judge"].isChecked()
     assert in_front(window, "plots")
-    window.enter_panel("elements")
+    window.panels.enter("elements")
     assert window.actions_["desk_annotate"].isChecked()
     assert in_front(window, "elements")
 
 
 def test_each_is_found_as_it_was_left(window: MainWindow, in_front: InFront) -> None:
-    window.show_panel("fit")
+    window.panels.show("fit")
     window.docks["scores"].close()
     window.resizeDocks([window.docks["fit"]], [420], Qt.Orientation.Horizontal)
     QApplication.processEvents()
     wide = window.docks["fit"].width()
     assert wide > 400
-    window.turn_to("annotate")
+    window.panels.turn_to("annotate")
     window.resizeDocks([window.docks["elements"]], [300], Qt.Orientation.Horizontal)
     QApplication.processEvents()
-    window.turn_to("judge")
+    window.panels.turn_to("judge")
     assert opened(window) == {"cameras", "fit"}
     assert in_front(window, "fit")
     assert abs(window.docks["fit"].width() - wide) <= 2
 
 
 def test_a_panel_that_was_torn_off_stays(window: MainWindow) -> None:
-    window.show_panel("scores")
+    window.panels.show("scores")
     window.docks["scores"].setFloating(True)
-    window.turn_to("annotate")
+    window.panels.turn_to("annotate")
     assert not window.docks["scores"].isHidden()
-    window.show_panel("scores")
+    window.panels.show("scores")
     assert window.actions_["desk_annotate"].isChecked()  # it needs no turn
-    window.reset_layout()
+    window.panels.reset_layout()
     assert not window.docks["scores"].isFloating()
     assert opened(window) == set(DESKS["annotate"])
 
@@ -110,7 +110,7 @@ def test_the_next_run_begins_at_the_same_work(
     make_window: MakeWindow, dataset: Path, in_front: InFront
 ) -> None:
     first = make_window(dataset)
-    first.show_panel("cameras")
+    first.panels.show("cameras")
     first.close()
     second = make_window(dataset)
     assert second.actions_["desk_judge"].isChecked()
@@ -127,7 +127,7 @@ def test_what_is_kept_in_another_form_is_passed_over(
     Settings().set(KEPT, {"desk": 7, "judge": {"open": ["nothing", "fit"], "width": "wide"}})
     second = make_window(dataset)
     assert opened(second) == set(DESKS["annotate"])
-    second.turn_to("judge")
+    second.panels.turn_to("judge")
     assert opened(second) == {"fit"}
 
 
@@ -138,7 +138,7 @@ def test_no_tab_hides_behind_an_arrow(
 ) -> None:
     window = make_window(dataset, size=(1280, 720))
     qtbot.waitUntil(lambda: window.docks["elements"].width() >= 280)
-    window.turn_to(desk)
+    window.panels.turn_to(desk)
     QApplication.processEvents()
     direct = Qt.FindChildOption.FindDirectChildrenOnly
     for bar in window.findChildren(QTabBar, options=direct):
@@ -149,7 +149,7 @@ def test_no_tab_hides_behind_an_arrow(
 class TestDrawer:
     def test_it_opens_below_the_picture_and_shuts(self, window: MainWindow, qtbot: QtBot) -> None:
         assert window.drawer.isHidden()
-        window.turn_to("judge")
+        window.panels.turn_to("judge")
         assert window.drawer.isVisible()
         QApplication.processEvents()
         tall = window.canvas.height()
@@ -171,10 +171,10 @@ class TestDrawer:
         window.resizeDocks([plots], [190], Qt.Orientation.Vertical)
         QApplication.processEvents()
         high = plots.height()
-        window.turn_to("annotate")
+        window.panels.turn_to("annotate")
         assert opened(window) == set(DESKS["annotate"])
         assert window.drawer.isHidden()
-        window.turn_to("judge")
+        window.panels.turn_to("judge")
         QApplication.processEvents()
         assert plots.isVisible()
         assert abs(plots.height() - high) <= 2
@@ -182,8 +182,8 @@ class TestDrawer:
     def test_it_can_be_torn_off(self, window: MainWindow) -> None:
         QTest.keyClick(window.canvas, Qt.Key.Key_F5)
         window.docks["plots"].setFloating(True)
-        window.turn_to("annotate")
+        window.panels.turn_to("annotate")
         assert not window.docks["plots"].isHidden()
-        window.reset_layout()
+        window.panels.reset_layout()
         assert not window.docks["plots"].isFloating()
         assert opened(window) == set(DESKS["annotate"])

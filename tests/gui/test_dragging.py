@@ -84,7 +84,7 @@ def _magnify(held: _Held) -> None:
 
 
 def _split(held: _Held) -> None:
-    held.canvas.set_split(True)
+    held.canvas.drawing.set_split(True)
 
 
 def _zoom_out(held: _Held) -> None:
@@ -114,7 +114,7 @@ def test_a_carried_point(
         lambda window: window.canvas.set_look(Look(brightness=0.2)),
         lambda window: window.document.set_active_camera(1),
         lambda window: window.document.set_tau(12.0),
-        lambda window: window.canvas.set_colour_by("class"),
+        lambda window: window.canvas.drawing.set_colour_by("class"),
         lambda window: window.document.go_to(2),
         lambda window: window.resize(window.width() - 120, window.height() - 80),
     ],
@@ -157,7 +157,7 @@ class _Paints(QObject):
 
 def test_a_list_in_which_nothing_changes_is_not_painted(begun: MainWindow, qtbot: QtBot) -> None:
     held, paints = _Held(begun, qtbot), _Paints()
-    begun.show_panel("elements")
+    begun.panels.show("elements")
     held.take()
     panel, refresher = begun.elements, begun.elements._refresher
 

@@ -69,7 +69,7 @@ def annotate(folder: Path, name: str, classes: list[str]) -> None:
 
 
 def listed(window: MainWindow) -> set[str]:
-    window.show_panel("elements")
+    window.panels.show("elements")
     return set(window.elements._items)
 
 
@@ -461,7 +461,7 @@ def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset: Path, qtbot
     window = make_window(dataset)
     choose(window, "Basketball (FIBA)", qtbot)
     panel = window.elements
-    window.show_panel("elements")
+    window.panels.show("elements")
     qtbot.waitUntil(lambda: window.document.field.elements[0].name in panel._items)
     rows = {
         (item.parent().text(0), item.text(0)): item.toolTip(0) for item in panel._items.values()

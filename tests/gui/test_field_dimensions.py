@@ -52,7 +52,7 @@ def judged(make_window, annotated: Path, qtbot: QtBot) -> MainWindow:
 
 def test_everything_goes_by_what_is_entered(judged: MainWindow, qtbot: QtBot) -> None:
     document = judged.document
-    judged.show_panel("scores")
+    judged.panels.show("scores")
     before = document.score
     fit = document.live_fit.result
     assert before is not None

@@ -52,7 +52,7 @@ def test_a_threshold_that_was_typed_leaves_the_keys_to_the_picture(
 
 
 def test_a_list_is_left_by_escape_and_walked_by_arrows(window: MainWindow, qtbot: QtBot) -> None:
-    window.show_panel("fit")
+    window.panels.show("fit")
     models = window.findChild(QComboBox, "fit_model")
     qtbot.waitUntil(models.isVisible)
     models.setFocus()
@@ -64,7 +64,7 @@ def test_a_list_is_left_by_escape_and_walked_by_arrows(window: MainWindow, qtbot
 
 
 def test_a_name_under_way_is_put_back_by_escape(window: MainWindow, qtbot: QtBot) -> None:
-    window.show_panel("landmarks")
+    window.panels.show("landmarks")
     line = window.findChild(QLineEdit, "landmarkName")
     qtbot.waitUntil(line.isVisible)
     line.setFocus()
@@ -78,7 +78,7 @@ class TestWhileDrawing:
 
     @pytest.fixture
     def box(self, audited: MainWindow, qtbot: QtBot) -> QWidget:
-        audited.show_panel("cameras")
+        audited.panels.show("cameras")
         audited.document.go_to(4)
         box = audited.findChild(QCheckBox, "cameras_action_split")
         qtbot.waitUntil(box.isVisible)

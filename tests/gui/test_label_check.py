@@ -149,7 +149,7 @@ def test_findings_are_marked_on_picture_list_and_map(window: MainWindow, qtbot: 
     labels = {x.sign: x for x in window.canvas.overlay_item.overlay.labels if x.sign}
     assert labels["error"].texts == ("Left penalty front",)
     assert labels["hint"].texts == ("",)
-    window.show_panel("elements")
+    window.panels.show("elements")
     tree, items = window.elements.tree, window.elements._items
     qtbot.waitUntil(lambda: not items[FRONT].icon(CHECK).isNull())
     assert "Error: Big rect. left main is off" in items[FRONT].toolTip(CHECK)
@@ -246,7 +246,7 @@ def mistaken(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWind
 
 
 def check_set(window: MainWindow, qtbot: QtBot) -> None:
-    window.show_panel("findings")
+    window.panels.show("findings")
     window.findings.check_button.click()
     assert window.document.label_check.running
     qtbot.waitUntil(lambda: not window.document.label_check.running, timeout=60_000)
@@ -257,7 +257,7 @@ def test_walking_over_a_set_visits_every_finding(mistaken: MainWindow, qtbot: Qt
     check = document.label_check
     check_set(window, qtbot)
     assert window.status.hint.text().startswith("checked 2 frames, camera model auto: ")
-    found = check.in_set()
+    found = check.known.in_set()
     assert {frame for frame, _ in found} == {"00002", "00003"}
     visited = []
     for _ in range(len(found)):
@@ -268,7 +268,7 @@ def test_walking_over_a_set_visits_every_finding(mistaken: MainWindow, qtbot: Qt
         assert current is not None
         assert document.selected_class == current.places[0][0]
         visited.append((frame.name, current.key))
-    assert visited == [(frame, one.key) for frame, one in check.in_set()]
+    assert visited == [(frame, one.key) for frame, one in check.known.in_set()]
     press(window, Qt.Key.Key_F10)
     assert check.current is not None
     assert check.current.key == visited[0][1]
@@ -326,7 +326,7 @@ def test_what_changed_while_the_set_was_checked_is_not_overwritten(
     press(window, Qt.Key.Key_F12)
     qtbot.waitUntil(lambda: not document.label_check.running, timeout=60_000)
     checked(window, qtbot)
-    assert not document.label_check.of("00002")
+    assert not document.label_check.known.of("00002")
 
 
 def test_a_frame_left_before_its_check_is_checked_by_itself(
@@ -335,9 +335,9 @@ def test_a_frame_left_before_its_check_is_checked_by_itself(
     document, check = window.document, window.document.label_check
     document.commit_edit("swap", edits.swap_classes(document.annotation, FRONT, SMALL_FRONT))
     document.go_to(0)  # before any fit can have ended
-    assert check.severities_of("00002") is None
-    qtbot.waitUntil(lambda: check.is_known("00002"), timeout=20_000)
-    assert check.worst("00002") is Severity.ERROR
+    assert check.known.severities_of("00002") is None
+    qtbot.waitUntil(lambda: check.known.is_known("00002"), timeout=20_000)
+    assert check.known.worst("00002") is Severity.ERROR
 
 
 def test_what_was_found_in_clicks_that_are_gone_is_not_kept(
@@ -347,22 +347,22 @@ def test_what_was_found_in_clicks_that_are_gone_is_not_kept(
     check = document.label_check
     document.go_to(1)
     checked(window, qtbot)
-    before = check.check_of("00002")
+    before = check.known.check_of("00002")
     assert before is not None
     assert before.found
     document.commit_edit("clear", FrameAnnotation(document.annotation.polylines[2:]))
     document.go_to(0)
     check._take_arrived([("00002", before)])  # read by the check of the set before the edit
-    assert check.check_of("00002") != before
-    qtbot.waitUntil(lambda: check.is_known("00002"), timeout=20_000)
-    kept = check.check_of("00002")
+    assert check.known.check_of("00002") != before
+    qtbot.waitUntil(lambda: check.known.is_known("00002"), timeout=20_000)
+    kept = check.known.check_of("00002")
     assert kept is not None
     assert kept.content != before.content
 
 
 def test_checking_a_set_can_be_stopped(mistaken: MainWindow, qtbot: QtBot) -> None:
     window = mistaken
-    window.show_panel("findings")
+    window.panels.show("findings")
     window.findings.check_button.click()
     assert window.findings.stop_button.isVisible()
     assert window.findings.progress.isVisible()
@@ -383,14 +383,14 @@ def test_a_large_set_is_checked_in_a_process_of_its_own(
     (annotated / "105.json").write_text("{")
     window = make_window(annotated)
     check_set(window, qtbot)
-    assert window.document.label_check.known_frames == 3
+    assert window.document.label_check.known.count == 3
     assert list(window.document.label_check.problems) == ["105"]
     assert "1 frame cannot be checked" in window.status.hint.text()
 
 
 def test_the_list_shows_what_the_signs_above_let_through(window: MainWindow, qtbot: QtBot) -> None:
     put(window, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
-    window.show_panel("findings")
+    window.panels.show("findings")
     panel = window.findings
     qtbot.waitUntil(lambda: panel.model.rowCount() == 2)
     assert [panel.severity_buttons[s].text() for s in Severity] == ["1", "0", "1"]
@@ -411,7 +411,7 @@ def test_long_reasons_are_whole(window: MainWindow, qtbot: QtBot) -> None:
         Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT, SMALL_FRONT), long, (remedy,)),
         about("Circle left", Severity.HINT),
     )
-    window.show_panel("findings")
+    window.panels.show("findings")
     panel = window.findings
     press(window, Qt.Key.Key_F10)
     qtbot.waitUntil(lambda: any(button.isVisible() for button in panel.remedy_buttons))
@@ -431,7 +431,7 @@ def test_a_click_in_the_list_goes_there_and_buttons_mend(window: MainWindow, qtb
         about("Circle left", Severity.ERROR),
         Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT,), "off", (remedy,)),
     )
-    window.show_panel("findings")
+    window.panels.show("findings")
     qtbot.waitUntil(lambda: panel.model.rowCount() == 2)
     at = panel.list.visualRect(panel.model.index(1)).center()
     QTest.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(at.x(), at.y()))
@@ -452,7 +452,7 @@ def test_an_ignored_finding_is_gone_until_its_element_changes(
     swap(window, qtbot)
     keys = [found.key for found in check.shown]
     press(window, Qt.Key.Key_F10)
-    window.show_panel("findings")
+    window.panels.show("findings")
     qtbot.waitUntil(lambda: window.findings.list.currentIndex().isValid())
     window.findings.list.setFocus()
     QTest.keyClick(window.findings.list, Qt.Key.Key_Delete)
@@ -510,7 +510,7 @@ def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
         return not concerned(window) and not concerned(other)
 
     qtbot.waitUntil(both_know)
-    window.show_panel("findings")
+    window.panels.show("findings")
     qtbot.waitUntil(lambda: "2 ignored" in window.findings.empty.text()
                     or "2 ignored" in window.findings.note.text())  # fmt: skip
 
@@ -533,15 +533,16 @@ def test_blind_mode_shows_only_what_no_camera_was_needed_for(
     assert size is not None
     alone = check_without_fit(document.annotation, document.field, size=size)
     assert check.shown == alone.found
-    assert {frame for frame, _ in check.in_set()} <= {"00002"}  # no other one was checked so
+    assert {frame for frame, _ in check.known.in_set()} <= {"00002"}  # no other one was checked so
     check_set(window, qtbot)
     for name, index in document.workspace.index.items():  # type: ignore[union-attr]
         if annotation := document.workspace.read(index):  # type: ignore[union-attr]
             assert (
-                check.of(name) == check_without_fit(annotation, document.field, size=size).found
+                check.known.of(name)
+                == check_without_fit(annotation, document.field, size=size).found
             ), name
     window.findings.scope.setCurrentIndex(0)
-    window.show_panel("findings")
+    window.panels.show("findings")
     qtbot.waitUntil(lambda: "Blind" in window.findings.empty.text() + window.findings.note.text())
     document.commit_frame()
     qtbot.waitUntil(lambda: bool(check.shown), timeout=20_000)
@@ -620,7 +621,7 @@ def test_a_turned_frame_is_told_by_the_set_and_turned_back(
 
 def test_the_panel_says_why_it_is_empty(window: MainWindow, qtbot: QtBot) -> None:
     document, panel = window.document, window.findings
-    window.show_panel("findings")
+    window.panels.show("findings")
 
     def says(words: str) -> None:
         qtbot.waitUntil(lambda: words in panel.empty.text(), timeout=20_000)
@@ -643,7 +644,7 @@ def test_findings_are_exported(mistaken: MainWindow, qtbot: QtBot, tmp_path: Pat
     path = tmp_path / "findings.csv"
     window.label_check.export(path)
     rows = list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
-    assert [row["frame"] for row in rows] == [frame for frame, _ in check.in_set()]
+    assert [row["frame"] for row in rows] == [frame for frame, _ in check.known.in_set()]
     assert {row["severity"] for row in rows} >= {"error"}
     assert {(row["width"], row["height"]) for row in rows} == {("1280", "720")}
     assert {row["model"] for row in rows if row["error_px"]} == {"R"}

@@ -44,7 +44,7 @@ def match(tmp_path: Path) -> Path:
 @pytest.fixture
 def seen(make_window: MakeWindow, match: Path, qtbot: QtBot) -> MainWindow:
     window = make_window(match)
-    window.show_panel("landmarks")
+    window.panels.show("landmarks")
     qtbot.waitUntil(window.landmarks.name.isEnabled)
     return window
 
@@ -115,7 +115,7 @@ def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(
     window = make_window(dataset)
     assert window.document.load_cameras(dataset / "cameras")
     window.document.set_protocol(protocol="procc")
-    window.show_panel("scores")
+    window.panels.show("scores")
 
     def why() -> str:
         return next((r.why for r in window.scores.model.rows if r.class_name == "ball"), "")
@@ -256,7 +256,7 @@ def test_rows_that_name_no_frame_are_told_once(
     good = path.read_text()
     path.write_text(f"{good}17_lefft,17,x\n99,2,\n")
     window = make_window(match)
-    window.show_panel("landmarks")
+    window.panels.show("landmarks")
     words = "line 5: there is neither a picture nor an annotation of '17_lefft'; did you mean"
     assert words in window.message_bar.label.text()
     assert "(and 1 more row like it)" in window.landmarks.note.text()
@@ -365,7 +365,7 @@ def test_a_damaged_file_is_told_and_never_written_over(
 ) -> None:
     (match / "landmarks.json").write_text('{"landmarks": [{"name": 3}]}')
     window = make_window(match)
-    window.show_panel("landmarks")
+    window.panels.show("landmarks")
     qtbot.waitUntil(lambda: "landmarks[0].name" in window.landmarks.note.text())
     assert "landmarks[0].name" in window.message_bar.label.text()
     assert not window.landmarks.add.isEnabled()

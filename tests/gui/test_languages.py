@@ -44,16 +44,7 @@ from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
 from procc_annotator.io.annotation_files.annotation_formats import FORMATS
-from procc_annotator.language import (
-    kept,
-    said,
-    said_all,
-    said_count,
-    said_joined,
-    spoken,
-    tr,
-    tr_count,
-)
+from procc_annotator.language import said, said_all, said_count, said_joined, tr, tr_count
 from procc_annotator.report.sheet.as_json import json_bytes
 from procc_annotator.session.dataset import edits
 from tests.gui.conftest import Hand, all_done
@@ -88,10 +79,9 @@ def test_texts_and_their_values_go_through_the_language(pseudo: None) -> None:
 
 
 def test_what_is_kept_in_a_file_is_english_and_shown_in_the_language(pseudo: None) -> None:
-    step = kept(lambda: tr("drop {what}", what=tr_count(1, "{n} line", "{n} lines")))
+    step = said("drop {what}", what=said_count(1, "{n} line", "{n} lines"))
     assert step == "drop 1 line"
-    assert spoken(step) == "⟦drop ⟦1 lines⟧⟧"
-    assert spoken("saved") == "⟦saved⟧"
+    assert tr(step) == "⟦drop ⟦1 lines⟧⟧"
     assert tr("saved") == "⟦saved⟧"
 
 
@@ -189,9 +179,9 @@ def test_no_word_of_the_window_is_left_out(
     audited.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
     _draw_and_ask(audited)
     for desk in DESKS:
-        audited.turn_to(desk)
+        audited.panels.turn_to(desk)
         for name in DESKS[desk]:
-            audited.show_panel(name)
+            audited.panels.show(name)
             QApplication.processEvents()
     found += texts_of(audited)
     for spec in ACTIONS:
@@ -413,9 +403,9 @@ def test_nothing_is_cut_off(
     audited.resize(1280, 720)
     cut: dict[str, str] = {}
     for desk in DESKS:
-        audited.turn_to(desk)
+        audited.panels.turn_to(desk)
         for name in DESKS[desk]:
-            audited.show_panel(name)
+            audited.panels.show(name)
             cut |= _cut_off(audited)
     assert audited.size() == QSize(1280, 720)
     Asked(monkeypatch, lambda dialog: cut.update(_cut_off(dialog)))

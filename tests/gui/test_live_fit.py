@@ -304,7 +304,7 @@ class TestSource:
         assert [s.name for s in document.sources] == ["fit"]
         assert document.active_source is None
         assert document.score is None
-        fitted.show_panel("cameras")
+        fitted.panels.show("cameras")
         qtbot.waitUntil(lambda: fitted.findChild(QLabel, "cameras_matched_0") is not None)
         qtbot.waitUntil(
             lambda: fitted.findChild(QLabel, "cameras_matched_0").text() == "1 frame fitted"
@@ -322,7 +322,7 @@ class TestSource:
         fit = document.live_fit.insight.fit
         save_fit(folder, name, document.annotation, fit, field=document.field.name)
         document.load_cameras(folder)
-        fitted.show_panel("cameras")
+        fitted.panels.show("cameras")
         settle(fitted, qtbot)
         mark = "fitted on these clicks"
         assert [(s.name, s.fitted) for s in document.sources] == [("kept", True), ("fit", True)]
@@ -440,7 +440,7 @@ class TestSource:
         document = fitted.document
         document.load_cameras(annotated / "cameras" / "true")
         document.set_active_camera(1)
-        fitted.show_panel("cameras")
+        fitted.panels.show("cameras")
         qtbot.waitUntil(lambda: fitted.findChild(QToolButton, "cameras_remove_1") is not None)
         fitted.findChild(QToolButton, "cameras_remove_1").click()
         assert not fitted.actions_["live_fit"].isChecked()
@@ -469,7 +469,7 @@ class TestSource:
 class TestPanel:
     def test_it_says_model_figures_and_elements(self, fitted: MainWindow, qtbot: QtBot) -> None:
         panel, document = fitted.fit, fitted.document
-        fitted.show_panel("fit")
+        fitted.panels.show("fit")
         qtbot.waitUntil(lambda: bool(panel.rows.rows))
         assert panel.jac.text() == "1.000"
         assert panel.at_tau.text() == "JaC at 5.0 px"
@@ -487,7 +487,7 @@ class TestPanel:
         self, fitted: MainWindow, qtbot: QtBot
     ) -> None:
         panel, document = fitted.fit, fitted.document
-        fitted.show_panel("fit")
+        fitted.panels.show("fit")
         document.commit_edit("wrong", nudged(document.annotation, 0.2))
         arrive(fitted, qtbot)
         qtbot.waitUntil(lambda: any(row.left_out for row in panel.rows.rows))
@@ -505,7 +505,7 @@ class TestPanel:
         self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
     ) -> None:
         panel, document = fitted.fit, fitted.document
-        fitted.show_panel("fit")
+        fitted.panels.show("fit")
         whole = document.annotation
         last = len(whole.get(FAR).points) - 1
         document.commit_edit("wrong", nudged(whole, 0.2, last))
@@ -528,7 +528,7 @@ class TestPanel:
         self, fitted: MainWindow, qtbot: QtBot
     ) -> None:
         panel, document = fitted.fit, fitted.document
-        fitted.show_panel("fit")
+        fitted.panels.show("fit")
         whole = "12 of 12 annotated elements within 5 px"
         qtbot.waitUntil(lambda: panel.counted.text() == whole)
         document.commit_edit("fewer", without(document.annotation, 5))
@@ -541,7 +541,7 @@ class TestPanel:
 
     def test_it_says_why_there_is_no_camera(self, fitted: MainWindow, qtbot: QtBot) -> None:
         panel, document = fitted.fit, fitted.document
-        fitted.show_panel("fit")
+        fitted.panels.show("fit")
         document.commit_edit("fewer", without(document.annotation, 2))
         qtbot.waitUntil(lambda: "2 elements, 3 needed" in panel.empty.text())
         assert panel.empty.isVisible()
@@ -577,7 +577,7 @@ class TestSaving:
         self, fitted: MainWindow, qtbot: QtBot
     ) -> None:
         panel, document = fitted.fit, fitted.document
-        fitted.show_panel("fit")
+        fitted.panels.show("fit")
         qtbot.waitUntil(lambda: panel.chosen.text().startswith("P"))
         assert panel.weak.isHidden()
         assert "hardly determined" not in self.save(fitted, qtbot)
@@ -650,7 +650,7 @@ class TestBlind:
         document = fitted.document
         document.set_active_camera(0)
         for name in ("cameras", "fit", "scores"):
-            fitted.show_panel(name)
+            fitted.panels.show(name)
         document.set_blind(True)
         assert document.live_fit.insight is None
         assert document.score is None
@@ -689,7 +689,7 @@ class TestBlind:
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot
     ) -> None:
         document = fitted.document
-        fitted.show_panel("fit")
+        fitted.panels.show("fit")
         document.load_cameras(annotated / "cameras" / "bad")
         settle(fitted, qtbot)
         fitted.actions_["lock_blind"].trigger()

@@ -480,7 +480,7 @@ def test_the_field_map_keeps_its_room_whatever_panel_is_opened(
     height = window.field_map.height()
     assert height >= 220
     for name in set(window.docks) - {"frames", "field_map"}:
-        window.show_panel(name)
+        window.panels.show(name)
         QApplication.processEvents()
         assert window.field_map.height() == height, name
     assert window.height() == 720
@@ -557,12 +557,12 @@ def test_a_panel_behind_another_tab_waits_until_it_is_looked_at(
     window: MainWindow, qtbot: QtBot
 ) -> None:
     protocol = window.cameras.protocol
-    window.show_panel("cameras")
+    window.panels.show("cameras")
     qtbot.waitUntil(lambda: protocol.currentData() == "soccernet")
-    window.show_panel("elements")
+    window.panels.show("elements")
     window.document.set_protocol("procc")
     qtbot.waitUntil(lambda: "procc" in window.top_bar.camera_bar.terms.text())
     QApplication.processEvents()
     assert protocol.currentData() == "soccernet"  # nobody sees it
-    window.show_panel("cameras")
+    window.panels.show("cameras")
     qtbot.waitUntil(lambda: protocol.currentData() == "procc")

@@ -35,7 +35,7 @@ def part_of(sample: Path, folder: Path, names: tuple[str, ...], fewer: int) -> P
 def told(window: MainWindow) -> dict[str, str | None]:
     """The titles that the four places give."""
     document, field = window.document, window.document.field
-    window.show_panel("elements")
+    window.panels.show("elements")
     window.elements._refresh()
     window.field_map._refresh()
     listed = [

@@ -48,7 +48,7 @@ def test_no_distance_reads_as_if_it_were_on_the_other_side_of_tau(
     """Threshold and distance differ by less than a tenth: in the picture and in the table."""
     document = audited.document
     document.set_active_camera(1)
-    audited.show_panel("scores")
+    audited.panels.show("scores")
     table = audited.findChild(QTableView, "scores_table")
     distances = [e.max_distance for e in document.score.elements if e.max_distance is not None]
     near = next(d for d in distances if 1 < d < 19 and 0.004 < d % 0.1 < 0.046)

@@ -208,7 +208,7 @@ def test_a_frame_that_no_figure_counts_has_no_score(
     audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
 ) -> None:
     document, judged = audited.document, audited.top_bar.camera_bar
-    audited.show_panel("scores")
+    audited.panels.show("scores")
     document.go_to(4)
     assert document.score is not None  # its projection is drawn all the same
     assert "–" in judged.jac.text()

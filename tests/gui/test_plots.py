@@ -61,7 +61,7 @@ def plotted(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
     window.document.set_active_camera(1)
     window.document.go_to(1)
     qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
-    window.show_panel("plots")
+    window.panels.show("plots")
     return window
 
 
@@ -379,7 +379,7 @@ class TestWords:
         self, make_window: MakeWindow, sample: Path, qtbot: QtBot
     ) -> None:
         window = make_window()
-        window.show_panel("plots")
+        window.panels.show("plots")
         qtbot.waitUntil(lambda: "Open a folder" in window.plots.empty.text())
         assert window.plots.empty.isVisible()
         window.document.open_path(sample)
@@ -502,7 +502,7 @@ class TestLooks:
         self, plotted: MainWindow, qtbot: QtBot, qapp: QApplication, panel: str
     ) -> None:
         before = qapp.palette()
-        plotted.show_panel(panel)
+        plotted.panels.show(panel)
         if panel == "plots":
             show(plotted, qtbot, HistogramPage)
             view = plotted.plots.page.view
@@ -529,7 +529,7 @@ class TestLooks:
         qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
         all_done(qtbot)
         assert not window.plots._made
-        window.show_panel("plots")
+        window.panels.show("plots")
         qtbot.waitUntil(lambda: bool(window.plots._made))
 
 

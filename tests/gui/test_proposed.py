@@ -31,7 +31,7 @@ def test_points_of_annotate_are_proposed(
     counts = document.review.origin_counts(document.frame.name, document.annotation)
     assert set(counts) == {OriginKind.PROPOSED}
     assert counts[OriginKind.PROPOSED] > 20
-    window.show_panel("review")
+    window.panels.show("review")
     shown = window.findChild(QLabel, "reviewOrigins")
     assert isinstance(shown, QLabel)
     qtbot.waitUntil(lambda: "proposed" in shown.text())

@@ -314,7 +314,7 @@ def test_any_sequence_of_actions_ends_as_the_model_says(
 ) -> None:
     window = make_window(make_dataset(tmp_path / "first"), size=(1100, 700))
     window.actions_["snapping"].trigger()  # there is nothing to snap to; the model knows no lines
-    window.set_panels_hidden(True)
+    window.panels.hide_all(True)
     hand = hand_on(window)
     for seed in range(lap * SEQUENCES, (lap + 1) * SEQUENCES):
         folder = make_dataset(tmp_path / f"sequence_{seed}")

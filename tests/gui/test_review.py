@@ -108,7 +108,7 @@ class TestStatus:
         assert window.document.review.status("frame_0") is Status.IN_PROGRESS
 
     def test_the_panel_gives_a_status_too(self, window: MainWindow) -> None:
-        window.show_panel("review")
+        window.panels.show("review")
         combo = window.review.status
         combo.activated.emit(combo.findData(Status.REJECTED))
         assert status(window) is Status.REJECTED
@@ -132,7 +132,7 @@ class TestComments:
         assert settled.resolved
 
     def test_escape_gives_the_keyboard_back(self, window: MainWindow, hand: Hand) -> None:
-        window.enter_panel("review")
+        window.panels.enter("review")
         assert window.review.text.hasFocus()
         QTest.keyClick(window.review.text, Qt.Key.Key_Escape)
         assert window.canvas.hasFocus()
@@ -142,7 +142,7 @@ class TestComments:
     ) -> None:
         window.document.select_class(MIDDLE)
         hand.click(100, 100)
-        window.show_panel("review")
+        window.panels.show("review")
         window.review.focus_comment()
         qtbot.keyClicks(window.review.text, "d")
         qtbot.keyClick(window.review.text, Qt.Key.Key_Return)
@@ -306,7 +306,7 @@ class TestSecondAnnotator:
         self, window: MainWindow, hand: Hand, other: Path, qtbot: QtBot
     ) -> None:
         hand.draw(MIDDLE, (100, 103), (200, 103))
-        window.show_panel("agreement")
+        window.panels.show("agreement")
         window.agreement.open(other)
         qtbot.waitUntil(lambda: window.document.noise_floor is not None)
         table = window.agreement.table
@@ -326,7 +326,7 @@ class TestSecondAnnotator:
         folder = write_other(
             tmp_path, frame_0={MIDDLE: [(100, 103), (300, 103)], TOP: [(400, 200), (500, 100)]}
         )
-        window.show_panel("agreement")
+        window.panels.show("agreement")
         window.agreement.open(folder)
         table = window.agreement.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 2)
@@ -346,7 +346,7 @@ class TestSecondAnnotator:
         hand.draw(MIDDLE, (100, 100), (200, 100))
         folder = write_other(tmp_path, frame_0={MIDDLE: [(100, 103), (200, 103)]})
         (folder / "frame_1.json").write_text("{")
-        window.show_panel("agreement")
+        window.panels.show("agreement")
         window.agreement.open(folder)
         panel = window.agreement
         qtbot.waitUntil(lambda: "1 frame unreadable" in panel.noise.text())
@@ -366,7 +366,7 @@ class TestSecondAnnotator:
         hand.draw(MIDDLE, (100, 103), (120, 103))
         panel = window.agreement
         panel.open(other)
-        window.show_panel("agreement")
+        window.panels.show("agreement")
         all_done(qtbot)
         table = panel.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 1)
@@ -461,7 +461,7 @@ def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(
     window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What was queued before (the time on the frame) goes to the disk first."""
-    window.show_panel("review")
+    window.panels.show("review")
     all_done(qtbot)
     asked: list[str] = []
     ask = WorkspaceDatabase._ask_origins

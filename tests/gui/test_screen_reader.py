@@ -60,9 +60,9 @@ def unnamed(window: QWidget) -> dict[str, str]:
 
 def test_everything_that_takes_the_keyboard_says_what_it_is(audited: MainWindow) -> None:
     for desk in DESKS:
-        audited.turn_to(desk)
+        audited.panels.turn_to(desk)
         for name in DESKS[desk]:
-            audited.show_panel(name)
+            audited.panels.show(name)
     assert len(taking_keys(audited)) > 60
     assert unnamed(audited) == {}
 

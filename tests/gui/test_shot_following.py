@@ -223,7 +223,7 @@ class TestFollowing:
         follow(window, qtbot)
         document = window.document
 
-        window.show_panel("cameras")
+        window.panels.show("cameras")
         all_done(qtbot)
         window.cameras.list.rows[0].remove.click()
 

@@ -139,7 +139,7 @@ def mean_jac(window: MainWindow, name: str, tau: float) -> float:
 class TestRows:
     @pytest.fixture(autouse=True)
     def panel(self, audited: MainWindow, qtbot: QtBot) -> None:
-        audited.show_panel("cameras")
+        audited.panels.show("cameras")
         qtbot.waitUntil(lambda: "JaC" in child(audited, QLabel, "cameras_jac_2").text())
 
     def test_a_row_says_how_its_source_does(self, audited: MainWindow, qtbot: QtBot) -> None:
@@ -177,7 +177,7 @@ class TestRows:
         assert audited.top_bar.camera_bar.cameras.currentText() == "bad"
 
     def test_a_double_click_lets_the_name_be_typed(self, audited: MainWindow, qtbot: QtBot) -> None:
-        audited.show_panel("cameras")
+        audited.panels.show("cameras")
         row = audited.cameras.list.rows[1]  # not one that is about to be deleted
         QTest.mouseDClick(row.radio, Qt.MouseButton.LeftButton)
         assert row.edit.isVisible()
@@ -357,7 +357,7 @@ class TestUnreadable:
         return window
 
     def test_the_row_counts_and_names_them(self, damaged: MainWindow, qtbot: QtBot) -> None:
-        damaged.show_panel("cameras")
+        damaged.panels.show("cameras")
         matched = child(damaged, QLabel, "cameras_matched_1")
         qtbot.waitUntil(lambda: matched.text() == "3 of 6, 2 unreadable")
         assert "50 %" in matched.toolTip()

@@ -43,7 +43,7 @@ def test_a_frame_is_shown_and_judged_with_its_own_dimensions(
     assert length(window) == 105
     assert "dimensions of 2 stadiums" in window.document.field.described
     assert window.document.state.sized_field == load_field("soccer")
-    window.show_panel("scores")
+    window.panels.show("scores")
     window.document.go_to(1)
     # One object for every frame of a stadium, or what is worked out of it would not be kept.
     assert window.document.state.sized_field is window.document.frame_field

@@ -190,7 +190,7 @@ class TestVerdicts:
         assert window.frames.model.info(0).verdict is None
 
     def test_the_buttons_say_it_and_mark_too(self, window: MainWindow, qtbot: QtBot) -> None:
-        window.show_panel("scores")
+        window.panels.show("scores")
         buttons = window.scores.verdict.buttons
         press(window, Qt.Key.Key_F7)
         qtbot.waitUntil(buttons[Fault.CAMERA].isChecked)
@@ -232,7 +232,7 @@ class TestVerdicts:
         self, window: MainWindow, qtbot: QtBot, tmp_path: Path
     ) -> None:
         document = window.document
-        window.show_panel("scores")
+        window.panels.show("scores")
         press(window, Qt.Key.Key_F7)
         document.rename_source(document.active_source, "vendor X")
         assert window.frames.model.info(0).verdict is Fault.CAMERA
@@ -341,7 +341,7 @@ class TestExplainer:
     @pytest.fixture
     def panel(self, window: MainWindow, qtbot: QtBot):
         window.document.go_to(1)
-        window.show_panel("scores")
+        window.panels.show("scores")
         # The panel says in its own time what the frame before had no more than three rows of.
         qtbot.waitUntil(lambda: len(window.scores.model.rows) > 3)
         return window.scores

@@ -35,7 +35,7 @@ def folder(tmp_path: Path) -> Path:
 @pytest.fixture
 def window(make_window: MakeWindow, folder: Path) -> MainWindow:
     window = make_window(folder)
-    window.show_panel("landmarks")
+    window.panels.show("landmarks")
     window.document.go_to(2)
     return window
 

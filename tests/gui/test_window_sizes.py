@@ -47,7 +47,7 @@ def test_everything_is_in_sight_at_1280x720(
         assert widget.isVisible(), widget.objectName()
         assert inside(widget, window), widget.objectName()
     for desk in ("annotate", "judge", "review"):
-        window.turn_to(desk)
+        window.panels.turn_to(desk)
         QApplication.processEvents()
         for tabs in window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly):
             if tabs.isVisible():
@@ -85,7 +85,7 @@ def test_the_layout_goes_back_to_what_it_was_at_first(
     before = seen()
     window.resizeDocks([docks["elements"]], [450], Qt.Orientation.Horizontal)
     docks["frames"].close()
-    window.turn_to("judge")
+    window.panels.turn_to("judge")
     docks["scores"].setFloating(True)
     window.actions_["reset_layout"].trigger()
     assert seen() == before

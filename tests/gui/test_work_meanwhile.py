@@ -138,7 +138,7 @@ def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
     make_window: MakeWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
 ) -> None:
     window = make_window(annotated)
-    window.show_panel("plots")
+    window.panels.show("plots")
     window.document.live_fit.set_wanted(False)
     let_work_end(qtbot)
     told = messages(window)

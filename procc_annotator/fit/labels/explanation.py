@@ -31,8 +31,8 @@ from procc_annotator.fit.labels.relabelling import (
     worst_point,
 )
 from procc_annotator.fit.result import FitResult, PosedCamera
+from procc_annotator.fit.solving.final_fit import MINIMUM_ELEMENTS
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 
 # Fewer right elements than these leave open who is wrong.
 ENOUGH_RIGHT = 4

@@ -22,10 +22,10 @@ from procc_annotator.fit.labels.finding import (
 from procc_annotator.fit.labels.orientation import ACROSS, ALONG, EXCHANGE, reflected_names, renamed
 from procc_annotator.fit.labels.relabelling import distances_to_classes, others_with_and_without
 from procc_annotator.fit.result import FitResult, PosedCamera
+from procc_annotator.fit.solving.final_fit import MINIMUM_ELEMENTS, OUTLIER_PX
 from procc_annotator.fit.solving.models import STRONG
 from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX
 from procc_annotator.language import Said, said, said_all, said_joined
 
 # A whole frame is called reflected if its reflection fits at least so many times as well.

@@ -44,7 +44,6 @@ from procc_annotator.language import said
 
 Corner = tuple[int, int]  # two straight elements that meet
 
-_CURVE_POINTS = 12
 # A triangle this flat on the field says nothing.
 _FLATTEST_M = 0.1
 _MEET_M = 0.05

@@ -12,11 +12,11 @@ import numpy as np
 
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.covariance import error_of_points
+from procc_annotator.fit.solving.final_fit import FoundCamera, final_fit, mistakes
 from procc_annotator.fit.solving.models import KAPPA
 from procc_annotator.fit.solving.observations import PictureFrame
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.fit.solving.search import FoundCamera, final_fit, mistakes
 from procc_annotator.fit.solving.solver import FINAL_LOSS, ROBUST_LOSS, Problem, solve
 from procc_annotator.fit.solving.starts import prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of

@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.feet import NEAREST_M
+from procc_annotator.fit.solving.final_fit import FoundCamera
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import CENTRE, half_turned
 from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.solving.residual import homography_derivatives, pinhole_residuals
-from procc_annotator.fit.solving.search import FoundCamera
 from procc_annotator.fit.solving.solver import ROBUST_LOSS
 
 

@@ -7,11 +7,11 @@ from functools import partial
 import numpy as np
 
 from procc_annotator.field.model import Field
+from procc_annotator.fit.solving.final_fit import FoundCamera, final_fit, mistakes
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, PAN, PRINCIPAL_X, TILT
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.fit.solving.search import FoundCamera, final_fit, mistakes
 from procc_annotator.fit.solving.solver import ROBUST_LOSS, Prior, Problem, solve
 from procc_annotator.fit.solving.starts import (
     CENTRE_SD,

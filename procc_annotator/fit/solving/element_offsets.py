@@ -19,6 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.fit.solving.final_fit import FoundCamera
 from procc_annotator.fit.solving.noise import MOST_PX
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
 from procc_annotator.fit.solving.residual import (
@@ -26,7 +27,6 @@ from procc_annotator.fit.solving.residual import (
     homography_residuals,
     pinhole_residuals,
 )
-from procc_annotator.fit.solving.search import FoundCamera
 from procc_annotator.fit.solving.solver import FINAL_LOSS
 
 # What elements and points are off by where the residuals cannot tell, and how many means and

@@ -14,6 +14,7 @@ import numpy as np
 
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.covariance import error_of_points
+from procc_annotator.fit.solving.final_fit import FoundCamera, final_fit, mistakes
 from procc_annotator.fit.solving.models import (
     FISHEYE,
     FREE,
@@ -26,7 +27,7 @@ from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
-from procc_annotator.fit.solving.search import FoundCamera, final_fit, mistakes, search
+from procc_annotator.fit.solving.search import search
 from procc_annotator.fit.solving.solver import ROBUST_LOSS, Prior, Problem, solve
 from procc_annotator.fit.solving.starts import prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import CENTRE, LOG_FOCAL, PAN, ROLL, TILT
@@ -24,6 +25,7 @@ _CORNERS, _QUALITY, _APART_PX = 200, 0.004, 6.0
 _WINDOW = (15, 15)
 _LEVELS = 3
 _FEWEST = 16
+_STILL_PX, _MOVES_PX = 0.05, 0.2  # of the reduced picture, from frame to frame
 _LEAST_SHARE = 0.3  # of the corners that could be followed, for a motion to be believed
 _SCALES_PX = (12.0, 5.0, 2.0, 1.5)  # of the robust steps, solver px
 # Standard deviations of what changes in a frame before anything is seen of it; and of what one
@@ -96,9 +98,20 @@ def turn_between(
     followed = np.asarray(done).ravel() == 1
     after = np.asarray(after, dtype=np.float64).reshape(-1, 2)
     followed &= ((after >= 0) & (after <= np.array(now.shape[::-1]) - 1)).all(axis=1)
+    followed &= ~_laid_over(np.hypot(*(after - start).T), followed)
     if followed.sum() < _FEWEST:
         return None
     return _agreed(rays[:, followed], _to_solver(after[followed], frame), vector, expected, frame)
+
+
+def _laid_over(moved_px: FloatArray, followed: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which corners are of banners and scores laid over the picture: they stand where they were to
+    a hundredth of a pixel while the picture moves behind them."""
+    still = followed & (moved_px < _STILL_PX)
+    moving = followed & ~still
+    if not moving.any() or np.median(moved_px[moving]) < _MOVES_PX:
+        return np.zeros_like(still)
+    return still
 
 
 def _agreed(

@@ -13,6 +13,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.one_model import result_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.element_offsets import element_offsets
+from procc_annotator.fit.solving.final_fit import FoundCamera
 from procc_annotator.fit.solving.models import (
     FISHEYE,
     FREE,
@@ -27,7 +28,6 @@ from procc_annotator.fit.solving.models import (
 from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame, observe
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
-from procc_annotator.fit.solving.search import FoundCamera
 from procc_annotator.fit.solving.solver import (
     FINAL_LOSS,
     ROBUST_LOSS,

@@ -12,12 +12,12 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.final_fit import MINIMUM_ELEMENTS, OUTLIER_PX, FoundCamera
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, STRONG, X, Z, is_strong
 from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, observe
 from procc_annotator.fit.solving.plausible import too_few
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX, FoundCamera
 from procc_annotator.fit.solving.starts import (
     side_of,
     wide_prior,

@@ -17,15 +17,14 @@ from procc_annotator.gui.picture.blind_frame import BlindFrame
 from procc_annotator.gui.picture.camera_hand import CameraHand
 from procc_annotator.gui.picture.comparison import OtherSources
 from procc_annotator.gui.picture.corner_legend import CornerLegend
+from procc_annotator.gui.picture.drawing import Drawing
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.found_plate import FoundPlate
-from procc_annotator.gui.picture.ghost_layer import GhostLayer
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.key_pointing import KeyPointing, modifiers_of
 from procc_annotator.gui.picture.loupe import Loupe
 from procc_annotator.gui.picture.metre_maps import MetreMaps
 from procc_annotator.gui.picture.overlay_item import OverlayItem
-from procc_annotator.gui.picture.overlay_layer import BY_ORIGIN, OverlayLayer
 from procc_annotator.gui.picture.shown_picture import ShownPicture
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.roles import give_role
@@ -33,8 +32,6 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.image.adjust import Look
 from procc_annotator.interact.gesture import Modifiers
 from procc_annotator.interact.hints import SEPARATOR
-from procc_annotator.interact.overlay import ColourBy
-from procc_annotator.interact.overlay_shapes import NOTHING
 from procc_annotator.language import tr, word
 
 _EXPLANATION_MS = 12_000
@@ -67,24 +64,24 @@ class Canvas(PictureView):
         self.scene().addItem(self.overlay_item)
         self.comparison = OtherSources(document, self.viewport(), self.scene(), self.overlay_item)
         self.maps = MetreMaps(document, self.viewport(), self.scene())
-        self._layer = OverlayLayer(document, self.editor)
-        self._other_layer = OverlayLayer(document, self.editor)
-        self._ghost_layer = GhostLayer(document)
         self.found_plate = FoundPlate(document, self.viewport())
         self.blind_frame = BlindFrame(document, self.viewport())
         self.legend = CornerLegend(document, self.viewport(), self.comparison)
         self.camera_hand = CameraHand(document, self, self.editor)
-        self.colour_by: ColourBy = "criterion"
+        self.drawing = Drawing(
+            document,
+            self,
+            self.editor,
+            self.overlay_item,
+            self.comparison,
+            self.maps,
+            self.legend,
+            self.camera_hand,
+            lambda: self.cursor_px,
+        )
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
         self.hint = ""
-        self._hidden_by_action = False
-        self._hidden_by_key = False
-        self._refreshes = 0
-        self._due = False  # a refresh, once all that changed was told
-        self._everywhere = False  # not only where the overlay differs
-        self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self.refresh)
         # While the hand carries something, who only reads where it is can wait for the next frame.
         self._carried_on = QTimer(self, singleShot=True, interval=_SCREEN_FRAME_MS)
         self._carried_on.timeout.connect(self._say_cursor)
@@ -92,7 +89,7 @@ class Canvas(PictureView):
         self.loupe_always = False
         self._held_keys = self._make_held_keys()
         self._loupe_by_key = False
-        self.keys = KeyPointing(self)
+        self.keys = KeyPointing(document, self, self.editor, lambda: self.cursor_px)
         self.shown = ShownPicture(self)
         document.cache.foresee = self.picture_item.reduced.foresee
         self._listen()
@@ -101,34 +98,17 @@ class Canvas(PictureView):
     def _listen(self) -> None:
         document = self._document
         self.shown.changed.connect(self._show_picture)
-        self.editor.changed.connect(self.refresh)
+        self.editor.changed.connect(self.drawing.refresh)
+        self.drawing.drawn.connect(self._place_loupe)
+        self.drawing.told.connect(self._say_hint)
+        self.keys.pointed.connect(self.point_at)
+        self.keys.forgotten.connect(self._forget_cursor)
         self.editor.explained.connect(self._explain)
         self.viewChanged.connect(self._view_changed)
-        self.camera_hand.changed.connect(self._refresh_ghosts)
         self.camera_hand.moved.connect(self._follow_cursor)
         document.datasetChanged.connect(self.keys.forget)
         document.frameChanged.connect(self._show_frame)
         document.pictureChanged.connect(self._show_whole)
-        document.previewChanged.connect(self._carry)
-        for signal in (
-            document.scoreChanged,  # also after every annotationChanged
-            document.selectionChanged,
-            document.hoverChanged,
-            document.modeChanged,
-        ):
-            signal.connect(self.refresh)
-        document.store.rested.connect(self._refresh_if_due)
-        document.review.originsChanged.connect(self._refresh_origins)
-        document.second.changed.connect(self.refresh)
-        # Comes beside signals that draw at once: one drawing is enough for both.
-        document.label_check.changed.connect(self._soon.start)
-        document.camerasChanged.connect(self._refresh_others)
-        document.source_frames.changed.connect(self._refresh_others)
-        document.ghosts.changed.connect(self._refresh_ghosts)
-        document.painted_width.changed.connect(self.refresh)
-        document.paint_watch.changed.connect(self._soon.start)
-        document.landmarks.changed.connect(self.refresh)
-        document.landmarks.ellipsesChanged.connect(self.refresh)
         document.flyTo.connect(self.fly_to)
         document.flyToArea.connect(self.show_area)
 
@@ -145,8 +125,7 @@ class Canvas(PictureView):
         self.comparison.set_area(self.sceneRect())
         self.camera_hand.item.set_area(self.sceneRect())
         self.keys.keep_within()
-        self._everywhere = True
-        self.refresh()
+        self.drawing.refresh_everywhere()
 
     def set_covered(self, height: int) -> None:
         """Bars lie over the top: what is pinned there makes room, the picture stays."""
@@ -161,7 +140,7 @@ class Canvas(PictureView):
             return
         self.shown.set_picture(state.picture)
         self._show_picture()
-        self.refresh()  # what the next click does depends on the lines of the picture
+        self.drawing.refresh()  # what the next click does depends on the lines of the picture
 
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
@@ -177,83 +156,12 @@ class Canvas(PictureView):
         """How pictures are shown, from now on for every frame."""
         self.shown.set_look(look)
 
-    def refresh(self) -> None:
-        """Draw the overlay anew where it changed, and say what the next click does; once for all
-        that changes together."""
-        self._due = True
-        self._refresh_if_due()
-
-    def _refresh_if_due(self) -> None:
-        if self._due and not self._document.store.busy:
-            self._refresh()
-
-    def _refresh_others(self) -> None:
-        """Other sources are drawn, or otherwise; whatever changes the one in front says so too."""
-        comparison = self.comparison
-        if comparison.split_wanted or comparison.looking:
-            self.refresh()
-            return
-        comparison.refresh(hidden=self.overlays_hidden)
-
-    def _refresh_origins(self) -> None:
-        if self.colour_by in BY_ORIGIN:
-            self.refresh()
-
-    def _refresh(self) -> None:
-        self._refreshes += 1
-        everywhere, self._everywhere, self._due = self._everywhere, False, False
-        self._soon.stop()
-        scale, comparison = self.view_scale, self.comparison
-        comparison.refresh(hidden=self.overlays_hidden)
-        self.maps.set_hidden(self.overlays_hidden)
-        self.legend.show_for(self.colour_by, bare=self.overlays_hidden)
-        overlay = other = NOTHING
-        if not self.overlays_hidden:
-            terms = self.cursor_px, self.colour_by
-            overlay = self._layer.overlay(comparison.judged, *terms)
-            if comparison.split.shown:
-                other = self._other_layer.overlay(comparison.judged_right, *terms)
-        self.overlay_item.set_overlay(overlay, scale, everywhere=everywhere)
-        comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
-        self._draw_ghosts()
-        self.camera_hand.refresh(hidden=self.overlays_hidden)
-        self._place_loupe()
-        self._say_hint()
-
-    def _carry(self) -> None:
-        """Draw what the hand carries along; nothing else that is drawn follows from that."""
-        comparison = self.comparison
-        if self.overlays_hidden or comparison.split.shown or comparison.looking:
-            self.refresh()  # the names of sources, with their scores
-            return
-        self._refreshes += 1
-        overlay = self._layer.overlay(comparison.judged, self.cursor_px, self.colour_by)
-        self.overlay_item.set_overlay(overlay, self.view_scale)
-        self._place_loupe()
-
-    def _refresh_ghosts(self) -> None:
-        if not self._due:
-            self._draw_ghosts()
-            self._say_hint()
-
-    def _draw_ghosts(self) -> None:
-        hidden = self.overlays_hidden or self.camera_hand.held  # its wireframe is shown instead
-        ghosts = self._ghost_layer.overlay(hidden=hidden)
-        self.overlay_item.set_ghosts(ghosts, self.view_scale)
-        beside = ghosts if self.comparison.split.shown else NOTHING
-        self.comparison.other_side.set_ghosts(beside, self.view_scale)
-
     def _say_hint(self) -> None:
         hint = self.camera_hand.hint or (_pan_hint() if self.pan_tool else self.editor.hint())
         if hint != self.hint:
             self.hint = hint
             self.setAccessibleDescription(hint)
             self.hintChanged.emit(hint)
-
-    @property
-    def overlays_hidden(self) -> bool:
-        """Whether only the bare picture is shown."""
-        return self._hidden_by_action or self._hidden_by_key
 
     # --- loupe ----------------------------------------------------------------------------
 
@@ -281,11 +189,6 @@ class Canvas(PictureView):
         self.editor.view_scale = self.view_scale
         self.comparison.view_changed()
 
-    def set_colour_by(self, colour_by: ColourBy) -> None:
-        """What colours mean."""
-        self.colour_by = colour_by
-        self.refresh()
-
     def set_keep_zoom(self, keep: bool) -> None:
         """Whether place and zoom stay when the frame changes."""
         self.keep_zoom = keep
@@ -297,21 +200,6 @@ class Canvas(PictureView):
             self.update_cursor()
             self._say_hint()
             self.panChanged.emit(on)
-
-    def set_overlays_hidden(self, hidden: bool) -> None:
-        """Show the bare picture."""
-        self._hidden_by_action = hidden
-        self.refresh()
-
-    def set_others_shown(self, shown: bool) -> None:
-        """Whether visible sources are drawn beside the active one."""
-        self.comparison.others_wanted = shown
-        self.refresh()
-
-    def set_split(self, split: bool) -> None:
-        """Draw the active source on the left of a divider, the compared one on its right."""
-        self.comparison.split_wanted = split
-        self.refresh()
 
     # --- actions --------------------------------------------------------------------------
 
@@ -340,7 +228,7 @@ class Canvas(PictureView):
         """The hand is there now, whichever way it came."""
         self.cursor_px = px
         self.editor.move(px, _NO_MODIFIERS)
-        self.refresh()
+        self.drawing.refresh()
         self._say_cursor()
 
     def delete_element(self) -> None:
@@ -390,19 +278,22 @@ class Canvas(PictureView):
         event.accept()
         self.keys.put_away()
         px = self.to_picture(event.position())
-        self.cursor_px, drawn = px, self._refreshes
+        self.cursor_px, drawn = px, self.drawing.count
         if self.panning:
             self._pan_to(event.position().toPoint())
         else:
             self.editor.move(px, _modifiers(event))
-        if self.editor.follows_cursor and drawn == self._refreshes:
-            self.refresh()
-        elif drawn == self._refreshes:
+        if self.editor.follows_cursor and drawn == self.drawing.count:
+            self.drawing.refresh()
+        elif drawn == self.drawing.count:
             self._place_loupe()
         if not self.editor.holding:
             self._say_cursor()
         elif not self._carried_on.isActive():
             self._carried_on.start()
+
+    def _forget_cursor(self) -> None:
+        self.cursor_px = None
 
     def _follow_cursor(self, px: tuple[float, float]) -> None:
         self.cursor_px = px
@@ -448,12 +339,12 @@ class Canvas(PictureView):
             return  # they point; the mouse is elsewhere
         self.cursor_px = None
         self.editor.leave()
-        self.refresh()
+        self.drawing.refresh()
         self._say_cursor()
 
     def _make_held_keys(self) -> HeldKeys:
         def dressed() -> None:
-            self._hide_by_key(False)
+            self.drawing.hide_by_key(False)
 
         def no_loupe() -> None:
             self._loupe(False)
@@ -462,16 +353,12 @@ class Canvas(PictureView):
             self._aside(False)
 
         keys = {
-            Qt.Key.Key_X: HeldKey(lambda: self._hide_by_key(True), dressed, dressed),
+            Qt.Key.Key_X: HeldKey(lambda: self.drawing.hide_by_key(True), dressed, dressed),
             Qt.Key.Key_Z: HeldKey(lambda: self._loupe(True), no_loupe, no_loupe),
             Qt.Key.Key_Comma: HeldKey(self._blink, self._end_blink, self._lose_blink),
             Qt.Key.Key_Control: HeldKey(lambda: self._aside(True), snap, snap),
         }
         return HeldKeys(keys, self)
-
-    def _hide_by_key(self, hidden: bool) -> None:
-        self._hidden_by_key = hidden
-        self.refresh()
 
     def _loupe(self, shown: bool) -> None:
         self._loupe_by_key = shown
@@ -480,11 +367,11 @@ class Canvas(PictureView):
     def _aside(self, suspended: bool) -> None:
         """Snapping rests."""
         self.editor.hold(Modifiers(ctrl=suspended))
-        self.refresh()
+        self.drawing.refresh()
 
     def _blink(self) -> None:
         if self.comparison.hold():
-            self.refresh()
+            self.drawing.refresh()
         else:
             say = self._document.say
             say(tr("load a second set of cameras to blink between two (Ctrl+L)"), "info")
@@ -493,11 +380,11 @@ class Canvas(PictureView):
         if self.comparison.let_go():
             self._document.swap_sources()
         else:
-            self.refresh()
+            self.drawing.refresh()
 
     def _lose_blink(self) -> None:
         self.comparison.let_go()
-        self.refresh()
+        self.drawing.refresh()
 
 
 def _pan_hint() -> str:

@@ -11,13 +11,7 @@ from procc_annotator.gui.picture.snapping import ScreenSnapper
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool
-from procc_annotator.interact.gesture import (
-    Context,
-    Edit,
-    Modifiers,
-    Position,
-    Reaction,
-)
+from procc_annotator.interact.gesture import Context, Edit, Modifiers, Position, Reaction
 from procc_annotator.interact.hand import draft_of
 from procc_annotator.interact.hints import GhostHint, hint
 from procc_annotator.interact.hit import Hit

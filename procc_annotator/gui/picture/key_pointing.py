@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 
 from procc_annotator.gui.picture.crosshair import Crosshair, moved
+from procc_annotator.gui.picture.editor import Editor
+from procc_annotator.gui.picture.view import PictureView
+from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.gesture import Modifiers, Position
 from procc_annotator.language import tr, word
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.picture.canvas import Canvas
 
 _RIM_PX = 48.0  # screen px at the edge of the view that the crosshair does not enter, where it can
 _EDGE = 2.0  # screen px that count as out of sight
@@ -21,13 +21,23 @@ _WHAT = word(
 )
 
 
-class KeyPointing:
-    """Does with keys what the mouse does on the canvas."""
+class KeyPointing(QObject):
+    """Does with keys what the mouse does on the picture."""
 
-    def __init__(self, canvas: Canvas) -> None:
-        self._canvas = canvas
+    pointed = Signal(object)  # where the hand is now, picture px
+    forgotten = Signal()  # it is nowhere any more
+
+    def __init__(
+        self,
+        document: Document,
+        view: PictureView,
+        editor: Editor,
+        cursor: Callable[[], Position | None],
+    ) -> None:
+        super().__init__(view)
+        self._document, self._view, self._editor, self._cursor = document, view, editor, cursor
         self.crosshair = Crosshair()
-        canvas.scene().addItem(self.crosshair)
+        view.scene().addItem(self.crosshair)
 
     @property
     def active(self) -> bool:
@@ -36,40 +46,38 @@ class KeyPointing:
 
     def arrow(self, name: str, step: float) -> None:
         """Move the chosen points, or the crosshair where none is chosen, so many picture px."""
-        canvas = self._canvas
-        if canvas.editor.nudge(name, step):
+        if self._editor.nudge(name, step):
             return
-        size = canvas.document.picture_size
+        size = self._document.picture_size
         if size is None:
             return
         begun = self.active
         start = self.crosshair.px or self._start(size)
         self._point(moved(start, name, step, size))
         if not begun:
-            canvas.document.say(tr(_WHAT), "info")
+            self._document.say(tr(_WHAT), "info")
 
     def click(self, modifiers: Modifiers) -> None:
         """What a click of the mouse would do there."""
-        px, canvas = self.crosshair.px, self._canvas
+        px = self.crosshair.px
         if px is None:
             return
-        canvas.document.walk.see_whole()  # its lines are snapped to
-        canvas.editor.press(px, modifiers)
-        canvas.editor.release(px, modifiers)
-        canvas.point_at(px)
+        self._document.walk.see_whole()  # its lines are snapped to
+        self._editor.press(px, modifiers)
+        self._editor.release(px, modifiers)
+        self.pointed.emit(px)
 
     def insert(self) -> None:
         """Put a point on the line at the crosshair, or at the mouse, as Alt and a click do."""
-        canvas = self._canvas
-        document, px = canvas.document, self.crosshair.px or canvas.cursor_px
+        document, px = self._document, self.crosshair.px or self._cursor()
         if px is None:
             document.say(tr("point at a line first: with the mouse, or with the arrows"), "info")
             return
         document.set_mode("edit")
         before = document.annotation
-        canvas.editor.press(px, Modifiers(alt=True))
-        canvas.editor.release(px, Modifiers(alt=True))
-        canvas.point_at(px)
+        self._editor.press(px, Modifiers(alt=True))
+        self._editor.release(px, Modifiers(alt=True))
+        self.pointed.emit(px)
         if document.annotation is before:
             document.say(tr("there is no line here to put a point on"), "info")
 
@@ -81,11 +89,11 @@ class KeyPointing:
         """Other pictures come: what was pointed at is not there any more."""
         if self.active:
             self.put_away()
-            self._canvas.cursor_px = None
+            self.forgotten.emit()
 
     def keep_within(self) -> None:
         """Another picture is shown: it may be smaller."""
-        px, size = self.crosshair.px, self._canvas.document.picture_size
+        px, size = self.crosshair.px, self._document.picture_size
         if px is not None:
             self.crosshair.put(None if size is None else moved(px, "Left", 0.0, size))  # not shown
 
@@ -93,25 +101,24 @@ class KeyPointing:
 
     def _start(self, size: tuple[int, int]) -> Position:
         """Where the mouse was, or the middle of what is in sight."""
-        canvas = self._canvas
-        if canvas.cursor_px is not None:
-            return moved(canvas.cursor_px, "Left", 0.0, size)  # not shown
-        place = canvas.place
+        if (cursor := self._cursor()) is not None:
+            return moved(cursor, "Left", 0.0, size)  # not shown
+        place = self._view.place
         return moved((place.x, place.y), "Left", 0.0, size)  # not shown
 
     def _point(self, px: Position) -> None:
         self.crosshair.put(px)
         self._bring_into_sight(px)
-        self._canvas.point_at(px)
+        self.pointed.emit(px)
 
     def _bring_into_sight(self, px: Position) -> None:
-        canvas = self._canvas
-        at, area = canvas.to_view(*px), QRectF(canvas.viewport().rect())
+        view = self._view
+        at, area = view.to_view(*px), QRectF(view.viewport().rect())
         if not area.adjusted(_EDGE, _EDGE, -_EDGE, -_EDGE).contains(at):
             inner = area.adjusted(_RIM_PX, _RIM_PX, -_RIM_PX, -_RIM_PX)
             x = min(max(at.x(), inner.left()), inner.right())
             y = min(max(at.y(), inner.top()), inner.bottom())
-            canvas.go_along(at - QPointF(x, y))
+            view.go_along(at - QPointF(x, y))
 
 
 def modifiers_of(held: Qt.KeyboardModifier) -> Modifiers:

@@ -16,7 +16,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.selection import that_survives
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.language import spoken, tr, word
+from procc_annotator.language import tr, word
 from procc_annotator.session.dataset.workspace import SAVED_ELSEWHERE, Workspace
 from procc_annotator.session.facts.origins import OriginKind, PointKey
 
@@ -279,7 +279,7 @@ class Editing(QObject):
         said = self.review.touched(frame.name, before, now)
         with self._store.together():
             self._show_edited(workspace, stepped=True)
-            what = spoken(label)
+            what = tr(label)
             done = tr("undone: {step}", step=what) if back else tr("redone: {step}", step=what)
             say(self._store, "; ".join(filter(None, (done, said))))
 

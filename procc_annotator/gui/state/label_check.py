@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from PySide6.QtCore import QObject, Signal
 
@@ -15,6 +14,7 @@ from procc_annotator.gui.state.check_queue import CheckQueue
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.ignored_findings import IgnoredFindings
 from procc_annotator.gui.state.judge import Judge
+from procc_annotator.gui.state.known_checks import KnownChecks
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.notices import BENT
 from procc_annotator.gui.state.paint_watch import Evidence, PaintWatch
@@ -32,8 +32,6 @@ from procc_annotator.session.facts.frame_check import (
     content_of,
     remember,
     surviving,
-    with_found,
-    worst_severity,
 )
 from procc_annotator.session.runs.check_run import Checked
 from procc_annotator.session.strokes.paint_evidence import of_confirmed
@@ -46,6 +44,7 @@ class LabelCheck(QObject):
 
     Attributes:
         severities: which of them are listed and walked through.
+        known: what was found, by frame.
         problems: frames that cannot be checked, and why.
         set_checked: whether the whole set was checked since it was opened.
     """
@@ -72,10 +71,7 @@ class LabelCheck(QObject):
         self.problems: dict[str, str] = {}
         self.set_checked = False
         self.ignored = IgnoredFindings(review, self)
-        self._frames: dict[str, FrameCheck] = {}
-        # Frame -> what the set tells of it, and the content it holds for.
-        self._told_by_set: dict[str, tuple[str, FoundInFrame]] = {}
-        self._in_set: tuple[tuple[str, FoundInFrame], ...] | None = None  # until anything changes
+        self.known = KnownChecks(store, self.ignored)
         self._current: tuple[str, str] | None = None  # frame and key
         self._queue = CheckQueue(store, signals, live_fit, self)
         self._without_fit = Derived(self._to_check, _check, Where.BESIDE, self)
@@ -90,9 +86,9 @@ class LabelCheck(QObject):
     def _connect(self, signals: Signals, review: ReviewState) -> None:
         self._without_fit.changed.connect(self._take_without_fit)
         self._without_fit.failed.connect(self._warn)
-        self.framesChanged.connect(self._look_at_set_again)
+        self.framesChanged.connect(self.known.look_at_set_again)
         self.ignored.changed.connect(self._tell)
-        review.statusChanged.connect(self._look_at_set_again)  # committed elsewhere
+        review.statusChanged.connect(self.known.look_at_set_again)  # committed elsewhere
         self._live_fit.changed.connect(self.look)
         self._paint.changed.connect(self.look)
         signals.datasetChanged.connect(self._forget)
@@ -114,83 +110,17 @@ class LabelCheck(QObject):
     def shown(self) -> tuple[FoundInFrame, ...]:
         """Findings of the frame on screen, the surest first, without those that are ignored."""
         name = self._store.state.frame_name
-        return self.of(name) if name is not None else ()
+        return self.known.of(name) if name is not None else ()
 
     @property
     def checked(self) -> FrameCheck | None:
         """The check of the frame on screen; None while it is under way."""
         name = self._store.state.frame_name
-        kept = self.check_of(name) if name is not None else None
+        kept = self.known.check_of(name) if name is not None else None
         return kept if kept is not None and kept.content == self._content.value else None
-
-    def check_of(self, frame: str) -> FrameCheck | None:
-        """The check of a frame if it may be shown: a fitted camera says something by what it finds,
-        by what it does not find, and by the places of marks."""
-        kept = self._frames.get(frame)
-        return (
-            None if kept is None or (kept.fitted and not self._store.state.reveals(frame)) else kept
-        )
 
     def _annotation(self) -> Inputs:
         return (self._store.state.annotation,)
-
-    def of(self, frame: str) -> tuple[FoundInFrame, ...]:
-        """Findings of a frame, as far as it was checked and blind mode lets them be seen."""
-        kept = self.check_of(frame)
-        if kept is None:
-            return ()
-        content, by_set = self._told_by_set.get(frame, (None, None))
-        if by_set is not None and content == kept.content and kept.fitted:
-            kept = with_found(kept, by_set)
-        if not kept.found:
-            return ()
-        ignored = self.ignored.of(frame)
-        return tuple(found for found in kept.found if found.key not in ignored)
-
-    def ignored_here(self) -> int:
-        """How many findings of the frame on screen are ignored."""
-        name = self._store.state.frame_name
-        kept = self.check_of(name) if name is not None else None
-        if name is None or kept is None:
-            return 0
-        ignored = self.ignored.of(name)
-        return sum(found.key in ignored for found in kept.found)
-
-    def is_known(self, frame: str) -> bool:
-        """Whether a frame was checked as it is, by every rule that may be shown."""
-        kept = self.check_of(frame)
-        if kept is None or not kept.content:
-            return False
-        return kept.fitted or not self._store.state.reveals(frame)
-
-    def severities_of(self, frame: str) -> frozenset[Severity] | None:
-        """How sure the findings of a frame are; None if it was not checked."""
-        if not self.is_known(frame):
-            return None
-        return frozenset(found.finding.severity for found in self.of(frame))
-
-    def worst(self, frame: str) -> Severity | None:
-        """How sure the surest finding of a frame is; None for none."""
-        return worst_severity(self.of(frame))
-
-    def in_set(self) -> tuple[tuple[str, FoundInFrame], ...]:
-        """Every finding with its frame, in the order of the frames."""
-        if self._in_set is None:
-            workspace = self._store.state.workspace
-            index = workspace.index if workspace is not None else {}
-            names = sorted((n for n in self._frames if n in index), key=index.__getitem__)
-            self._in_set = tuple((name, found) for name in names for found in self.of(name))
-        return self._in_set
-
-    def counts(self, found: Iterable[FoundInFrame]) -> Mapping[Severity, int]:
-        """How many of some findings there are of each severity."""
-        counted = Counter(f.finding.severity for f in found)
-        return {severity: counted[severity] for severity in Severity}
-
-    @property
-    def known_frames(self) -> int:
-        """How many frames were checked."""
-        return sum(self.is_known(name) for name in self._frames)
 
     @property
     def fit_shown(self) -> bool:
@@ -229,9 +159,9 @@ class LabelCheck(QObject):
         insight = self._live_fit.insight
         if insight is not None and not self._waits_for_paint(name):
             taken = insight, self._paint.value
-            if self._taken is None or not same(taken, self._taken) or name not in self._frames:
+            if self._taken is None or not same(taken, self._taken) or self.known.get(name) is None:
                 self._taken = taken
-                before = self._frames.get(name)
+                before = self.known.get(name)
                 if (checked := self._with_fit.value) is not None:
                     self._take(name, checked)
                 if before is not None:
@@ -242,10 +172,11 @@ class LabelCheck(QObject):
             return
         self._taken = None
         content = self._content.value
-        kept = self.check_of(name)
+        kept = self.known.check_of(name)
         if kept is not None and kept.content != content:
             # Signs of elements that nobody touched stay until more is known.
-            self._frames[name] = left = surviving(kept, annotation)
+            left = surviving(kept, annotation)
+            self.known.keep(name, left)
             if left.found != kept.found:
                 self.framesChanged.emit(name)
         self._without_fit.look()
@@ -254,7 +185,7 @@ class LabelCheck(QObject):
     def _waits_for_paint(self, name: str) -> bool:
         """Whether what an edit does to the paint under it is known in a moment: signs of the
         picture are not to go and come with every click."""
-        kept = self._frames.get(name)
+        kept = self.known.get(name)
         return kept is not None and kept.with_paint and self._paint.working
 
     def _say_bent(self, before: FrameCheck) -> None:
@@ -288,7 +219,7 @@ class LabelCheck(QObject):
         name = state.frame_name
         if name is None or self.fit_shown:
             return None
-        kept, paint = self.check_of(name), self._paint.value
+        kept, paint = self.known.check_of(name), self._paint.value
         same_content = kept is not None and kept.content == self._content.value
         if kept is not None and same_content and kept.with_paint >= (paint is not None):
             return None
@@ -307,14 +238,11 @@ class LabelCheck(QObject):
     def _take(self, name: str, checked: FrameCheck) -> None:
         self._queue.drop(name)
         self.problems.pop(name, None)
-        self._frames[name] = checked
+        self.known.keep(name, checked)
         self._tell(name)
 
-    def _look_at_set_again(self, _: str) -> None:
-        self._in_set = None
-
     def _tell(self, name: str) -> None:
-        self._in_set = None
+        self.known.look_at_set_again()
         if name == self._store.state.frame_name:
             self._announce()
         self.framesChanged.emit(name)
@@ -330,7 +258,7 @@ class LabelCheck(QObject):
     def _take_commit(self, name: str) -> None:
         """In blind mode a committed frame may show what it hid."""
         if self._store.state.blind and name:
-            if self.check_of(name) is not None and not self.is_known(name):
+            if self.known.check_of(name) is not None and not self.known.is_known(name):
                 self._queue.add(name)
             self.look()
             self.framesChanged.emit(name)
@@ -347,7 +275,7 @@ class LabelCheck(QObject):
             return
         for index in indices:
             name = workspace.frames[index].name
-            known = self._frames.pop(name, None) is not None
+            known = self.known.drop(name)
             if self.problems.pop(name, None) is not None or known:
                 self._queue.add(name)
         self.framesChanged.emit("")
@@ -376,13 +304,7 @@ class LabelCheck(QObject):
         self._queue.close()
 
     def _take_told(self, checks: dict[str, FrameCheck]) -> None:
-        """Keep what only the set tells, beside what is found anew whenever a frame is shown."""
-        self._told_by_set = {
-            name: (checked.content, found)
-            for name, checked in checks.items()
-            for found in checked.found
-            if found.finding.rule is Rule.OTHER_SIDE
-        }
+        self.known.keep_told(checks)
         self._announce()
 
     def _take_end(self, checked: int) -> None:
@@ -394,13 +316,13 @@ class LabelCheck(QObject):
         """Keep what the background found, but of frames that changed meanwhile."""
         for name, checked in results:
             if isinstance(checked, str):
-                self._frames.pop(name, None)
+                self.known.drop(name)
                 self.problems[name] = checked
             elif not self._is_newest(name, checked):
                 self._queue.add(name)
             elif self._store.state.reveals(name) or not checked.fitted:
                 self.problems.pop(name, None)
-                self._frames[name] = checked
+                self.known.keep(name, checked)
         self.framesChanged.emit("")
         self._announce()
 
@@ -423,8 +345,7 @@ class LabelCheck(QObject):
         self._without_fit.forget()
         self._with_fit.forget()
         self._queue.close()
-        self._frames.clear()
-        self._told_by_set.clear()
+        self.known.forget()
         self.problems.clear()
         self.set_checked = False
         self._current = None

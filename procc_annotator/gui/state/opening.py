@@ -93,7 +93,7 @@ class Opening(QObject):
         if review.database is not None:
             review.database.flush()  # the same dataset may be opened again
         database = WorkspaceDatabase.open(workspace.root, author)
-        workspace.database = database
+        workspace.memory.database = database
         review.set_database(database)
         self._editing.presence.set_dataset(workspace.root, author)
         self._editing.saver.set_workspace(workspace)

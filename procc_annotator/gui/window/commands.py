@@ -81,7 +81,7 @@ class Commands:
 
     def set_split(self, split: bool) -> None:
         """Divide the picture between the active and the compared source."""
-        self._canvas.set_split(split)
+        self._canvas.drawing.set_split(split)
         if split:
             self._say_if_alone(tr("load a second set of cameras to see side by side (Ctrl+L)"))
 

@@ -33,7 +33,7 @@ class FindingTips(QObject):
 
     def tip_at(self, cursor: QPointF) -> str:
         """What was found at a place of the viewport; empty where no sign is."""
-        if self._canvas.overlays_hidden:
+        if self._canvas.drawing.hidden:
             return ""
         near = [f for f in self._document.label_check.shown if self._stands_at(f, cursor)]
         return reasons_of(near)

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QWidget
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
 from procc_annotator.gui.keymap import NATIVE, Keymap
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import spoken, tr
+from procc_annotator.language import tr
 
 
 class Actions:
@@ -163,8 +163,8 @@ class ActionStates(QObject):
 
     def _show_steps(self) -> None:
         undone, redone = self._document.editing.steps
-        self._actions.set_step("undo", undone and spoken(undone))
-        self._actions.set_step("redo", redone and spoken(redone))
+        self._actions.set_step("undo", undone and tr(undone))
+        self._actions.set_step("redo", redone and tr(redone))
 
     def _show_live_fit(self) -> None:
         self._actions.set_checked("live_fit", self._document.live_fit.wanted)

@@ -119,7 +119,7 @@ def _places(document: Document, canvas: Canvas) -> dict[str, _Place]:
         rows.TAU.key: _Place(lambda: document.tau, document.set_tau),
         rows.PROTOCOL.key: _Place(lambda: document.setup.protocol),
         rows.OFF_PLANE.key: _Place(lambda: document.setup.off_plane),
-        rows.COLOUR_BY.key: _Place(lambda: canvas.colour_by),
+        rows.COLOUR_BY.key: _Place(lambda: canvas.drawing.colour_by),
         rows.FIT_MODEL.key: _Place(lambda: document.live_fit.model, document.live_fit.set_model),
         rows.JUDGE_FIT.key: _Place(lambda: fit_source.preferred, prefer),
     }

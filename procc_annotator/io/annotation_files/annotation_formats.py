@@ -148,7 +148,6 @@ FORMATS: tuple[AnnotationFormat, ...] = (
 
 
 NAMES: tuple[str, ...] = tuple(f.name for f in FORMATS)
-READABLE: tuple[str, ...] = tuple(f.name for f in FORMATS if f.read is not None)
 
 
 def format_named(name: str) -> AnnotationFormat:
@@ -168,7 +167,7 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
 
     Args:
         source: a folder, an archive or a file.
-        fmt: a name of `READABLE`, or ``auto`` to look into the files.
+        fmt: a name of `FORMATS` that can be read, or ``auto`` to look into the files.
 
     Raises:
         UsageError: no annotation, annotations of several formats, or a format that is only written.

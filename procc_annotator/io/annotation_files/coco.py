@@ -26,7 +26,6 @@ from procc_annotator.io.annotation_files.exchange import (
     Reading,
     Size,
     Writing,
-    picture_name,
     point_of,
     points_to_px,
     size_told,
@@ -40,6 +39,7 @@ from procc_annotator.io.annotation_files.keypoint_templates import (
     template_of,
 )
 from procc_annotator.io.annotation_files.label_map import OfTemplate
+from procc_annotator.io.annotation_files.named_pictures import picture_name
 from procc_annotator.io.annotation_files.pieces import Pieces, extra_of, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text, parse_number
 from procc_annotator.io.json_text import decode_strict, kind_of, spelled

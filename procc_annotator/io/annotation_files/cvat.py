@@ -29,9 +29,9 @@ from procc_annotator.io.annotation_files.exchange import (
     Reading,
     Size,
     Writing,
-    picture_name,
     size_told,
 )
+from procc_annotator.io.annotation_files.named_pictures import picture_name
 from procc_annotator.io.annotation_files.pieces import Pieces, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text
 from procc_annotator.io.json_text import printable

@@ -13,10 +13,11 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.label_map import LabelMap, Rule, Shape
+from procc_annotator.io.annotation_files.named_pictures import PictureNames
 from procc_annotator.io.annotation_files.px_numbers import normalised, to_px
 from procc_annotator.io.annotation_files.soccernet_annotation import FARTHEST
-from procc_annotator.io.frame_names import PICTURE_SUFFIX, frame_of_file, leads_out
-from procc_annotator.io.json_text import is_finite_number, kind_of, printable, spelled
+from procc_annotator.io.frame_names import PICTURE_SUFFIX, frame_of_file
+from procc_annotator.io.json_text import is_finite_number, printable, spelled
 from procc_annotator.words import count_of
 
 Size = tuple[int, int]
@@ -25,8 +26,6 @@ Size = tuple[int, int]
 EXTRA_KEY = "procc_extra"
 SIZE_UNKNOWN = "the size of its picture is not known"  # why a frame is not written
 _SHOWN_FRAMES = 3
-_LONGEST_NAME = 200
-_LONGEST_PATH = 600  # of the folders above a picture
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,30 +187,6 @@ class Reading:
         return classed
 
 
-class PictureNames:
-    """How the pictures of one file are called as frames: by their last parts, or by their paths
-    where they lie in several folders.
-
-    Paths that lead out of the dataset (absolute ones, ``..``) tell no folder.
-
-    Args:
-        pictures: their names, as the file tells them.
-        folder: of the file, below the dataset, if that is a tree.
-    """
-
-    def __init__(self, pictures: Iterable[Any], folder: str = "") -> None:
-        paths = [slashed(p) for p in pictures if type(p) is str]
-        folders = {path.rpartition("/")[0] for path in paths}
-        self._by_path = len(folders) > 1 and all(map(_can_be_folder, folders))
-        self._folder = folder
-
-    def frame(self, picture: Any, path: str, place: str) -> str:
-        """As `Reading.frame_of_picture`."""
-        name = frame_of_picture(picture, path, place)
-        inner = slashed(picture).rpartition("/")[0] if self._by_path else ""
-        return "/".join(part for part in (self._folder, inner.strip("/"), name) if part)
-
-
 @dataclass
 class Writing:
     """What a writer is given, and where it leaves what went wrong.
@@ -318,44 +293,6 @@ class Writing:
         if len(kept) < len(frame.annotation.polylines):
             self.remarks.add(f"{title} has no place for classes without a point", frame.name)
         return kept
-
-
-def frame_of_picture(picture: Any, path: str, place: str) -> str:
-    """The frame a picture's name in a file belongs to: its last part, without the suffix.
-
-    Raises:
-        AnnotationError: it is no text, or cannot be the name of a frame.
-    """
-    if type(picture) is not str:
-        raise AnnotationError(
-            path,
-            f"expected the name of a picture, found {kind_of(picture)}",
-            place=place,
-            advice="correct the name",
-        )
-    name = PICTURE_SUFFIX.sub("", picture_name(picture))
-    if name in ("", ".", "..") or not name.isprintable() or len(name) > _LONGEST_NAME:
-        raise AnnotationError(
-            path,
-            f"{printable(picture)!r} cannot be the name of a frame",
-            place=place,
-            advice="correct the name",
-        )
-    return name
-
-
-def picture_name(path: str) -> str:
-    """The last part of a path that may have been written on any system."""
-    return slashed(path).rpartition("/")[2]
-
-
-def _can_be_folder(path: str) -> bool:
-    return not leads_out(path) and path.isprintable() and len(path) <= _LONGEST_PATH
-
-
-def slashed(path: str) -> str:
-    """A path that may have been written on any system, with slashes and without ``./``."""
-    return path.replace("\\", "/").removeprefix("./")
 
 
 def size_told(width: Any, height: Any, path: str, place: str) -> Size | None:

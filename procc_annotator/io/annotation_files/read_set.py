@@ -84,7 +84,7 @@ class SetReader:
             source: a folder, an archive or a file.
             field: knows the official names.
             names: which classes the labels of the files stand for.
-            fmt: a name of `READABLE`, or ``auto`` to look into the files.
+            fmt: a name of `FORMATS` that can be read, or ``auto`` to look into the files.
             size_of: the size in px of a frame's picture, for files that do not say it.
             pictures: names of the pictures around the files, as of `Reading`.
             called: the name that a frame of the files has in the dataset.

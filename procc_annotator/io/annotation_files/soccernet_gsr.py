@@ -18,10 +18,9 @@ from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
     Reading,
     Writing,
-    frame_of_picture,
-    picture_name,
     size_told,
 )
+from procc_annotator.io.annotation_files.named_pictures import frame_of_picture, picture_name
 from procc_annotator.io.annotation_files.pieces import Pieces, extra_of
 from procc_annotator.io.annotation_files.px_numbers import json_text
 from procc_annotator.io.annotation_files.soccernet_annotation import annotation_of

@@ -18,12 +18,11 @@ from procc_annotator.io.annotation_files.exchange import (
     Reading,
     Size,
     Writing,
-    frame_of_picture,
-    picture_name,
     point_of,
     points_to_px,
     size_told,
 )
+from procc_annotator.io.annotation_files.named_pictures import frame_of_picture, picture_name
 from procc_annotator.io.annotation_files.pieces import Pieces, extra_of, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text, parse_number
 from procc_annotator.io.json_text import decode_strict, kind_of, printable, spelled

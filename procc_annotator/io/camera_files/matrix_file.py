@@ -26,7 +26,6 @@ from procc_annotator.io.camera_files.homography_file import (
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.nested_cameras import BY_ORDER
 from procc_annotator.io.camera_files.projection_camera import projection_from
-from procc_annotator.io.json_text import printable
 
 _FIELD = "soccer"
 # Half the field's length and width, and how far beside it a camera may look: metres.
@@ -139,8 +138,3 @@ def _turned(camera: HomographyCamera, convention: str) -> HomographyCamera | Non
     except (ValueError, np.linalg.LinAlgError):
         return None
     return turned if _shows_field(turned) else None
-
-
-def told_worlds() -> str:
-    """The conventions a homography may be read by, for advice."""
-    return printable(", ".join(CONVENTIONS))

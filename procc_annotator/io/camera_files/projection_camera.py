@@ -8,18 +8,13 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.matrices import (
-    calibration_matrix,
     intrinsics_of,
     pinhole_of,
     pose_of,
     taken_apart,
-    translation,
 )
-from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.json_values import JsonValues
@@ -69,22 +64,6 @@ def camera_of_projection(
         raised: CameraError = error(str(problem))
         raise raised from problem
     return LoadedCamera(camera, "pinhole", size, notices=(*inside.notices, *pose.notices))
-
-
-def projection_matrix(camera: PinholeCamera) -> FloatArray:
-    """(3, 4) metres -> px.
-
-    Raises:
-        ValueError: the camera has lens distortion, or a parameter without bounds.
-    """
-    if camera.is_distorted:
-        raise ValueError("a projection matrix cannot hold lens distortion")
-    pose = np.column_stack((camera.rotation_cam_from_world, translation(camera)))
-    with np.errstate(over="ignore", invalid="ignore"):
-        matrix: FloatArray = calibration_matrix(camera) @ pose
-    if not np.isfinite(matrix).all():
-        raise ValueError("not a camera: a parameter is without bounds")
-    return matrix
 
 
 def _are_twelve(content: object) -> bool:

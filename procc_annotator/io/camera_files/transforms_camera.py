@@ -131,15 +131,3 @@ def _pose(values: JsonValues) -> tuple[FloatArray, FloatArray]:
     if not np.isfinite(t).all():
         raise values.error("is without bounds", _POSE)
     return rotation, t
-
-
-def transforms_frame(rotation: FloatArray, position: FloatArray) -> list[list[float]]:
-    """The pose of a camera as such a file has it.
-
-    Args:
-        rotation: (3, 3), our world -> camera. position: (3,) metres.
-    """
-    pose = np.eye(4)
-    pose[:3, :3] = _WORLD_TURN @ rotation.T @ _OPENCV_FROM_OPENGL
-    pose[:3, 3] = _WORLD_TURN @ position
-    return [[float(number) for number in row] for row in pose]

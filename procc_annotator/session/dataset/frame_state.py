@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, SaveError
+from procc_annotator.language import word
+from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.history import History
+from procc_annotator.session.dataset.pending_save import PendingSave
 
 EMPTY = FrameAnnotation()
 
@@ -67,3 +71,25 @@ class FrameState:
         """Take down what the file holds now."""
         self._on_disk, self.digest, self.save_error = annotation, digest, None
         self.attempted = frozenset()
+
+
+def pending_of(index: int, frame: Frame, state: FrameState, root: Path) -> PendingSave:
+    """What is to be written of a frame as it is now.
+
+    Args:
+        root: the dataset. Links may lead anywhere within it, or within the folder chosen for
+            annotations.
+    """
+    path = frame.annotation_path
+    removes = state.taken_back and not path.is_symlink()
+    return PendingSave(
+        index,
+        path,
+        frame.image_path.parent,
+        root if path.is_relative_to(root) else path.parent,
+        state.digest,
+        state.history.current,
+        state.history.undo_label or (word("taken back") if removes else word("saved")),
+        removes,
+        state.attempted,
+    )

@@ -11,8 +11,8 @@ from natsort import natsort_keygen
 
 from procc_annotator.errors import InputError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.io.folders import walk
 from procc_annotator.io.frame_names import PICTURE_FOLDERS
-from procc_annotator.io.source import walk
 
 
 @dataclass(frozen=True)

@@ -2,26 +2,20 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
-from procc_annotator.io.annotation_files.soccernet_annotation import (
-    read_annotation,
-    write_annotation,
-)
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.language import word
-from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp_of
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
-from procc_annotator.session.dataset.frame_state import EMPTY, FrameState
+from procc_annotator.session.dataset.frame_memory import FrameMemory
+from procc_annotator.session.dataset.frame_state import EMPTY, FrameState, pending_of
 from procc_annotator.session.dataset.frames import Frame, list_frames
 from procc_annotator.session.dataset.history import History
 from procc_annotator.session.dataset.pending_save import (
@@ -45,8 +39,7 @@ class Workspace:
     Attributes:
         root: what was opened: a folder, or a single picture.
         folder: the dataset's; of a single picture the one it lies in.
-        database: what is remembered beside the files (versions, unconfirmed elements); None keeps
-            nothing. Annotations never depend on it.
+        memory: what is kept beside the files.
         given: annotations of any format, for who only reads the dataset; None: the frames' own
             files, which can be edited.
     """
@@ -61,7 +54,7 @@ class Workspace:
     ):
         self.root = root
         self.folder = folder or root
-        self.database: WorkspaceDatabase | None = None
+        self.memory = FrameMemory()
         self.frames = frames
         self.field = field
         self.notices = notices
@@ -70,7 +63,6 @@ class Workspace:
         self._states: dict[int, FrameState] = {}
         self._stamps: FileStamps[int] = FileStamps()
         self._broken: dict[int, FrameState] = {}  # as they were before others broke their files
-        self._kept: dict[int, bytes | None] = {}  # digests of the versions kept last
         self._outdated: set[int] = set()  # read, then written by others, and not looked at since
 
     @classmethod
@@ -181,7 +173,7 @@ class Workspace:
                 raise state.error
             return state.history.current if state.counts else None
         data = self._bytes(index)
-        return self._parse(index, data) if data is not None else None
+        return self.parse(index, data) if data is not None else None
 
     def has_file(self, index: int) -> bool:
         """Whether a frame has an annotation file, be it empty."""
@@ -196,11 +188,7 @@ class Workspace:
         return state.history.current
 
     def annotated_count(self, index: int) -> int:
-        """How many classes of a frame have points.
-
-        Raises:
-            InputError: the file cannot be used.
-        """
+        """How many classes of a frame have points; raises as `read` does."""
         return len(self.read(index).annotated)
 
     def edit(self, index: int, label: str, annotation: FrameAnnotation) -> bool:
@@ -214,21 +202,21 @@ class Workspace:
         if state.error is not None:
             raise UsageError(f"this frame cannot be edited: {state.error}")
         changed = state.history.push(label, annotation)
-        self._keep_unconfirmed(index, state)
+        self.memory.keep_unconfirmed(self.frames[index].name, state)
         return changed
 
     def undo(self, index: int) -> str | None:
         """Take back a frame's last edit; its label, or None."""
         state = self.state(index)
         label = state.history.undo()
-        self._keep_unconfirmed(index, state)
+        self.memory.keep_unconfirmed(self.frames[index].name, state)
         return label
 
     def redo(self, index: int) -> str | None:
         """Do a frame's last undone edit again; its label, or None."""
         state = self.state(index)
         label = state.history.redo()
-        self._keep_unconfirmed(index, state)
+        self.memory.keep_unconfirmed(self.frames[index].name, state)
         return label
 
     def set_field(self, field: Field) -> None:
@@ -268,7 +256,7 @@ class Workspace:
         states = [(index, self.state(index)) for index in dict.fromkeys(indices)]
         changed = [(index, state) for index, state in states if not state.error and state.dirty]
         assert not any(state.being_written for _, state in changed)
-        batch = [self._pending(index, state) for index, state in changed]
+        batch = [pending_of(i, self.frames[i], state, self.root) for i, state in changed]
         for _, state in changed:
             state.being_written = True
         return batch
@@ -278,13 +266,13 @@ class Workspace:
 
         What the files hold is kept as versions first, on the disk as far as any can be written.
         """
-        kept = [self._keep_found(pending) for pending in batch]
-        if any(kept) and self.database is not None and not self.database.problem:
-            self.database.flush()
+        names = [self.frames[pending.index].name for pending in batch]
+        new = [self.memory.keep_found(*found) for found in zip(names, batch, strict=True)]
+        if any(new):
+            self.memory.flush()
         done = write_together(batch)
         for written in done:
-            if written.error is None:
-                self._remember(written.save.index, written.save.data, written.save.reason)
+            self._keep(written)
         return done
 
     def note_saved(self, written: Written) -> None:
@@ -312,20 +300,20 @@ class Workspace:
                 read, so that it could not be kept.
         """
         state = self.state(index)
-        if state.error is not None:
-            state.save_error = SaveError(f"not overwritten, it could not be read: {state.error}")
-            raise state.save_error
         try:
+            if state.error is not None:
+                raise state.error
             found = self._bytes(index)
         except InputError as error:
             state.save_error = SaveError(f"not overwritten, it could not be read: {error}")
             raise state.save_error from error
         if found is not None:
-            self._remember(index, found, word("overwritten"))
+            self.memory.keep(self.frames[index].name, found, word("overwritten"))
         state.made_here = False
-        written = write_one(self._pending(index, state), over_anything=True)
-        if written.error is None:
-            self._remember(index, written.save.data, written.save.reason)
+        written = write_one(
+            pending_of(index, self.frames[index], state, self.root), over_anything=True
+        )
+        self._keep(written)
         self.note_saved(written)
         if written.error is not None:
             raise written.error
@@ -349,7 +337,7 @@ class Workspace:
 
     def _take(self, index: int, data: bytes | None, label: str) -> None:
         state = self.state(index)
-        annotation = self._parse(index, data) if data is not None else EMPTY
+        annotation = self.parse(index, data) if data is not None else EMPTY
         if state.error is not None:
             state.error, state.history = None, History(annotation)
         else:
@@ -377,46 +365,27 @@ class Workspace:
         self._take(index, data, SAVED_ELSEWHERE)
         return True
 
-    def restore(self, index: int, data: bytes) -> FrameAnnotation:
-        """The annotation of an earlier version, to be made an edit.
+    def parse(self, index: int, data: bytes) -> FrameAnnotation:
+        """The annotation that a frame's file, or an earlier version of it, holds.
 
         Raises:
-            InputError: the version cannot be read.
+            InputError: it cannot be read.
         """
-        return self._parse(index, data)
+        frame = self.frames[index]
+        shown = frame.annotation_path if self.given is None else self.given.display(frame)
+        return read_plain(data, str(shown), self.field)
 
     def _load(self, index: int) -> FrameState:
         try:
             data = self._bytes(index)
-            annotation = self._parse(index, data) if data is not None else EMPTY
+            annotation = self.parse(index, data) if data is not None else EMPTY
         except InputError as error:
             state = FrameState(EMPTY, None)
             state.error = error
             return state
-        return FrameState(self._with_unconfirmed(index, annotation), digest(data))
-
-    def _with_unconfirmed(self, index: int, annotation: FrameAnnotation) -> FrameAnnotation:
-        """The annotation with what was copied here earlier and still waits for a hand."""
-        if self.database is None:
-            return annotation
-        kept = self.database.draft(self.frames[index].name)
-        if kept is None:
-            return annotation
-        try:
-            waiting = read_annotation(kept, path="unconfirmed elements", field=self.field)
-        except InputError:
-            return annotation  # a damaged memory costs the proposals only, never an annotation
-        known = set(annotation.annotated)
-        polylines = tuple(p for p in waiting.polylines if p.class_name not in known)
-        return replace(annotation, unconfirmed=polylines)
-
-    def _keep_unconfirmed(self, index: int, state: FrameState) -> None:
-        waiting = state.history.current.unconfirmed
-        if self.database is None or waiting == state.kept_unconfirmed:
-            return
-        state.kept_unconfirmed = waiting
-        data = write_annotation(FrameAnnotation(waiting)) if waiting else None
-        self.database.set_draft(self.frames[index].name, data)
+        name = self.frames[index].name
+        shown = self.memory.with_unconfirmed(name, annotation, self.field)
+        return FrameState(shown, digest(data))
 
     def _bytes(self, index: int) -> bytes | None:
         frame = self.frames[index]
@@ -425,44 +394,7 @@ class Workspace:
         self._stamps.note(index, frame.annotation_path)
         return bytes_of(frame.annotation_path)
 
-    def _parse(self, index: int, data: bytes) -> FrameAnnotation:
-        frame = self.frames[index]
-        shown = frame.annotation_path if self.given is None else self.given.display(frame)
-        return read_plain(data, str(shown), self.field)
-
-    def _keep_found(self, pending: PendingSave) -> bool:
-        """Keep what a file holds before it is replaced; whether that is new."""
-        try:
-            found = pending.check()
-        except SaveError:
-            return False  # writing says so
-        return found is not None and self._remember(pending.index, found, word("as it was found"))
-
-    def _remember(self, index: int, data: bytes, reason: str) -> bool:
-        """Keep a version, unless it is the one that was kept last; from any thread."""
-        if self.database is None or self._kept.get(index) == (kept := digest(data)):
-            return False
-        self.database.add_version(self.frames[index].name, data, reason)
-        self._kept[index] = kept
-        return True
-
-    def _pending(self, index: int, state: FrameState) -> PendingSave:
-        frame = self.frames[index]
-        path, annotation = frame.annotation_path, state.history.current
-        removes = state.taken_back and not os.path.islink(path)
-        return PendingSave(
-            index,
-            path,
-            frame.image_path.parent,
-            _allowed_folder(path, self.root),
-            state.digest,
-            annotation,
-            state.history.undo_label or (word("taken back") if removes else word("saved")),
-            removes,
-            state.attempted,
-        )
-
-
-def _allowed_folder(path: Path, root: Path) -> Path:
-    """Links may lead anywhere within the dataset, or within the folder chosen for annotations."""
-    return root if path.is_relative_to(root) else path.parent
+    def _keep(self, written: Written) -> None:
+        save = written.save
+        if written.error is None:
+            self.memory.keep(self.frames[save.index].name, save.data, save.reason)

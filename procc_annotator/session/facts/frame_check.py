@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import blake2b
@@ -215,3 +216,9 @@ def _worst_point(polyline: Polyline, fit: FitResult | None) -> int:
     inside = [i for i in candidates if 0 <= points[i].u <= 1 and 0 <= points[i].v <= 1]
     seen = inside or candidates
     return max(seen, key=distances.__getitem__) if distances else seen[len(seen) // 2]
+
+
+def by_severity(found: Iterable[FoundInFrame]) -> Mapping[Severity, int]:
+    """How many of some findings there are of each severity."""
+    counted = Counter(f.finding.severity for f in found)
+    return {severity: counted[severity] for severity in Severity}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
@@ -161,8 +161,3 @@ def _of_one(count: LabelCount, similar: Similar, places: LabelPlaces) -> LabelPr
 
 def _nothing(similar: Similar) -> str:
     return "its name may be any of these" if similar.classes else "no class is called alike"
-
-
-def rules_of(proposals: Sequence[LabelProposal]) -> Mapping[str, Rule]:
-    """The rules of those that are not open."""
-    return {p.count.label: p.rule for p in proposals if p.surety != "open"}

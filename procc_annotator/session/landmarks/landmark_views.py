@@ -17,12 +17,12 @@ from procc_annotator.field.landmarks import is_moving, with_landmarks
 from procc_annotator.field.model import Field, Landmark
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.place_agreement import agreement_of_views
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.triangulation import (
     CameraCovariance,
     Triangulated,
     View,
-    agreement_of_views,
     triangulate,
     usual_click_px,
 )

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
 from procc_annotator.field.model import Field
@@ -18,8 +17,6 @@ from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.ghost_ends import ends_by_paint
 from procc_annotator.session.strokes.spacing import regular_parameters
 from procc_annotator.session.strokes.visible_line import VisibleLine, find_line
-
-FloatArray = NDArray[np.float64]
 
 # The share of a ghost that must be seen as a line for it to be accepted with all others.
 LEAST_SUPPORT = 0.5

@@ -22,7 +22,6 @@ from procc_annotator.session.strokes.agreement import agreement
 from procc_annotator.session.strokes.line_runs import BESIDE_PX, runs_seen
 
 FloatArray = NDArray[np.float64]
-BoolArray = NDArray[np.bool_]
 IntArray = NDArray[np.intp]
 
 _LEAST_REACH_PX = 2.0

@@ -58,12 +58,12 @@ def test_switch_the_active_source(sources: MainWindow, report: Report) -> None:
         "switch the active source, all redrawn", lambda: document.set_active_camera(next(turns)), 60
     )
     _assert_shown(document, turns)
-    sources.show_panel("cameras")
+    sources.panels.show("cameras")
     QApplication.processEvents()
 
 
 def test_switch_with_the_panel_of_sources(sources: MainWindow, report: Report) -> None:
-    sources.show_panel("cameras")
+    sources.panels.show("cameras")
     QApplication.processEvents()
     document = sources.document
     turns = itertools.cycle(range(len(SETS)))

@@ -15,14 +15,9 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.scaling import ScaledCamera
 from procc_annotator.camera.sight_line import projection_slopes, sight_line
+from procc_annotator.fit.place_agreement import agreement_of_views
 from procc_annotator.fit.projected_ellipse import projected_ellipses
-from procc_annotator.fit.triangulation import (
-    Triangulated,
-    View,
-    agreement_of_views,
-    triangulate,
-    usual_click_px,
-)
+from procc_annotator.fit.triangulation import Triangulated, View, triangulate, usual_click_px
 
 FloatArray = NDArray[np.float64]
 SEAT = np.array([18.0, -47.0, -9.5])

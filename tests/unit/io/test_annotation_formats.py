@@ -15,7 +15,6 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.annotation_formats import (
     FORMATS,
-    READABLE,
     find_annotations,
     format_named,
 )
@@ -38,7 +37,9 @@ SOCCER = load_field("soccer")
 SIZE = (1280, 720)
 COCO_FILE = "annotations/person_keypoints_default.json"
 TRACKS = "cvat-video"  # knows neither an order of a frame's classes nor what pictures are called
-TWO_WAY = pytest.mark.parametrize("name", [name for name in READABLE if name != TRACKS])
+TWO_WAY = pytest.mark.parametrize(
+    "name", [f.name for f in FORMATS if f.read is not None and f.name != TRACKS]
+)
 
 
 def write(name: str, frames: list[ExchangedFrame], folder: Path) -> Writing:

@@ -20,7 +20,6 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.camera_files.krt_camera import krt_content
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.io.camera_files.projection_camera import projection_matrix
 
 PLAIN = PinholeCamera(0.3, 1.3, 0.02, (4.0, 60.0, -15.0), (1500.0, 1490.0), (640.0, 355.0))
 BENT = PinholeCamera(
@@ -60,7 +59,8 @@ def problem(data: bytes, path: str) -> str:
 
 @pytest.mark.parametrize("times", [1.0, -3.5])
 def test_a_projection_matrix(times: float) -> None:
-    matrix = times * projection_matrix(PLAIN)
+    pose = np.column_stack((PLAIN.rotation_cam_from_world, translation(PLAIN)))
+    matrix = times * (calibration_matrix(PLAIN) @ pose)
     text = "\n".join(" ".join(repr(float(v)) for v in row) for row in matrix).encode()
     for data, path in (
         (npy(matrix), "1.npy"),

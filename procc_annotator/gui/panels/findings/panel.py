@@ -30,6 +30,7 @@ from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.language import tr, tr_count
+from procc_annotator.session.facts.frame_check import by_severity
 
 _FRAME, _SET = range(2)
 _MOST_REMEDIES = 4
@@ -154,10 +155,10 @@ class FindingsPanel(QWidget):
         whole_set = self.scope.currentIndex() == _SET
         every: list[Entry]
         if whole_set:
-            every = list(check.in_set())
+            every = list(check.known.in_set())
         else:
             every = [(frame.name, found) for found in check.shown] if frame is not None else []
-        counts = check.counts(found for _, found in every)
+        counts = by_severity(found for _, found in every)
         for severity, button in self.severity_buttons.items():
             button.setText(_short(counts[severity]))
             button.setChecked(severity in check.severities)
@@ -179,7 +180,7 @@ class FindingsPanel(QWidget):
         self._show_note(words if entries else "", whole_set)
         self._show_remedies()
         self.check_button.setEnabled(self._document.workspace is not None)
-        self.export_button.setEnabled(check.known_frames > 0)
+        self.export_button.setEnabled(check.known.count > 0)
 
     def _show_entries(self, entries: list[Entry], whole_set: bool) -> None:
         self._following = True
@@ -197,7 +198,7 @@ class FindingsPanel(QWidget):
     def _show_note(self, words: str, whole_set: bool) -> None:
         """What limits the list, and how to see what is ignored."""
         notes = [words] if words else []
-        ignored = 0 if whole_set else self._check.ignored_here()
+        ignored = 0 if whole_set else self._check.known.ignored_here()
         if ignored:
             notes.append(
                 tr_count(

@@ -24,7 +24,7 @@ def frame_words(document: Document) -> str:
     if limit:
         nothing = tr("Nothing found by the rules that need no camera.")
         return limit if found else f"{nothing}\n{limit}"
-    ignored = check.ignored_here()
+    ignored = check.known.ignored_here()
     if found:
         return ""
     if ignored:
@@ -60,7 +60,7 @@ def set_words(document: Document) -> str:
     if workspace is None or not workspace.frames:
         return tr("No frames.\nOpen a folder of pictures to check their labels.")
     if check.running:
-        return "" if check.in_set() else tr("Checking the set…")
+        return "" if check.known.in_set() else tr("Checking the set…")
     problems = ""
     if document.blind:
         problems = tr("Blind: only committed frames are checked with a camera.")
@@ -77,13 +77,13 @@ def set_words(document: Document) -> str:
         problems = "\n".join(filter(None, (problems, said)))
     if not check.set_checked:
         return tr_count(
-            check.known_frames,
+            check.known.count,
             "The set is not checked yet; {n:,} frame looked at so far.",
             "The set is not checked yet; {n:,} frames looked at so far.",
         )
-    if check.in_set():
+    if check.known.in_set():
         return problems
     nothing = tr_count(
-        check.known_frames, "Nothing found in {n:,} frame.", "Nothing found in {n:,} frames."
+        check.known.count, "Nothing found in {n:,} frame.", "Nothing found in {n:,} frames."
     )
     return "\n".join(filter(None, (nothing, problems)))

@@ -83,7 +83,7 @@ class FrameFilter(QObject):
         allowed = document.frame_scores.allowed
         verdicts = _Verdicts(document.review.all_verdicts(), allowed)
         asked = workspace.frames if self._query.needs_check else ()
-        findings = {f.name: document.label_check.severities_of(f.name) for f in asked}
+        findings = {f.name: document.label_check.known.severities_of(f.name) for f in asked}
 
         def jac(name: str, at: float | None) -> float | None:
             return FrameScores(audits, at if at is not None else tau, allowed).get(name)

@@ -241,7 +241,7 @@ class FramesModel(QAbstractListModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             count = self._counts.get(self._rows[index.row()])
             problems = (count if isinstance(count, str) else "", self._camera_problem(frame.name))
-            found = self._document.label_check.of(frame.name)
+            found = self._document.label_check.known.of(frame.name)
             errors = (tr(f.finding.reason) for f in found if f.finding.severity is Severity.ERROR)
             return "\n".join(filter(None, (str(frame.image_path), *problems, *errors)))
         return frame.name
@@ -290,7 +290,7 @@ class FramesModel(QAbstractListModel):
             (record := self._document.review.record(frame.name)).status,
             record.open_comments,
             self._document.verdicts.shown_verdict(frame.name),
-            self._document.label_check.worst(frame.name) is Severity.ERROR,
+            self._document.label_check.known.worst(frame.name) is Severity.ERROR,
             self._camera_problem(frame.name),
             self._depth(index),
         )

@@ -14,7 +14,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.image.paint import snap_all
-from procc_annotator.language import kept, tr, tr_count, word
+from procc_annotator.language import said, said_count, tr, tr_count, word
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.facts.origins import OriginKind, PointKey
@@ -47,14 +47,14 @@ _AS_THEY_WERE = word(
 )
 
 
-def _with_unconfirmed(said: str, count: int) -> str:
+def _with_unconfirmed(words: str, count: int) -> str:
     """What came of it, and how many points show no paint."""
     if not count:
-        return said
+        return words
     unconfirmed = tr_count(
         count, "{n} point unconfirmed by paint", "{n} points unconfirmed by paint"
     )
-    return f"{said}; {unconfirmed}"
+    return f"{words}; {unconfirmed}"
 
 
 @dataclass(frozen=True)
@@ -163,23 +163,22 @@ class Assistant(QObject):
             document.say(_with_unconfirmed(tr(_NOTHING_REGULARISED), len(unseen)))
             return
 
-        def what() -> str:
-            if len(done) == 1:
-                return tr(document.field.title_of(done[0].class_name))
-            return tr_count(len(done), "{n} element", "{n} elements")
-
-        label = kept(lambda: tr("regularise {what}", what=what()))
+        if len(done) == 1:
+            what = said(document.field.title_of(done[0].class_name))
+        else:
+            what = said_count(len(done), "{n} element", "{n} elements")
+        label = said("regularise {what}", what=what)
         if document.commit_edit(
             label, annotation, OriginKind.REGULARISED, unseen=frozenset(unseen)
         ):
             points = sum(len(p.points) for p in done)
-            said = tr_count(
+            words = tr_count(
                 points,
                 "regularised {what}: {n} point",
                 "regularised {what}: {n} points",
-                what=what(),
+                what=what,
             )
-            document.say(_with_unconfirmed(said, len(unseen)))
+            document.say(_with_unconfirmed(words, len(unseen)))
 
     # --- copying --------------------------------------------------------------------------
 
@@ -234,7 +233,7 @@ class Assistant(QObject):
         if not document.begin_edit():
             return
         proposed = edits.propose(document.annotation, outcome.polylines)
-        label = kept(lambda: tr("copy from {frame}", frame=source))
+        label = said("copy from {frame}", frame=source)
         if document.commit_edit(label, proposed, OriginKind.COPIED, unseen=outcome.unseen):
             if (
                 outcome.polylines
@@ -243,8 +242,8 @@ class Assistant(QObject):
                 document.select_class(outcome.polylines[0].class_name)  # Enter confirms it
             what = tr_count(len(outcome.polylines), "{n} element", "{n} elements")
             how = _ALONG_TRACK if along_track else _MOVED if outcome.moved else _AS_THEY_WERE
-            said = tr(how, what=what, frame=source)
-            document.say(_with_unconfirmed(said, len(outcome.unseen)))
+            words = tr(how, what=what, frame=source)
+            document.say(_with_unconfirmed(words, len(outcome.unseen)))
 
     # --- second thoughts ------------------------------------------------------------------
 

@@ -14,7 +14,7 @@ from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import Level
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.language import kept, tr, tr_count
+from procc_annotator.language import Said, said, said_count, tr, tr_count
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.ghost_points import (
@@ -94,7 +94,7 @@ class GhostAccepting(QObject):
             )
             return False
         annotation = accept(made_for.annotation, (found,))
-        if not self._commit(made_for, annotation, lambda: self._title(found.name)):
+        if not self._commit(made_for, annotation, self._said_title(found.name)):
             return False
         self._say_with_unsure(self._accepted_words(title, found), (found,))
         self.accepted.emit((found.name,))
@@ -154,14 +154,13 @@ class GhostAccepting(QObject):
             )
             return False
 
-        def what() -> str:
-            if len(good) == 1:
-                return self._title(good[0].name)
-            return tr_count(len(good), "{n} ghost", "{n} ghosts")
-
+        if len(good) == 1:
+            what = self._said_title(good[0].name)
+        else:
+            what = said_count(len(good), "{n} ghost", "{n} ghosts")
         if not self._commit(made_for, done.annotation, what):
             return False
-        share = what()
+        share = tr(what)
         if left:
             share = tr("{n} of {total} ghosts", n=len(good), total=len(found))
         too_little = tr(
@@ -185,9 +184,9 @@ class GhostAccepting(QObject):
             share=found.support,
         )
 
-    def _say_with_unsure(self, said: str, found: AllPoints, more: str = "") -> None:
+    def _say_with_unsure(self, words: str, found: AllPoints, more: str = "") -> None:
         """Say it with the ends that the picture does not show."""
-        self._say("; ".join(filter(None, (said, self._unsure(found), more))))
+        self._say("; ".join(filter(None, (words, self._unsure(found), more))))
 
     def _unsure(self, found: AllPoints) -> str:
         """What is said of ends that the picture does not show."""
@@ -216,14 +215,12 @@ class GhostAccepting(QObject):
             return tr("the frame was edited meanwhile")
         return tr("the camera is another one meanwhile")
 
-    def _commit(
-        self, made_for: Insight, annotation: FrameAnnotation, what: Callable[[], str]
-    ) -> bool:
+    def _commit(self, made_for: Insight, annotation: FrameAnnotation, what: Said) -> bool:
         document = self._document
         if not document.begin_edit() or document.annotation is not made_for.annotation:
             return False  # somebody else has the frame, or had it meanwhile: that is said
         kind = OriginKind.SUGGESTED if made_for.from_clicks else OriginKind.ACCEPTED
-        label = kept(lambda: tr("accept {what}", what=what()))
+        label = said("accept {what}", what=what)
         return document.commit_edit(label, annotation, kind)
 
     # --- looking for points ---------------------------------------------------------------
@@ -335,7 +332,10 @@ class GhostAccepting(QObject):
     # --- inside ---------------------------------------------------------------------------
 
     def _title(self, name: str) -> str:
-        return tr(self._document.field.title_of(name))
+        return tr(self._said_title(name))
+
+    def _said_title(self, name: str) -> Said:
+        return said(self._document.field.title_of(name))
 
     def _say(self, text: str) -> None:
         self._document.say(text)

@@ -115,7 +115,7 @@ class GhostTasks(QObject):
             return tr("no ghosts: the live fit is off (Ctrl+T)")
         if not self._ghosts.wanted:
             return tr("no ghosts: they are switched off (Element > Ghosts > Show ghosts)")
-        if self._canvas.overlays_hidden:
+        if self._canvas.drawing.hidden:
             return tr("overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)")
         return ""
 

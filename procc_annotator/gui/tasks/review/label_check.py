@@ -11,14 +11,15 @@ from PySide6.QtWidgets import QWidget
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Severity
+from procc_annotator.gui.panels.findings.panel import FindingsPanel
 from procc_annotator.gui.panels.findings.rows import Entry
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.language import kept, spoken, tr, tr_count, word
+from procc_annotator.language import Said, said, said_count, tr, tr_count, word
 from procc_annotator.report.findings import CheckReport, ToldFinding, findings_csv
 from procc_annotator.session.clicks.remedies import apply_remedy
-from procc_annotator.session.facts.frame_check import FoundInFrame
+from procc_annotator.session.facts.frame_check import FoundInFrame, by_severity
 
 _MOST_NAMED = 2  # elements that fit the status bar by name
 
@@ -43,6 +44,16 @@ class LabelCheckCommands(QObject):
         self._passed: set[str] = set()  # keys of this frame's findings that were walked through
         self._passed_in = ""
         self._check.finished.connect(self._tell_finished)
+
+    def serve(self, panel: FindingsPanel) -> None:
+        """Do what the list of findings asks for."""
+        panel.goTo.connect(self.go)
+        panel.remedyWanted.connect(self.apply)
+        panel.ignoreWanted.connect(self.ignore)
+        panel.restoreWanted.connect(self.restore)
+        panel.checkWanted.connect(self.check_set)
+        panel.stopWanted.connect(self.stop)
+        panel.exportWanted.connect(self.ask_export)
 
     # --- walking --------------------------------------------------------------------------
 
@@ -76,7 +87,7 @@ class LabelCheckCommands(QObject):
 
     def _walked(self) -> list[Entry]:
         chosen = self._check.severities
-        return [(n, f) for n, f in self._check.in_set() if f.finding.severity in chosen]
+        return [(n, f) for n, f in self._check.known.in_set() if f.finding.severity in chosen]
 
     def _next(self, entries: list[Entry], step: int) -> int:
         """Which finding comes next; the one walked to last may have been mended meanwhile."""
@@ -121,8 +132,8 @@ class LabelCheckCommands(QObject):
 
     def _why_nothing(self) -> str:
         check = self._check
-        if not check.in_set():
-            if check.known_frames > 1:
+        if not check.known.in_set():
+            if check.known.count > 1:
                 return tr("the label check has found nothing")
             return tr(
                 "the label check has found nothing; check the whole set to look at all frames"
@@ -188,7 +199,7 @@ class LabelCheckCommands(QObject):
         if remedy.kind is RemedyKind.FOLLOW:
             self.followWanted.emit(finding.elements[0])
             return
-        done = kept(lambda: self._done(finding, remedy))
+        done = self._done(finding, remedy)
 
         def mend(annotation: FrameAnnotation) -> FrameAnnotation:
             if not found.holds_for(annotation):  # another window changed them
@@ -202,23 +213,27 @@ class LabelCheckCommands(QObject):
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
         document.select_point(None)
         document.select_class(shown)
-        document.say(tr("{done}; Ctrl+Z takes it back", done=spoken(done)))
+        document.say(tr("{done}; Ctrl+Z takes it back", done=done))
 
-    def _done(self, finding: Finding, remedy: Remedy) -> str:
+    def _done(self, finding: Finding, remedy: Remedy) -> Said:
         """What a remedy has done, in words."""
-        title, renamed = self._title, remedy.renamed
+
+        def title(name: str) -> Said:
+            return said(self._document.field.title_of(name))
+
+        renamed = remedy.renamed
         if remedy.kind is RemedyKind.REMOVE_POINT:
             element = title(finding.elements[0])
             if finding.point is None:
-                return tr("removed point of {element}", element=element)
-            return tr("removed point {n} of {element}", n=finding.point + 1, element=element)
+                return said("removed point of {element}", element=element)
+            return said("removed point {n} of {element}", n=finding.point + 1, element=element)
         if remedy.kind is RemedyKind.SWAP and len(renamed) == 2:
             first, second = title(renamed[0][0]), title(renamed[1][0])
-            return tr("swapped {element} and {other}", element=first, other=second)
+            return said("swapped {element} and {other}", element=first, other=second)
         if len(renamed) == 1:
             before, after = map(title, renamed[0])
-            return tr("relabelled {element} to {other}", element=before, other=after)
-        return tr_count(len(renamed), "relabelled {n} element", "relabelled {n} elements")
+            return said("relabelled {element} to {other}", element=before, other=after)
+        return said_count(len(renamed), "relabelled {n} element", "relabelled {n} elements")
 
     # --- ignoring -------------------------------------------------------------------------
 
@@ -262,9 +277,9 @@ class LabelCheckCommands(QObject):
 
     def _tell_finished(self, checked: int) -> None:
         check = self._check
-        found = [f for _, f in check.in_set()]
-        counts = [_so_many(severity, n) for severity, n in check.counts(found).items() if n]
-        said = tr_count(
+        found = [f for _, f in check.known.in_set()]
+        counts = [_so_many(severity, n) for severity, n in by_severity(found).items() if n]
+        words = tr_count(
             checked,
             "checked {n:,} frame, camera model {model}: {found}",
             "checked {n:,} frames, camera model {model}: {found}",
@@ -275,8 +290,8 @@ class LabelCheckCommands(QObject):
             not_checked = tr_count(
                 problems, "{n:,} frame cannot be checked", "{n:,} frames cannot be checked"
             )
-            said = f"{said}; {not_checked}"
-        self._document.say(said)
+            words = f"{words}; {not_checked}"
+        self._document.say(words)
 
     def ask_export(self) -> None:
         """Ask for a file and write the findings of all checked frames there."""
@@ -286,11 +301,11 @@ class LabelCheckCommands(QObject):
 
     def export(self, path: Path) -> None:
         """Write the findings of all checked frames as CSV, without those that are ignored."""
-        document, known = self._document, self._check.known_frames
+        document, known = self._document, self._check.known.count
         found = [
             ToldFinding(frame, one.finding, checked.size)
-            for frame, one in self._check.in_set()
-            if (checked := self._check.check_of(frame)) is not None
+            for frame, one in self._check.known.in_set()
+            if (checked := self._check.known.check_of(frame)) is not None
         ]
         unreadable = list(self._check.problems.items())
         try:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QInputDialog, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.gui.panels.judged.verdict_row import VerdictRow
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import ask_where, opened_frame, write
@@ -27,6 +28,12 @@ class Triage(QObject):
         super().__init__(parent)
         self._document = document
         self._window = parent
+
+    def serve(self, row: VerdictRow) -> None:
+        """Do what the buttons below the scores ask for."""
+        for fault, button in row.buttons.items():
+            button.clicked.connect(lambda _=False, fault=str(fault): self.mark(fault))
+            button.clicked.connect(row.refresh)  # also where nothing was marked
 
     # --- marking --------------------------------------------------------------------------
 

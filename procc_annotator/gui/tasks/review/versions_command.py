@@ -8,7 +8,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.review.versions_dialog import VersionRow, VersionsDialog
-from procc_annotator.language import kept, tr
+from procc_annotator.language import said, tr
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.facts.origins import OriginKind
 
@@ -34,7 +34,7 @@ class Versions:
         index = document.frame_index
 
         def read(version: str) -> FrameAnnotation:
-            return workspace.restore(index, database.version_data(version))
+            return workspace.parse(index, database.version_data(version))
 
         dialog = VersionsDialog(
             self._parent,
@@ -57,7 +57,7 @@ def apply_version(document: Document, version: str) -> None:
         return
     seen = document.annotation
     try:
-        restored = workspace.restore(document.frame_index, database.version_data(version))
+        restored = workspace.parse(document.frame_index, database.version_data(version))
     except InputError as error:
         document.say(str(error), "error")
         return
@@ -67,5 +67,5 @@ def apply_version(document: Document, version: str) -> None:
             raise UsageError(tr("the frame was changed elsewhere: look at it, then restore again"))
         return edits.propose(restored, annotation.unconfirmed)
 
-    if document.edit(kept(lambda: tr("restore an earlier version")), restore, OriginKind.FILE):
+    if document.edit(said("restore an earlier version"), restore, OriginKind.FILE):
         document.say(tr("the earlier version is back; undo takes it away again"))

@@ -36,7 +36,7 @@ from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.picture.annotation_preview import AnnotationPreview
 from procc_annotator.gui.theme import blend
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.language import spoken, tr, tr_count, word
+from procc_annotator.language import tr, tr_count, word
 
 _LIST_WIDTH = 350
 _PAD = 7
@@ -189,7 +189,7 @@ class VersionsModel(QAbstractListModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return "\n".join(self.lines(row))
         if role == Qt.ItemDataRole.ToolTipRole:
-            return spoken(self.rows[row].reason)
+            return tr(self.rows[row].reason)
         return None
 
     def lines(self, row: int) -> tuple[str, str, str, str]:
@@ -203,7 +203,7 @@ class VersionsModel(QAbstractListModel):
             content = content_words(annotation)
             if self.current is not None:
                 content += f"  ({difference_words(annotation, self.current)})"
-        return when, version.author, spoken(version.reason), content
+        return when, version.author, tr(version.reason), content
 
 
 def content_words(annotation: FrameAnnotation) -> str:

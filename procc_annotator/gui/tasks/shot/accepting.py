@@ -20,7 +20,7 @@ from procc_annotator.gui.state.many_edits import EditedFrames, ManyEdits
 from procc_annotator.gui.state.set_edits import edit_frame
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.language import kept, tr, tr_count, word
+from procc_annotator.language import said, tr, tr_count, word
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.tracked_cameras import doubt_about
@@ -240,7 +240,7 @@ class StretchAccepting(QObject):
             self._put[index] = before
             return before
 
-        return self._edit(index, change, kept(lambda: tr("accept the track")))
+        return self._edit(index, change, said("accept the track"))
 
     def _empty_frame(self, index: int) -> str:
         def change(before: FrameAnnotation) -> FrameAnnotation | str:
@@ -250,7 +250,7 @@ class StretchAccepting(QObject):
                 before = before.without(polyline.class_name)
             return before
 
-        return self._edit(index, change, kept(lambda: tr("take back the track")))
+        return self._edit(index, change, said("take back the track"))
 
     def _edit(
         self, index: int, change: Callable[[FrameAnnotation], FrameAnnotation | str], label: str
@@ -264,22 +264,22 @@ class StretchAccepting(QObject):
         document = self._document
         self._accepted = {i: self._put[i] for i in outcome.edited}
         self._here = self._accepted.get(self._at, self._here)
-        said = tr_count(
+        words = tr_count(
             len(outcome.edited),
             "accepted {n:,} frame along the track",
             "accepted {n:,} frames along the track",
         )
         back = tr("Ctrl+Z takes them back")
-        document.say("; ".join((said, *_why(outcome), back)))
+        document.say("; ".join((words, *_why(outcome), back)))
         self.changed.emit()
 
     def _tell_taken_back(self, outcome: EditedFrames) -> None:
-        said = tr_count(
+        words = tr_count(
             len(outcome.edited),
             "taken back: {n:,} frame accepted along the track",
             "taken back: {n:,} frames accepted along the track",
         )
-        self._document.say("; ".join((said, *_why(outcome))))
+        self._document.say("; ".join((words, *_why(outcome))))
         self.changed.emit()
 
     def _go_on(self) -> None:

@@ -1,0 +1,121 @@
+"""What is known of the frames of a set by the label check, as far as it may be shown."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from procc_annotator.fit.labels.finding import Rule, Severity
+from procc_annotator.gui.state.ignored_findings import IgnoredFindings
+from procc_annotator.gui.state.store import Store
+from procc_annotator.session.facts.frame_check import (
+    FoundInFrame,
+    FrameCheck,
+    with_found,
+    worst_severity,
+)
+
+
+class KnownChecks:
+    """Checks by frame, seen through blind mode and without the findings that are ignored."""
+
+    def __init__(self, store: Store, ignored: IgnoredFindings) -> None:
+        self._store, self._ignored = store, ignored
+        self._frames: dict[str, FrameCheck] = {}
+        # Frame -> what the set tells of it, and the content it holds for.
+        self._told_by_set: dict[str, tuple[str, FoundInFrame]] = {}
+        self._in_set: tuple[tuple[str, FoundInFrame], ...] | None = None  # until anything changes
+
+    # --- asking -------------------------------------------------------------------------------
+
+    def check_of(self, frame: str) -> FrameCheck | None:
+        """The check of a frame if it may be shown: a fitted camera says something by what it finds,
+        by what it does not find, and by the places of marks."""
+        kept = self._frames.get(frame)
+        return (
+            None if kept is None or (kept.fitted and not self._store.state.reveals(frame)) else kept
+        )
+
+    def of(self, frame: str) -> tuple[FoundInFrame, ...]:
+        """Findings of a frame, as far as it was checked and blind mode lets them be seen."""
+        kept = self.check_of(frame)
+        if kept is None:
+            return ()
+        content, by_set = self._told_by_set.get(frame, (None, None))
+        if by_set is not None and content == kept.content and kept.fitted:
+            kept = with_found(kept, by_set)
+        if not kept.found:
+            return ()
+        ignored = self._ignored.of(frame)
+        return tuple(found for found in kept.found if found.key not in ignored)
+
+    def ignored_here(self) -> int:
+        """How many findings of the frame on screen are ignored."""
+        name = self._store.state.frame_name
+        kept = self.check_of(name) if name is not None else None
+        if name is None or kept is None:
+            return 0
+        ignored = self._ignored.of(name)
+        return sum(found.key in ignored for found in kept.found)
+
+    def is_known(self, frame: str) -> bool:
+        """Whether a frame was checked as it is, by every rule that may be shown."""
+        kept = self.check_of(frame)
+        if kept is None or not kept.content:
+            return False
+        return kept.fitted or not self._store.state.reveals(frame)
+
+    def severities_of(self, frame: str) -> frozenset[Severity] | None:
+        """How sure the findings of a frame are; None if it was not checked."""
+        if not self.is_known(frame):
+            return None
+        return frozenset(found.finding.severity for found in self.of(frame))
+
+    def worst(self, frame: str) -> Severity | None:
+        """How sure the surest finding of a frame is; None for none."""
+        return worst_severity(self.of(frame))
+
+    def in_set(self) -> tuple[tuple[str, FoundInFrame], ...]:
+        """Every finding with its frame, in the order of the frames."""
+        if self._in_set is None:
+            workspace = self._store.state.workspace
+            index = workspace.index if workspace is not None else {}
+            names = sorted((n for n in self._frames if n in index), key=index.__getitem__)
+            self._in_set = tuple((name, found) for name in names for found in self.of(name))
+        return self._in_set
+
+    @property
+    def count(self) -> int:
+        """How many frames were checked."""
+        return sum(self.is_known(name) for name in self._frames)
+
+    # --- taking down --------------------------------------------------------------------------
+
+    def get(self, frame: str) -> FrameCheck | None:
+        """The check of a frame, whether it may be shown or not."""
+        return self._frames.get(frame)
+
+    def keep(self, frame: str, checked: FrameCheck) -> None:
+        """Keep the check of a frame."""
+        self._frames[frame] = checked
+
+    def drop(self, frame: str) -> bool:
+        """A frame is another one now; whether it was checked."""
+        return self._frames.pop(frame, None) is not None
+
+    def keep_told(self, checks: Mapping[str, FrameCheck]) -> None:
+        """Keep what only the set tells, beside what is found anew whenever a frame is shown."""
+        self._told_by_set = {
+            name: (checked.content, found)
+            for name, checked in checks.items()
+            for found in checked.found
+            if found.finding.rule is Rule.OTHER_SIDE
+        }
+
+    def look_at_set_again(self, _: str = "") -> None:
+        """Something is known of a frame, or may be shown, that was not before."""
+        self._in_set = None
+
+    def forget(self) -> None:
+        """Nothing of what was found counts any more."""
+        self._frames.clear()
+        self._told_by_set.clear()
