@@ -223,7 +223,8 @@ def _add_rows(shot: FollowedShot, table: TrackTable) -> None:
         if one.number in shot.begins:
             begin = frame.name
         table.rows[frame.name] = _row(frame.name, begin, one)
-    table.errors += (shot.damaged or {}).values()
+    damaged = (shot.damaged or {}).values()
+    table.errors += [error for error in damaged if error not in table.errors]
 
 
 def _row(name: str, begin: str, one: TrackedFrame) -> Line:
@@ -305,7 +306,7 @@ def gaps_table(gaps: Sequence[Gap]) -> Sheet:
     return Sheet("gaps", count_of(len(gaps), "gap"), columns, rows, notes=notes)
 
 
-def summary_words(table: TrackTable) -> str:
+def tracked_words(table: TrackTable) -> str:
     """``430 of 436 frames have a camera (2 anchors, 420 followed, 8 bridged), 6 are lost``."""
     states = Counter(row["state"] for row in table.rows.values())
     anchors = count_of(states["anchor"], "anchor")

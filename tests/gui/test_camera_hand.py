@@ -18,7 +18,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.pegs import misses, turned
+from procc_annotator.fit.pegs import misses, turned_camera
 from procc_annotator.fit.predict.given_camera import given_camera
 from procc_annotator.fit.solving.models import vector_from_camera
 from procc_annotator.fit.solving.observations import PictureFrame
@@ -103,7 +103,7 @@ def truth(annotated: Path) -> PinholeCamera:
 @pytest.fixture
 def wrong(truth: PinholeCamera) -> PinholeCamera:
     """What the search in the picture finds: turned and zoomed away."""
-    return turned(truth, np.array([0.02, 0.006, 0.03, 0.0]))
+    return turned_camera(truth, np.array([0.02, 0.006, 0.03, 0.0]))
 
 
 @pytest.fixture
@@ -539,6 +539,6 @@ class TestInAShot:
 
 
 def words(window: MainWindow) -> str:
-    from procc_annotator.gui.strip.words import words_of
+    from procc_annotator.gui.strip.words import strip_words
 
-    return words_of(window.document, window.strip.content, window.strip.number)
+    return strip_words(window.document, window.strip.content, window.strip.number)
