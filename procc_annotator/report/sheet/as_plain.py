@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from procc_annotator.report.sheet.sheet import Sheet
-from procc_annotator.report.sheet.shown import shown
+from procc_annotator.report.sheet.shown import as_texts
 
 Lines = list[str]
 
@@ -20,7 +20,7 @@ def plain_table(sheet: Sheet, width: int) -> str | None:
     Returns:
         Its lines; None if it does not fit, or has characters that show nothing.
     """
-    content = shown(sheet)
+    content = as_texts(sheet)
     columns = content.columns
     headings = [_lines(f"{c.group}\n{c.heading}" if c.group else c.heading) for c in columns]
     rows = [[_lines(cell.text) for cell in row] for row in content.rows]
