@@ -34,6 +34,7 @@ from procc_annotator.session.dataset.video_frames import open_video
 from procc_annotator.session.facts.origins import OriginKind
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
 from tests.gui.conftest import all_done, until_kept
+from tests.gui.known_already import TrackMemory
 
 if TYPE_CHECKING:
     from tests.gui.conftest import MakeWindow
@@ -445,6 +446,17 @@ def drawn() -> DrawnShot:
 def written(drawn: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("drawn") / "match.mp4"
     return write_video(path, [drawn.frame(n) for n in range(COUNT)])
+
+
+@pytest.fixture(scope="module")
+def tracks() -> TrackMemory:
+    return TrackMemory()
+
+
+@pytest.fixture(autouse=True)
+def tracked_once(tracks: TrackMemory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The shot is followed in the first test that needs it; so is what lies around an anchor."""
+    tracks.hand_out(monkeypatch)
 
 
 class TestInAShot:
