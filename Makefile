@@ -52,13 +52,18 @@ run: setup
 PYTEST := PYTHONDONTWRITEBYTECODE= QT_QPA_PLATFORM=offscreen $(BIN)/pytest --numprocesses auto --maxprocesses 4
 FILES := $(PYTEST) --max-worker-restart 0 --dist loadfile
 
-# The window's tests and all others by processes of their own: together they hold twice the memory.
+# The window's tests, those of commands and of whole data, and those of parts by processes of their
+# own: together they hold several times the memory, by what they load and what they keep.
 test: setup
 	@$(BIN)/python -m compileall -q procc_annotator
 ifdef ARGS
 	$(FILES) $(ARGS)
 else
-	$(FILES) tests/gui; window=$$?; $(FILES) tests --ignore tests/gui && exit $$window
+	failed=0; \
+	$(FILES) tests/gui || failed=1; \
+	$(FILES) tests --ignore tests/gui --ignore tests/unit || failed=1; \
+	$(FILES) tests/unit || failed=1; \
+	exit $$failed
 endif
 
 lint: setup

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+from functools import cached_property
 from importlib import import_module
 from typing import Any
 
@@ -35,6 +36,10 @@ class LazyCommand(TyperCommand):
 
     def load(self) -> Any:
         """The command itself, with its options."""
+        return self._loaded
+
+    @cached_property
+    def _loaded(self) -> Any:
         gc.disable()  # what is imported stays: to look through it is a tenth of the start
         try:
             return self._imported()

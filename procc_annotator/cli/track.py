@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -17,6 +18,7 @@ from procc_annotator.fit.through_shot.following_shot import track as follow_shot
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.report.targets import Interrupted, is_archive
+from procc_annotator.report.track_places import places_found
 from procc_annotator.report.tracks import (
     TABLE_FILE,
     TrackTable,
@@ -29,7 +31,7 @@ from procc_annotator.report.tracks import (
 )
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
-from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.execution.executor import Executor, make_executor
 from procc_annotator.session.runs.shots import find_shots
 from procc_annotator.session.runs.track_anchors import Anchors
 from procc_annotator.session.runs.track_run import ShotToFollow, TrackRun, damaged_pictures
@@ -40,7 +42,8 @@ SOURCE is a video, whose frames are named as the window names them (match_000123
 consecutive pictures. It is cut into its shots; in each the camera is followed forwards and
 backwards from the frames whose camera is known: annotated ones (--annotations) and those of files
 (--cameras). The track passes through them. Where none is known, one is found in the picture, as
-propose does.
+propose does; shots in which none is found are looked at once more for one that stands where those
+of the other shots do.
 
 OUT gets camera_FRAME.json for every frame that is followed, SoccerNet JSON in px of the picture,
 and track.csv, a row a frame: shot (its first frame), state (anchor; followed on paint; bridged by
@@ -134,16 +137,48 @@ def track(
         for shot in shots:
             table.forget(shot.frames)
     kept = [shot for shot in shots if table.has_all(shot.frames)]
-    run = TrackRun([shot for shot in shots if shot not in kept], shown, follow_shot)
     for shot in kept:
         table.errors += damaged_pictures(shot, table.lost(shot.frames))
     try:
-        with make_executor(workers) as executor, progress_bar("following") as progress:
-            run.executor = executor
-            write_tracks(run, out, table, progress)
+        with make_executor(workers) as executor:
+            new = [shot for shot in shots if shot not in kept]
+            _follow(new, shown, executor, out, table, "following")
+            again = _worth_another_look(new, out, table)
+            for shot in again:  # until it was followed again, nothing is known of it
+                table.forget(shot.frames)
+            _follow(again, shown, executor, out, table, "looking where other shots stand")
     except Interrupted as stopped:
         raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
     raise typer.Exit(_report(table, anchors, len(kept), out))
+
+
+def _follow(
+    shots: Sequence[ShotToFollow],
+    shown: Field,
+    executor: Executor,
+    out: Path,
+    table: TrackTable,
+    label: str,
+) -> None:
+    """Follow shots and write what comes of it.
+
+    Raises:
+        SaveError: writing failed.
+        Interrupted: see `write_tracks`.
+    """
+    run = TrackRun(shots, shown, follow_shot)
+    run.executor = executor
+    with progress_bar(label) as progress:
+        write_tracks(run, out, table, progress)
+
+
+def _worth_another_look(
+    shots: Sequence[ShotToFollow], out: Path, table: TrackTable
+) -> list[ShotToFollow]:
+    """Shots in which no camera was found, with where those of the others stand."""
+    nothing = [shot for shot in shots if len(table.lost(shot.frames)) == len(shot.frames)]
+    places = places_found(out, table) if nothing else ()
+    return [replace(shot, known=places) for shot in nothing] if places else []
 
 
 def _number_of(text: str, pictures: PictureSource) -> int:

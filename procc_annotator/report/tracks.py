@@ -223,7 +223,8 @@ def _add_rows(shot: FollowedShot, table: TrackTable) -> None:
         if one.number in shot.begins:
             begin = frame.name
         table.rows[frame.name] = _row(frame.name, begin, one)
-    table.errors += (shot.damaged or {}).values()
+    damaged = (shot.damaged or {}).values()
+    table.errors += [error for error in damaged if error not in table.errors]
 
 
 def _row(name: str, begin: str, one: TrackedFrame) -> Line:

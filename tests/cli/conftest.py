@@ -147,3 +147,9 @@ def cli() -> Iterator[Cli]:
         # The commands' signatures are looked through once, not for every call.
         patch.setattr("typer.testing._get_command", lambda _: command())
         yield Cli()
+
+
+@pytest.fixture
+def no_charts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pages without charts, which take longer than all the rest: for tests of what else is told."""
+    monkeypatch.setattr("procc_annotator.report.page.reporting.draw_charts", lambda *_: [])

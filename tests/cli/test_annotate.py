@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -71,6 +72,24 @@ def shot() -> DrawnShot:
 def pictures(shot: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
     folder = shot.write_pictures(tmp_path_factory.mktemp("drawn"))
     return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def looked_at_once() -> Iterator[None]:
+    """The same picture under the same camera is looked at once in this process: nearly all the time
+    of the tests below would go into that."""
+    known: dict[object, annotation_run.PaintedFrame] = {}
+    look = annotation_run.painted
+
+    def painted(name, picture, camera, field):
+        key = (name, picture.tobytes(), camera, field.name)
+        if key not in known:
+            known[key] = look(name, picture, camera, field)
+        return known[key]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(annotation_run, "painted", painted)
+        yield
 
 
 @pytest.fixture

@@ -18,6 +18,7 @@ from procc_annotator import load_dataset
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.result import FitResult
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.camera_files.fitted_on import annotation_digest
 from procc_annotator.session.runs import calibration_run, together_run
@@ -215,7 +216,7 @@ def test_cameras_do_not_go_among_annotations_of_another_set(cli, dataset, tmp_pa
 
 
 def test_an_interrupted_run_says_what_is_there_and_how_to_go_on(
-    cli, dataset, tmp_path, monkeypatch
+    cli, dataset, tmp_path, monkeypatch, fit_once
 ) -> None:
     for number in range(15):  # more than one chunk
         copy = dataset.annotations / f"again{number}.json"
@@ -227,7 +228,7 @@ def test_an_interrupted_run_says_what_is_there_and_how_to_go_on(
         fits += 1
         if fits == 18:
             raise KeyboardInterrupt
-        return fit_camera(*args, **options)
+        return fit_once(*args, **options)
 
     with monkeypatch.context() as patched:
         patched.setattr(calibration_run, "fit_camera", stopped)
@@ -263,25 +264,41 @@ def held_out_once() -> Callable[..., object]:
     return held_out
 
 
+@pytest.fixture(scope="module")
+def fit_once() -> Callable[..., FitResult]:
+    """As `fit_camera`, likewise."""
+    known: dict[str, FitResult] = {}
+
+    def fit(annotation, field, **options):
+        key = f"{annotation_digest(annotation)} {field.name} {options}"
+        if key not in known:
+            known[key] = fit_camera(annotation, field, **options)
+        return known[key]
+
+    return fit
+
+
 @pytest.mark.parametrize("more", [(), ("--held-out",), ("--shared-position",)])
 @pytest.mark.parametrize("name", ["out", "out.zip"])
 def test_a_stopped_run_goes_on_and_writes_the_bytes_of_one_run(
-    cli, dataset, tmp_path, monkeypatch, held_out_once, more, name
+    cli, dataset, tmp_path, monkeypatch, held_out_once, fit_once, more, name
 ) -> None:
     monkeypatch.setattr(calibration_run, "held_out_elements", held_out_once)
+    modules = [calibration_run, together_run]
+    for module in modules:
+        monkeypatch.setattr(module, "fit_camera", fit_once)
     for number in range(15):  # more than one chunk
         copy = dataset.annotations / f"again{number}.json"
         copy.write_bytes((dataset.annotations / "1.json").read_bytes())
     asked = ("calibrate", dataset.root, "-m", "P", *more)
     assert cli(*asked, tmp_path / "one" / name).exit_code == 0
-    modules = [calibration_run, together_run]
     fitted = []
 
     def counted(annotation, *args, **options):
         fitted.append(annotation)
         if len(fitted) == 18:
             raise KeyboardInterrupt
-        return fit_camera(annotation, *args, **options)
+        return fit_once(annotation, *args, **options)
 
     out = tmp_path / "two" / name
     with monkeypatch.context() as patched:

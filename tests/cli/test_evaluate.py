@@ -426,6 +426,7 @@ def test_a_dataset_folder_stands_for_its_annotations(cli, dataset, tmp_path) -> 
     assert len(whole["images"]) == 5
 
 
+@pytest.mark.usefixtures("no_charts")
 def test_the_worst_frames_are_told_as_they_are_scored_on_a_tie(cli, dataset, tmp_path) -> None:
     """The official evaluation takes labels mirrored on a tie, and so do table, files and report;
     the errors in front are those of the labels as they are."""
@@ -464,6 +465,7 @@ STRAY = {"match": "BRA-GER", "frames": 5, "teams": ["BRA", "GER"], "score": {"BR
 
 
 @pytest.mark.parametrize("packed", [False, pytest.param(True, marks=pytest.mark.soak)])
+@pytest.mark.usefixtures("no_charts")
 def test_other_json_among_annotations_is_named_and_not_counted(
     cli, dataset, tmp_path, packed
 ) -> None:

@@ -215,6 +215,7 @@ def test_nothing_is_written_over_a_tree_that_is_read(cli, tree: Tree) -> None:
     assert {p for p in tree.root.rglob("*.*") if p.is_file()} == set(before)
 
 
+@pytest.mark.usefixtures("no_charts")
 def test_a_report_and_a_comparison_of_a_tree(cli, tree: Tree, tmp_path: Path) -> None:
     page = tmp_path / "report.html"
     done = cli("report", tree.root, "--cameras", f"ours={tree.cameras}", "--output", page)

@@ -180,6 +180,7 @@ def test_landmarks_are_told_apart_where_one_moves(cli, dataset, tmp_path: Path) 
     assert "The flag" in charted
 
 
+@pytest.mark.usefixtures("no_charts")
 def test_annotations_in_pixels_are_told(cli, few, tmp_path: Path) -> None:
     for path in few.annotations.iterdir():
         if path.stem not in ("3", "10"):
@@ -299,6 +300,7 @@ def test_the_same_input_gives_the_same_bytes(cli, compared, tmp_path: Path) -> N
     assert other.read_bytes() != again.read_bytes()
 
 
+@pytest.mark.usefixtures("no_charts")
 def test_annotations_alone_are_drawn_on_plain_ground(cli, few, tmp_path: Path) -> None:
     out = tmp_path / "r.html"
     archive = shutil.make_archive(str(tmp_path / "labels"), "zip", few.annotations)
@@ -391,6 +393,7 @@ def test_a_source_without_any_camera_is_listed(cli, few, tmp_path: Path) -> None
     assert "no camera" in done.stderr
 
 
+@pytest.mark.usefixtures("no_charts")
 def test_a_damaged_camera_is_told_once(cli, few, tmp_path: Path) -> None:
     file = next(iter(sorted(few.cameras.glob("camera_*.json"))))
     file.write_text("{")

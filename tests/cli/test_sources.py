@@ -77,6 +77,7 @@ def test_a_pattern_takes_the_name_of_the_set() -> None:
     assert spec == SourceSpec("pnl", "wc14", Path("data/ts/pnl/ts.zip"))
 
 
+@pytest.mark.usefixtures("no_charts")
 def test_a_cut_record_of_many_cameras_is_named_by_every_command(cli, dataset, tmp_path) -> None:
     records = [
         {"image_ids": f"{name}.jpg", **camera_file(pan)} for name, pan in dataset.pans.items()

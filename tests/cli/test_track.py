@@ -145,14 +145,40 @@ def test_only_the_shot_of_a_frame(cli, video, cameras, tmp_path) -> None:
 def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_path) -> None:
     given = []
 
-    def followed(frame, numbers, field, *, anchors, on_frame) -> Track:
+    def followed(frame, numbers, field, *, anchors, known, on_frame) -> Track:
         given.append((numbers, dict(anchors)))
-        return nothing_found(frame, numbers, field, anchors=anchors, on_frame=on_frame)
+        return nothing_found(frame, numbers, field, anchors=anchors, known=known, on_frame=on_frame)
 
     monkeypatch.setattr(command, "follow_shot", followed)
     done = cli("track", video, tmp_path / "out", "--from", "14")
     assert done.exit_code == 0, done.output
     assert given == [(range(CUT, FRAMES), {})]
+
+
+def test_a_shot_without_a_camera_is_looked_at_where_the_other_one_stands(
+    cli, shot, video, monkeypatch, tmp_path
+) -> None:
+    real, looks = command.follow_shot, []
+
+    def followed(frame, numbers, field, *, anchors, known, on_frame) -> Track:
+        looks.append((numbers[0], len(known)))
+        if not anchors and not known:
+            return nothing_found(
+                frame, numbers, field, anchors=anchors, known=known, on_frame=on_frame
+            )
+        if known:
+            tripod = shot.cameras[0].position_world
+            assert np.linalg.norm(known[0].position_m - tripod) < 0.5
+            anchors = {CUT: shot.cameras[CUT]}
+        return real(frame, numbers, field, anchors=anchors, on_frame=on_frame)
+
+    monkeypatch.setattr(command, "follow_shot", followed)
+    out, given = tmp_path / "out", write_cameras(shot, tmp_path / "one", ANCHORS[:1])
+    done = cli("track", video, out, "--cameras", given)
+    assert done.exit_code == 0, done.output
+    assert looks == [(0, 0), (CUT, 0), (CUT, 1)]
+    assert f"{FRAMES} of {FRAMES} frames have a camera" in done.stdout
+    assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(FRAMES)]
 
 
 def test_a_shot_is_followed_again_and_the_other_one_kept(cli, video, cameras, tmp_path) -> None:
@@ -194,7 +220,7 @@ def lost(number: int, reason: str) -> TrackedFrame:
     return TrackedFrame(number, "lost", reason, None, 0.0, None, None)
 
 
-def nothing_found(frame, numbers, field, *, anchors, on_frame) -> Track:
+def nothing_found(frame, numbers, field, *, anchors, known, on_frame) -> Track:
     """Looks at every picture and finds no camera."""
     found = []
     for number in numbers:

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QObject
+from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
@@ -137,6 +137,23 @@ class Painted(QObject):
         if isinstance(event, QPaintEvent):
             self.heights.append(event.rect().height())
         return False
+
+
+def test_an_edit_is_painted_before_anything_that_waits_its_turn(
+    audited: MainWindow, qtbot: QtBot
+) -> None:
+    settle(audited, qtbot)
+    document, canvas, later = audited.document, audited.canvas, QTimer(singleShot=True, interval=0)
+    painted = Painted(canvas.viewport())
+    QApplication.processEvents()
+    painted.heights.clear()
+    seen: list[int] = []
+    later.timeout.connect(lambda: seen.append(len(painted.heights)))
+    document.commit_edit("nudge", nudged(document.annotation))
+    later.start()
+    qtbot.waitUntil(lambda: bool(seen))
+    assert seen == [1], "the picture was painted before it, once"
+    settle(audited, qtbot)
 
 
 def test_one_row_of_the_frames_is_painted_for_one_frame(audited: MainWindow, qtbot: QtBot) -> None:

@@ -29,7 +29,9 @@ def grey(image: QImage) -> np.ndarray:
     return rows[:, : image.width()].astype(int)
 
 
-def test_buttons_do_what_the_keys_do_and_say_which(window: MainWindow, hand: Hand) -> None:
+def test_buttons_do_what_the_keys_do_and_say_which(
+    window: MainWindow, hand: Hand, qtbot: QtBot
+) -> None:
     buttons = window.rail.buttons
     assert buttons["snapping"].key_text() == "S"
     assert buttons["redo"].key_text() == "Ctrl+Y"
@@ -40,7 +42,7 @@ def test_buttons_do_what_the_keys_do_and_say_which(window: MainWindow, hand: Han
     assert buttons["draw_mode"].isChecked()
     assert not buttons["edit_mode"].isChecked()
     hand.draw("Middle line", (100, 50), (120, 200))
-    assert "Undo: " in buttons["undo"].toolTip()
+    qtbot.waitUntil(lambda: "Undo: " in buttons["undo"].toolTip())  # once the line is painted
     press(buttons["undo"])
     assert window.document.annotation.get("Middle line") is None
 

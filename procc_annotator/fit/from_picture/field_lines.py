@@ -47,6 +47,11 @@ class FieldLines:
         return self.along.astype(np.float32)
 
     @cached_property
+    def step_float32(self) -> NDArray[np.float32]:
+        """(N,) the lengths."""
+        return self.step.astype(np.float32)
+
+    @cached_property
     def coarse(self) -> FieldLines:
         """Fewer places, which show nearly as much."""
         return self._thinned(_COARSE)

@@ -73,7 +73,7 @@ class Hypotheses:
         return np.asarray(np.concatenate(found) / (100 * _PLACES) * self.length_px)
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=4)  # 35 MB each
 def on_side(lines: FieldLines, half_height: float, side: int) -> Hypotheses:
     """Cameras wherever the field's file says that they stand on a side of the field.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.fit.from_picture.field_lines import FieldLines
 from procc_annotator.fit.from_picture.seen_paint import HALF_WIDTH
@@ -57,29 +58,60 @@ def _in_view(
     flat, total_places = linear.reshape(-1, 4), lines.world.shape[1]
     place = (flat @ lines.homogeneous).reshape(-1, 3, total_places)
     toward = (flat[:, :3] @ lines.along_float32).reshape(-1, 3, total_places)
-    depth = place[:, 2]
-    ahead = depth > _NEAREST_M
-    near = np.where(ahead, 1 / np.where(ahead, depth, 1), 0)
+    near = 1 / np.maximum(place[:, 2], _NEAREST_M)
     x, y = place[:, 0] * near, place[:, 1] * near
-    inside = ahead & (np.abs(x) < HALF_WIDTH - _BORDER_PX) & (np.abs(y) < half_height - _BORDER_PX)
-    across, down = (
-        (toward[:, 0] - x * toward[:, 2]) * near,
-        (toward[:, 1] - y * toward[:, 2]) * near,
-    )
-    length = np.sqrt(across * across + down * down) * lines.step.astype(np.float32)
-    length = np.where(inside, np.minimum(length, _LONGEST_PX), 0)
-    gone = np.cumsum(length, axis=1)
-    total = gone[:, -1].copy()
-    # A place is taken as often as the length up to it passes another K-th part of the whole.
-    passed = np.floor(gone * (count / np.maximum(total, 1))[:, None] + 1e-3).astype(np.int32)
+    inside = (np.abs(x) < HALF_WIDTH - _BORDER_PX) & (np.abs(y) < half_height - _BORDER_PX)
+    inside &= place[:, 2] > _NEAREST_M
+    blind = ~inside.any(axis=1)
+    inside[blind, -1] = True
+    # S places that cameras see, a few of all: one camera's after the other's.
+    seen = np.flatnonzero(inside)
+    row = seen // total_places
+    column = seen - row * total_places
+    near, x, y = near.take(seen), x.take(seen), y.take(seen)
+    at = seen + row * (2 * total_places)
+    forth = toward.take(at + 2 * total_places)
+    across = (toward.take(at) - x * forth) * near
+    down = (toward.take(at + total_places) - y * forth) * near
+    length = np.sqrt(across * across + down * down) * lines.step_float32[column]
+    length = np.where(blind[row], 0, np.minimum(length, _LONGEST_PX))
+    total, times = _evenly(length, row, np.count_nonzero(inside, axis=1), count)
+    taken = np.repeat(np.arange(len(seen)), times)
+    shape = (len(vectors), count)
+    points = np.stack([x[taken].reshape(shape), y[taken].reshape(shape)], axis=1)
+    angles = np.arctan2(down[taken], across[taken]).reshape(shape)
+    return column[taken].reshape(shape), total, points, np.asarray(angles)
+
+
+def _evenly(
+    length: NDArray[np.float32], row: IntArray, seen: IntArray, count: int
+) -> tuple[FloatArray, IntArray]:
+    """Along what each of B cameras sees.
+
+    Args:
+        length: (S,) that places stand for, one camera's after the other's.
+        row: (S,) the camera's.
+        seen: (B,) how many places a camera sees, one at least.
+        count: of the places it takes.
+
+    Returns:
+        (B,) the lengths together; (S,) how often a place is taken.
+    """
+    end = np.cumsum(seen)
+    first = end - seen
+    rank = np.arange(len(length)) - first[row]
+    gone = np.zeros((int(seen.max()), len(seen)), dtype=np.float32)
+    gone[rank, row] = length
+    np.cumsum(gone, axis=0, out=gone)
+    total = gone[-1].copy()
+    # A place is taken as often as the length up to it passes another part of the whole.
+    parts = (count / np.maximum(total, 1))[row]
+    passed = np.floor(gone[rank, row] * parts + 1e-3).astype(np.int32)
     np.minimum(passed, count, out=passed)
-    passed[:, -1] = count
-    times = np.diff(passed, axis=1, prepend=0)
-    passing = np.nonzero(times)
-    chosen = np.repeat(passing[1], times[passing]).reshape(len(vectors), count)
-    row = np.arange(len(vectors))[:, None]
-    points = np.stack([x[row, chosen], y[row, chosen]], axis=1)
-    return chosen, total, points, np.arctan2(down[row, chosen], across[row, chosen])
+    passed[end - 1] = count
+    times = np.diff(passed, prepend=0)
+    times[first] = passed[first]
+    return np.asarray(total, dtype=gone.dtype), times
 
 
 def apart_px(

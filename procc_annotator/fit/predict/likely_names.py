@@ -41,11 +41,12 @@ class _Views:
 
     Attributes:
         names: (E,) elements.
-        places: (B, E, P, 2), not a number outside the picture.
+        x, y: (P, E, B) places along them, not a number outside the picture.
     """
 
     names: tuple[str, ...]
-    places: Float32
+    x: Float32
+    y: Float32
 
 
 def likely_names(
@@ -63,40 +64,39 @@ def likely_names(
         known: the elements of the picture that have names, (n, 2) px each; none of them is offered.
     """
     views = _views(field.elements, surroundings_of(field), round(size[1] / size[0], 3))
-    weight = np.ones(len(views.places), dtype=np.float32)
+    weight = np.ones(views.x.shape[2], dtype=np.float32)
     for name, line in known.items():
         if name in views.names:
-            weight *= _likelihood(views, line / size[0], [views.names.index(name)])[:, 0] + 1e-3
+            weight *= _likelihood(views, line / size[0], [views.names.index(name)])[0] + 1e-3
     rows = [i for i, name in enumerate(views.names) if name not in known]
     if not rows:
         return ()
-    score = weight @ _likelihood(views, drawn / size[0], rows)
+    score = _likelihood(views, drawn / size[0], rows) @ weight
     order = np.argsort(-score, kind="stable")
     return tuple(views.names[rows[i]] for i in order.tolist() if score[i] > 0)
 
 
 def _likelihood(views: _Views, line: FloatArray, rows: list[int]) -> Float32:
-    """(B, R) of a line, in shares of the width, being each of some elements."""
+    """(R, B) of a line, in shares of the width, being each of some elements."""
     at = np.linspace(0, len(line) - 1, _DRAWN)
     whole = np.arange(len(line))
     px = np.stack([np.interp(at, whole, line[:, axis]) for axis in (0, 1)], axis=1)
     px = px.astype(np.float32)
-    places = views.places[:, rows]
-    starts, along = places[:, :, :-1], np.diff(places, axis=2)
-    squares = np.maximum((along**2).sum(axis=-1), 1e-12)
-    least = np.full((*places.shape[:2], _DRAWN), np.inf, dtype=np.float32)
-    for i, point in enumerate(px):
-        offset = point - starts
-        share = np.clip((offset * along).sum(axis=-1) / squares, 0, 1)
-        gap = offset - share[..., None] * along
-        away = np.hypot(gap[..., 0], gap[..., 1])
-        least[..., i] = np.fmin.reduce(np.where(np.isnan(away), np.inf, away), axis=-1)
-    mean = least.mean(axis=-1)
-    course = np.nansum(along, axis=2)
+    x, y = views.x[:, rows], views.y[:, rows]
+    along_x, along_y = np.diff(x, axis=0), np.diff(y, axis=0)
+    squares = np.maximum(along_x * along_x + along_y * along_y, 1e-12)
+    away = []
+    for point_x, point_y in px:
+        offset_x, offset_y = point_x - x[:-1], point_y - y[:-1]
+        share = np.clip((offset_x * along_x + offset_y * along_y) / squares, 0, 1)
+        gap_x, gap_y = offset_x - share * along_x, offset_y - share * along_y
+        nearest = np.fmin.reduce(gap_x * gap_x + gap_y * gap_y, axis=0)
+        away.append(np.sqrt(np.where(np.isnan(nearest), np.inf, nearest)))
+    course_x, course_y = np.nansum(along_x, axis=0), np.nansum(along_y, axis=0)
     runs = px[-1] - px[0]
-    lengths = np.maximum(np.hypot(course[..., 0], course[..., 1]) * np.hypot(*runs), 1e-12)
-    sine = (course[..., 0] * runs[1] - course[..., 1] * runs[0]) / lengths
-    off = mean * (1 + _TURNED * sine**2) + _OFF / 2 * np.abs(sine)
+    lengths = np.maximum(np.hypot(course_x, course_y) * np.hypot(*runs), 1e-12)
+    sine = (course_x * runs[1] - course_y * runs[0]) / lengths
+    off = np.mean(away, axis=0) * (1 + _TURNED * sine**2) + _OFF / 2 * np.abs(sine)
     return np.asarray(np.exp(-0.5 * (off / _OFF) ** 2), dtype=np.float32)
 
 
@@ -119,7 +119,8 @@ def _views(elements: tuple[Element, ...], around: Surroundings, ratio: float) ->
         if np.isfinite(px[:, 0]).any():
             found.append(px.reshape(len(lines), _PLACES, 2).astype(np.float32))
     places = np.array(found, dtype=np.float32).reshape(-1, len(lines), _PLACES, 2)
-    return _Views(tuple(e.name for e in lines), places)
+    x, y = np.ascontiguousarray(places.T)
+    return _Views(tuple(e.name for e in lines), x, y)
 
 
 def _cameras(around: Surroundings, ratio: float) -> list[PinholeCamera]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from procc_annotator.fit.on_paint.belief import Belief
 from procc_annotator.fit.through_shot.following import Followed
+from procc_annotator.fit.through_shot.kept_steps import StepsOf
 from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.turning import Turn
 
@@ -23,7 +24,7 @@ class FrameChain:
     """
 
     numbers: tuple[int, ...]
-    steps: tuple[Stepped, ...]
+    steps: Sequence[Stepped]
     turns: tuple[Turn | None, ...]
     given: Mapping[int, Belief]
 
@@ -36,22 +37,24 @@ def chain_of(runs: Sequence[Followed], given: Mapping[int, Belief]) -> FrameChai
         runs: what was followed.
         given: number -> what is believed of its camera, of frames that were given one.
     """
-    steps: dict[int, Stepped] = {}
+    places: dict[int, tuple[Sequence[Stepped], int]] = {}
     turns: dict[int, Turn | None] = {}
     for run in runs:
-        for before, number, step in zip((None, *run.numbers), run.numbers, run.steps, strict=False):
+        before: int | None = None
+        for place, (number, step) in enumerate(zip(run.numbers, run.steps, strict=True)):
             # Of a frame that one run ends at and another one begins with, the end knows more.
-            steps[number] = step
+            places[number] = run.steps, place
             if before is None:
-                continue
-            if before < number:
+                pass
+            elif before < number:
                 turns[before] = step.turn
             else:
                 turns[number] = None if step.turn is None else step.turn.backwards()
-    numbers = tuple(sorted(steps))
+            before = number
+    numbers = tuple(sorted(places))
     return FrameChain(
         numbers,
-        tuple(steps[n] for n in numbers),
+        StepsOf([places[n] for n in numbers]),
         tuple(turns.get(n) for n in numbers[:-1]),
         {place: given[n] for place, n in enumerate(numbers) if n in given},
     )

@@ -12,6 +12,7 @@ from procc_annotator.fit.on_paint.belief import Belief
 from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.on_paint.result import Worth
 from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.through_shot.kept_steps import KeptSteps
 from procc_annotator.fit.through_shot.reading import Glimpse, ReadFrame, glimpses
 from procc_annotator.fit.through_shot.stand import TRIPOD, Stand
 from procc_annotator.fit.through_shot.stepping import Stepped, foretold, stepped
@@ -39,7 +40,7 @@ class Followed:
 
     asked: Sequence[int]
     numbers: tuple[int, ...]
-    steps: tuple[Stepped, ...]
+    steps: Sequence[Stepped]
     cut: bool
 
     def until(self, number: int) -> Followed:
@@ -70,13 +71,14 @@ def follow(
         go_on: called between frames; what it raises ends it.
         stand: what the camera stands on.
     """
-    done: list[tuple[int, Stepped]] = []
+    done, steps = list[int](), KeptSteps()
+    last: deque[Stepped] = deque(maxlen=2)
     before: Glimpse | None = None
     unlike: deque[float] = deque(maxlen=_BEFORE)
     cut, broken = False, 0  # for certain; frames since it seemed so, without paint
     for now in glimpses(frame, numbers):
         go_on()
-        step = _next(done, before, now, start, painted, picture_frame, stand)
+        step = _next(last, before, now, start, painted, picture_frame, stand)
         if now.begins and (step.marks is None or step.coverage < _SAME_CAMERA):
             cut = True
             break
@@ -87,13 +89,21 @@ def follow(
         unlike.append(now.unlike)
         if broken > _BLIND or (step.marks is None and step.sd_px > _LOST_PX and done):
             break
-        done.append((now.number, step))
+        done.append(now.number)
+        steps.append(step)
+        last.append(step)
         on_step(now.number, step)
         before = now
     cut = cut or broken > 0
-    while len(done) > 1 and done[-1][1].marks is None and (cut or done[-1][1].turn is None):
-        done.pop()  # nothing confirmed what was guessed
-    return Followed(numbers, tuple(n for n, _ in done), tuple(s for _, s in done), cut)
+    while len(done) > 1 and _guessed(steps[-1], cut):
+        done.pop()
+        steps.pop()
+    return Followed(numbers, tuple(done), steps, cut)
+
+
+def _guessed(last: Stepped, cut: bool) -> bool:
+    """Whether nothing confirms the last frame before a cut, or before it was lost."""
+    return last.marks is None and (cut or last.turn is None)
 
 
 def _breaks(now: Glimpse, before: Sequence[float]) -> bool:
@@ -103,7 +113,7 @@ def _breaks(now: Glimpse, before: Sequence[float]) -> bool:
 
 
 def _next(
-    done: list[tuple[int, Stepped]],
+    done: Sequence[Stepped],
     before: Glimpse | None,
     now: Glimpse,
     start: Belief,
@@ -113,10 +123,10 @@ def _next(
 ) -> Stepped:
     if before is None:
         return stepped(now.picture, start, None, painted, frame, _FIRST_WORTH)
-    last = done[-1][1]
+    last = done[-1]
     expected = np.zeros(len(OWN))
     if len(done) > 1:
-        expected = last.belief.vector[OWN] - done[-2][1].belief.vector[OWN]
+        expected = last.belief.vector[OWN] - done[-2].belief.vector[OWN]
     turn: Turn | None = turn_between(before.grey, now.grey, last.belief.vector, expected, frame)
     believed = foretold(last.belief, turn, expected, stand)
     return stepped(now.picture, believed, turn, painted, frame, last.worth)

@@ -22,6 +22,7 @@ from procc_annotator.fit.solving.models import X, Z
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.through_shot.chain import FrameChain, chain_of
 from procc_annotator.fit.through_shot.following import Followed, follow
+from procc_annotator.fit.through_shot.known_places import stands_at_one
 from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
 from procc_annotator.fit.through_shot.smoothing import Smoothed, smoothed
 from procc_annotator.fit.through_shot.stand import MOVING, TRIPOD, Stand
@@ -59,6 +60,7 @@ def track(
     field: Field,
     *,
     anchors: Mapping[int, Camera] | None = None,
+    known: Sequence[KnownPosition] = (),
     propose: Propose | None = None,
     on_frame: Callable[[TrackedFrame], None] = _tell_nobody,
     go_on: Callable[[], None] = _never_stop,
@@ -73,6 +75,8 @@ def track(
         numbers: the frames, consecutive.
         field: the elements, taken for the middle of their paint, see `painted_of`.
         anchors: cameras that are known, px of the pictures; those outside ``numbers`` do not count.
+        known: where cameras of other shots of the same source stand. One that is not given is
+            looked for there only, and counts if its own shot then tells of that place.
         propose: finds a camera where none is known; None for `propose_camera`.
         on_frame: told of each frame as soon as it was followed, in the order in which they are;
             what is handed back at the end is surer, and replaces it.
@@ -84,17 +88,18 @@ def track(
     if not len(numbers):
         return Track((), ())
     size = frame(numbers[0]).shape
-    known = {n: c for n, c in sorted((anchors or {}).items()) if n in numbers}
+    given = {n: c for n, c in sorted((anchors or {}).items()) if n in numbers}
     work = _Work(
         frame,
         field,
         painted_of(field),
         PictureFrame((size[1], size[0])),
+        tuple(known),
         propose or _proposed,
         on_frame,
         go_on,
     )
-    work.from_anchors(numbers, known)
+    work.from_anchors(numbers, given)
     for gap in _gaps(numbers, work.found):
         work.fill(gap)
     begins = sorted({numbers[0], *work.begins})
@@ -124,6 +129,7 @@ class _Work:
     field: Field
     painted: Painted
     picture: PictureFrame
+    known: tuple[KnownPosition, ...]
     propose: Propose
     on_frame: Callable[[TrackedFrame], None]
     go_on: Callable[[], None]
@@ -235,6 +241,8 @@ class _Work:
             # All its paint is measured once more by following: it must not count twice.
             given = {at: belief_at(found.vector, self.field, self.painted, self.picture)}
             self._keep([back, onwards], given)
+            if self.known:
+                self._refuse_elsewhere(at, {*back.numbers, *onwards.numbers})
             for number in range(begin, at):
                 if number not in self.found:
                     self._lose(number, "no camera was found yet")
@@ -243,11 +251,11 @@ class _Work:
     def _found_from(self, begin: int, end: int) -> tuple[int, Belief | None]:
         """The first frame for which a camera is proposed and sure, and what is believed of it."""
         since, reason = begin, ""
-        known = self._position_near(begin)
+        known = self._position_near(begin) or self.known
         for now in glimpses(self.frame, range(begin, end + 1)):
             self.go_on()
             if now.begins:
-                since, known = now.number, ()
+                since, known = now.number, self.known
                 self.begins.add(now.number)
             if now.number - since in _TRIES:
                 proposal = self.propose(now.picture, self.field, known)
@@ -276,6 +284,14 @@ class _Work:
         place = slice(X, Z + 1)
         return (KnownPosition(fit.vector[place], fit.covariance[place, place]),)
 
+    def _refuse_elsewhere(self, at: int, numbers: Iterable[int]) -> None:
+        """Give back cameras of a run of frames that do not stand where any is known to."""
+        run = sorted(numbers)
+        coverages = [self.found[number].coverage for number in run]
+        if not stands_at_one(self.found[at].fit, coverages, self.known):
+            for number in run:
+                self._lose(number, "its camera does not stand where those of other shots do")
+
     def _lose(self, number: int, reason: str) -> None:
         self.found[number] = TrackedFrame(number, "lost", reason, None, 0.0, None, None)
         self.on_frame(self.found[number])
@@ -283,13 +299,13 @@ class _Work:
 
 def _beliefs(chain: FrameChain, numbers: Iterable[int]) -> dict[int, Belief]:
     """What is believed of the cameras of those frames that a chain has got to."""
-    steps = dict(zip(chain.numbers, chain.steps, strict=True))
-    return {number: steps[number].belief for number in numbers if number in steps}
+    places = {number: place for place, number in enumerate(chain.numbers)}
+    return {number: chain.steps[places[number]].belief for number in numbers if number in places}
 
 
 def _may_move(still: Smoothed, asked: int) -> bool:
     """Whether one position leaves so much open that a camera that moves has to be tried."""
-    found = still.coverages()
+    found = still.coverages
     return (
         still.beside_px > _MOVES_PX
         or still.explained < _HELD * asked
@@ -300,7 +316,7 @@ def _may_move(still: Smoothed, asked: int) -> bool:
 def _missing(found: Smoothed, asked: int) -> float:
     """The share of the visible model that was not found on paint, of all frames asked for; all of
     it in those that were not followed."""
-    return 1 - float(found.coverages().sum()) / asked
+    return 1 - float(found.coverages.sum()) / asked
 
 
 def tracked(

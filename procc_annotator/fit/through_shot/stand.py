@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,7 +43,7 @@ MOVING = Stand(
 )
 
 
-def lens_change(log_focal: float) -> float:
+def lens_change(log_focal: FloatArray | float) -> FloatArray:
     """Standard deviation of the radial coefficient's change while the logarithm of the focal length
     changes by so much: lenses distort otherwise when they zoom."""
-    return math.sqrt(_KAPPA**2 + _KAPPA_ZOOMING**2 * abs(log_focal))
+    return np.asarray(np.sqrt(_KAPPA**2 + _KAPPA_ZOOMING**2 * np.abs(log_focal)))

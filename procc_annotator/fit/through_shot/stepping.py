@@ -104,7 +104,7 @@ def foretold(belief: Belief, turn: Turn | None, last: FloatArray, stand: Stand =
         vector[OWN] += turn.step
         step[np.ix_(OWN, OWN)] = turn.covariance + np.diag(stand.apparent**2)
     step[range(X, Z + 1), range(X, Z + 1)] += stand.position_m**2
-    step[KAPPA, KAPPA] += lens_change(float(vector[LOG_FOCAL] - belief.vector[LOG_FOCAL])) ** 2
+    step[KAPPA, KAPPA] += lens_change(vector[LOG_FOCAL] - belief.vector[LOG_FOCAL]) ** 2
     step[ROLL, ROLL] += _ROLL_RAD**2
     return Belief(vector, np.asarray(np.linalg.inv(covariance + step)))
 

@@ -2,8 +2,17 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
-from PySide6.QtGui import QAction, QColor, QFont, QFontMetrics, QPainter, QPaintEvent
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer
+from PySide6.QtGui import (
+    QAction,
+    QActionEvent,
+    QColor,
+    QFont,
+    QFontMetrics,
+    QKeySequence,
+    QPainter,
+    QPaintEvent,
+)
 from PySide6.QtWidgets import QSizePolicy, QStyle, QStyleOptionToolButton, QToolButton, QWidget
 
 from procc_annotator.gui.icons import paint_icon
@@ -27,6 +36,9 @@ class IconButton(QToolButton):
         super().__init__(parent)
         self._icon, self._with_key, self._key = icon, with_key, ""
         self._hint: QSize | None = None  # asked for hundreds of times whenever a window is laid out
+        self._called_by: list[QKeySequence] = []
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self._take_words)
         self.setAutoRaise(True)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
@@ -42,8 +54,9 @@ class IconButton(QToolButton):
         self._of = (action, key_of or action)
         self._held = key
         for one in {action, key_of or action}:
-            one.changed.connect(self._take)
-        self._take()
+            one.changed.connect(self._take_keys)
+        self._take_words()
+        self._take_keys()
 
     def key_text(self) -> str:
         """The key that is shown; "" where there is none."""
@@ -67,6 +80,14 @@ class IconButton(QToolButton):
 
     def minimumSizeHint(self) -> QSize:
         return self.sizeHint()
+
+    def actionEvent(self, event: QActionEvent) -> None:
+        """Words of the action are in the tip; nothing is laid out or painted anew for them."""
+        action = event.action()
+        changed = event.type() == QEvent.Type.ActionChanged
+        states = action.isChecked(), action.isEnabled(), action.isVisible()
+        if not changed or states != (self.isChecked(), self.isEnabled(), not self.isHidden()):
+            super().actionEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
@@ -105,17 +126,24 @@ class IconButton(QToolButton):
         width = max(side, usual, metrics.horizontalAdvance(self._key) + 2)
         return QSize(width, self.height_with_key())
 
-    def _take(self) -> None:
-        """Another key, or another step that is undone."""
+    def _take_keys(self) -> None:
+        """Other keys, perhaps; with every edit it is only another step that is undone."""
         action, other = self._of
         called_by = action.shortcuts() or other.shortcuts()
-        keys = [short_text(keys.toString(NATIVE)) for keys in called_by]
-        self._key, self._hint = min(keys, key=len, default=self._held), None
-        self.updateGeometry()
+        self._soon.start()
+        if called_by != self._called_by:
+            self._called_by = called_by
+            keys = [short_text(keys.toString(NATIVE)) for keys in called_by]
+            self._key, self._hint = min(keys, key=len, default=self._held), None
+            self.updateGeometry()
+            self.update()
+
+    def _take_words(self) -> None:
+        """What it is called, once what was done is painted."""
+        action, _ = self._of
         words = action.text().replace("&&", "&")
         self.setAccessibleName(words)
         self.setToolTip(f"{words}\n{action.toolTip()}")
-        self.update()
 
     def _paint_ground(self, painter: QPainter, area: QRectF) -> QColor:
         """Paint what is below the icon; the colour of the icon."""

@@ -2,26 +2,31 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QLabel
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent
+from PySide6.QtWidgets import QSizePolicy
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import alarm_colours, fixed_width
+from procc_annotator.gui.window.status import PaintedText
 from procc_annotator.language import tr, tr_count
 
 _PAD = 4
-_ALARM = "background: {}; color: {}; padding: 1px 6px; font-weight: bold;"  # not shown
+_ALARM_PAD = 6
 
 
-class SaveState(QLabel):
-    """Says so in a word or two; what is not saved stands out."""
+class SaveState(PaintedText):
+    """Says so in a word or two; what is not saved stands out.
+
+    With every click the words change twice, and nothing is laid out anew for that.
+    """
 
     def __init__(self, document: Document) -> None:
         super().__init__()
         self.setObjectName("savedState")
-        self.setMargin(_PAD)
         self.setFont(fixed_width(self.font()))
-        self._document = document
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self._document, self._alarm = document, False
         store = document.store
         store.watch(lambda s: (s.workspace, s.frame_index, s.unsaved), self._show)
         document.saver.begun.connect(self._show)
@@ -30,26 +35,43 @@ class SaveState(QLabel):
 
     def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
         """Show some words, with all of it in the tip."""
-        self.setToolTip(tip)
-        background, colour = alarm_colours(self.palette())
-        style = (
-            _ALARM.format(background, colour)
-            if alarm
-            else ""  # a style sheet, however small, would keep the colours of the other theme
-        )
-        if style != self.styleSheet():  # setting one costs more than showing a frame's text
-            self.setStyleSheet(style)
-        self.setText(text)
+        before, self._alarm = self.sizeHint(), alarm
+        if tip != self.toolTip():
+            self.setToolTip(tip)
+        self.set_text(text)
+        if self.sizeHint() != before:
+            self.updateGeometry()
 
     def minimumSizeHint(self) -> QSize:
         """Room for the usual words, so that neighbours stay where they are."""
-        least = super().minimumSizeHint()
+        metrics = self._metrics()
         words = tr("saved {time}", time="00:00:00")
         usual = self.fontMetrics().horizontalAdvance(words) + 2 * _PAD
-        return least.expandedTo(QSize(usual, 0))
+        said = metrics.horizontalAdvance(self.text()) + 2 * self._pad
+        return QSize(max(usual, said), metrics.height() + 2 * _PAD)
 
     def sizeHint(self) -> QSize:
         return self.minimumSizeHint()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter, area = QPainter(self), self.rect()
+        colour = self.palette().windowText().color()
+        if self._alarm:
+            ground, text = alarm_colours(self.palette())
+            painter.fillRect(area, QColor(ground))
+            painter.setFont(fixed_width(self.font(), bold=True))
+            colour = QColor(text)
+        painter.setPen(colour)
+        edge = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(area.adjusted(self._pad, _PAD, -self._pad, -_PAD), edge, self.text())
+
+    @property
+    def _pad(self) -> int:
+        return _ALARM_PAD if self._alarm else _PAD
+
+    def _metrics(self) -> QFontMetrics:
+        bold = QFontMetrics(fixed_width(self.font(), bold=True))
+        return bold if self._alarm else self.fontMetrics()
 
     def _show(self, *_: object) -> None:
         saver = self._document.saver

@@ -24,12 +24,15 @@ _TAG = re.compile("<[^>]*>")
 _SHORT_TITLE = 26  # letters: such a title is never cut before the end of the text is
 
 
-class _PaintedText(QWidget):
-    """A text in the room that it has: whatever it says, nothing is laid out anew."""
+class PaintedText(QWidget):
+    """A text in the room that it has: whatever it says, nothing is laid out anew, and what it is
+    about is painted first."""
 
     def __init__(self) -> None:
         super().__init__()
         self._text = ""
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self.update)
 
     def text(self) -> str:
         """All of it."""
@@ -40,10 +43,10 @@ class _PaintedText(QWidget):
         if text != self._text:
             self._text = text
             self.setAccessibleName(text)
-            self.update()
+            self._soon.start()
 
 
-class ElidedLabel(_PaintedText):
+class ElidedLabel(PaintedText):
     """A text that is shortened with dots instead of pushing its neighbours out."""
 
     def __init__(self) -> None:
@@ -122,7 +125,7 @@ def _most(widths: Sequence[int], room: int) -> int:
     return max(widths, default=0)
 
 
-class Readout(_PaintedText):
+class Readout(PaintedText):
     """A text that changes with every move of the mouse, in fixed room."""
 
     def __init__(self, name: str, widest: str) -> None:

@@ -9,6 +9,7 @@ from typing import Protocol
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_stadium, stadium_of
+from procc_annotator.fit.from_picture.proposal import KnownPosition
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.pixels import PixelArray
@@ -30,6 +31,7 @@ class Follow(Protocol):
         field: Field,
         *,
         anchors: Mapping[int, Camera],
+        known: Sequence[KnownPosition],
         on_frame: OnFrame,
     ) -> Track: ...
 
@@ -43,12 +45,14 @@ class ShotToFollow:
         frames: all of them.
         anchors: cameras that are known, by number; px of the pictures.
         clicks: digests of the annotations that anchors were fitted to, by number.
+        known: where cameras of other shots stand; none: anywhere.
     """
 
     first: int
     frames: tuple[Frame, ...]
     anchors: Mapping[int, Camera]
     clicks: Mapping[int, str] = field(default_factory=dict)
+    known: tuple[KnownPosition, ...] = ()
 
     @property
     def name(self) -> str:
@@ -107,7 +111,14 @@ class FollowShots:
         pictures = _pictures_of(shot)
         anchors = {n: camera for n, camera in shot.anchors.items() if n in shot.numbers}
         shown = field_of_stadium(self.field, stadium_of(self.field, shot.frames[0].name))
-        found = self.follow(pictures, shot.numbers, shown, anchors=anchors, on_frame=self.on_frame)
+        found = self.follow(
+            pictures,
+            shot.numbers,
+            shown,
+            anchors=anchors,
+            known=shot.known,
+            on_frame=self.on_frame,
+        )
         tracked = tuple(
             unseen(one, pictures.damaged[one.number])
             if one.number in pictures.damaged

@@ -128,6 +128,26 @@ def test_a_cut_ends_a_shot_and_the_next_one_is_found_by_a_proposal() -> None:
     assert max(_off(f) for f in found.frames[:9]) < 0.8
 
 
+@pytest.mark.parametrize(("away_m", "state"), [(0.8, "followed"), (4.5, "lost")])
+def test_a_camera_found_where_others_stand_counts_if_its_shot_tells_so(
+    away_m: float, state: str
+) -> None:
+    asked: list[int] = []
+
+    def propose(_: PixelArray, __: object, places: tuple[KnownPosition, ...]) -> Proposal:
+        asked.append(len(places))
+        fit = FitResult("R", SIZE, CAMERAS[0], vector=vector_from_camera(CAMERAS[0], FRAME))
+        return Proposal("sure", "all is there", fit, 1.0, 1.0, 0.1, 0.9, None)
+
+    x, y, z = CAMERAS[0].position_world
+    place = KnownPosition(np.array([x, y + away_m, z]), np.eye(3) * 0.5)
+    found = _followed(anchors={}, known=[place], propose=propose)
+    assert asked == [1]
+    assert {f.state for f in found.frames} == {state}
+    assert all(("does not stand" in f.reason) == (state == "lost") for f in found.frames)
+    assert all((f.fit is None) == (state == "lost") for f in found.frames)
+
+
 def test_what_shows_nothing_of_the_field_is_lost_and_said_to_be() -> None:
     found = _followed(lambda n: _picture(n) if n < 9 else UNLIKE)
     assert [f.state for f in found.frames[9:]] == ["lost"] * (COUNT - 9)
