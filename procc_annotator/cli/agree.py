@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
+from dataclasses import dataclass
 from pathlib import Path
 from string import ascii_uppercase
 from typing import Annotated
@@ -61,10 +62,13 @@ Example:
 """
 
 
-def agree(
+@dataclass(frozen=True)
+class AskedToAgree:
+    """What `agree` is asked for."""
+
     annotators: Annotated[
         list[Path], typer.Argument(metavar="A B [C]...", help="Annotations of each annotator.")
-    ],
+    ]
     threshold: Annotated[
         list[float] | None,
         typer.Option(
@@ -75,15 +79,15 @@ def agree(
             help="A point agrees if it is closer than this many pixels; repeat for several."
             "  [default: 5]",
         ),
-    ] = None,
-    size: options.Size = "960x540",
-    field: options.FieldName = None,
-    tags: chance_options.TagsFile = None,
-    cluster: chance_options.Cluster = None,
+    ] = None
+    size: options.Size = "960x540"
+    field: options.FieldName = None
+    tags: chance_options.TagsFile = None
+    cluster: chance_options.Cluster = None
     power: Annotated[
         bool,
         typer.Option("--power", help="Also how many frames such a study needs to be surer."),
-    ] = False,
+    ] = False
     consensus: Annotated[
         Path | None,
         typer.Option(
@@ -91,44 +95,49 @@ def agree(
             help="Write the consensus of every frame, as annotations, to a folder or .zip; of three"
             " or more.",
         ),
-    ] = None,
-    labels: options.LabelsFile = None,
-    workers: options.FitWorkers = None,
-    output: options.FigureFiles = None,
-) -> None:
-    if not 2 <= len(annotators) <= MOST:
-        raise UsageError(f"annotations of {len(annotators)} given, expected those of 2 to {MOST}")
-    files = outputs.figure_files(output)
-    thresholds = options.thresholds_or_default(threshold)
-    shown = chosen_field(field, *annotators)
-    names = options.label_map(labels, shown)
+    ] = None
+    labels: options.LabelsFile = None
+    workers: options.FitWorkers = None
+    output: options.FigureFiles = None
+
+
+def agree(given: AskedToAgree) -> None:
+    count = len(given.annotators)
+    if not 2 <= count <= MOST:
+        raise UsageError(f"annotations of {count} given, expected those of 2 to {MOST}")
+    files = outputs.figure_files(given.output)
+    thresholds = options.thresholds_or_default(given.threshold)
+    shown = chosen_field(given.field, *given.annotators)
+    names = options.label_map(given.labels, shown)
     with ExitStack() as opened:
         sources = [
             opened.enter_context(open_annotations(annotations_of(path), shown, names))
-            for path in annotators
+            for path in given.annotators
         ]
         for path in files:
             outputs.check_not_an_input(path, sources)
         for source, letter in zip(sources, ascii_uppercase, strict=False):
             report_mismatch(source, shown, f"{letter}: ")
             report_like_cameras(source, f"{letter}: ")
-        alike = _clusters_of(sources, tags, cluster)
-        call = shown, options.parse_size(size), thresholds
+        alike = _clusters_of(sources, given.tags, given.cluster)
+        call = shown, options.parse_size(given.size), thresholds
         if len(sources) > 2:
             several = ConsensusRun(sources, *call)
             count = several.total
-            with make_executor(workers, frames=count, worth_from=WORTH_WORKERS) as executor:
+            with make_executor(given.workers, frames=count, worth_from=WORTH_WORKERS) as executor:
                 several.executor = executor
-                errors = _agree_all(several, alike, consensus, files, power=power)
-        elif consensus is not None:
+                errors = _agree_all(several, alike, given.consensus, files, power=given.power)
+        elif given.consensus is not None:
             raise UsageError("a consensus is that of three annotators or more")
         else:
             run = AgreementRun(sources[0], sources[1], *call)
-            with make_executor(workers, frames=run.total, worth_from=WORTH_WORKERS) as executor:
+            with make_executor(
+                given.workers, frames=run.total, worth_from=WORTH_WORKERS
+            ) as executor:
                 run.executor = executor
                 agreed = agree_sets(run, outputs=files, progress=with_progress, clusters=alike)
             _print_agreement(agreed)
-            if power:
+            if given.power:
                 needed = needed_sheet(agreed.floor, agreed.described, agreed.known)
                 stdout_console().print(needed)
             errors = agreed.errors

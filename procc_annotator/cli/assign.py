@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -52,51 +53,58 @@ Example:
 """
 
 
-def assign(
-    dataset: datasets.Dataset,
-    out: Annotated[Path, typer.Argument(help="Folder to write.")],
+@dataclass(frozen=True)
+class AskedToAssign:
+    """What `assign` is asked for."""
+
+    dataset: datasets.Dataset
+    out: Annotated[Path, typer.Argument(help="Folder to write.")]
     annotators: Annotated[
         str, typer.Option(metavar="A,B,...", help="Names of the annotators, and of their folders.")
-    ],
+    ]
     overlap: Annotated[
         float,
         typer.Option(
             min=0.0, max=1.0, metavar="SHARE", help="Share of the frames that several get."
         ),
-    ] = 0.2,
+    ] = 0.2
     copies: Annotated[
         int, typer.Option(min=2, metavar="N", help="Annotators who get such a frame.")
-    ] = 2,
+    ] = 2
     gold: Annotated[
         Path | None,
         typer.Option(
             metavar="FILE.csv", show_default=False, help="Gold frames.  [default: the dataset's]"
         ),
-    ] = None,
+    ] = None
     gold_each: Annotated[
         int | None,
         typer.Option(
             min=0, metavar="N", show_default=False, help="Gold frames for each.  [default: all]"
         ),
-    ] = None,
-    tags: chance_options.TagsFile = None,
+    ] = None
+    tags: chance_options.TagsFile = None
     balance: Annotated[
         str | None,
         typer.Option(
             metavar="TAG|shot|none", show_default=False, help="What to deal out evenly over."
         ),
-    ] = None,
-    seed: Annotated[int, typer.Option(min=0, metavar="N", help="Of the draw.")] = 1,
-) -> None:
-    terms = StudyTerms(_names(annotators), overlap, copies, gold_each, seed)
-    workspace = datasets.open_dataset(dataset, chosen_field(None, dataset))
+    ] = None
+    seed: Annotated[int, typer.Option(min=0, metavar="N", help="Of the draw.")] = 1
+
+
+def assign(given: AskedToAssign) -> None:
+    terms = StudyTerms(
+        _names(given.annotators), given.overlap, given.copies, given.gold_each, given.seed
+    )
+    workspace = datasets.open_dataset(given.dataset, chosen_field(None, given.dataset))
     folder = workspace.folder
-    if out.resolve().is_relative_to(folder.resolve()):
-        raise UsageError(f"{out}: lies in the dataset, write to another place")
+    if given.out.resolve().is_relative_to(folder.resolve()):
+        raise UsageError(f"{given.out}: lies in the dataset, write to another place")
     frames = [frame.name for frame in workspace.frames]
-    marked = _gold_frames(gold or folder / GOLD_FILE, gold is not None, frames)
-    read = None if tags is None else Tags.read(tags)
-    by = chance_options.cluster_of(balance, read)
+    marked = _gold_frames(given.gold or folder / GOLD_FILE, given.gold is not None, frames)
+    read = None if given.tags is None else Tags.read(given.tags)
+    by = chance_options.cluster_of(given.balance, read)
     values = chance_options.tags_by_set(read, [""]).get("", {}).get(by or "", {})
     order = chance_options.orders_by_set({"": folder}, None).get("")
     alike = clusters_of(frames, by, values, order)
@@ -109,14 +117,16 @@ def assign(
     if source is not None and not is_shipped(source):
         own[FIELD_FILE] = source
     pictures = {frame.name: frame.image_path for frame in workspace.frames}
-    write_assignments(assigned, pictures, own, out, progress=with_progress)
+    write_assignments(assigned, pictures, own, given.out, progress=with_progress)
     if shown.chosen:
         for name in terms.annotators:
-            _remember_field(out / name, shown.field)
+            _remember_field(given.out / name, shown.field)
     stdout_console().print(counts_sheet(assigned, parts, terms))
     even = "" if not parts else f", even over {alike.described}"
-    typer.echo(f"{count_of(len(frames), 'frame')}, {len(marked)} of them gold{even}, seed {seed}")
-    typer.echo(f"written: {out} (keep {PLAN_FILE} to yourself)")
+    typer.echo(
+        f"{count_of(len(frames), 'frame')}, {len(marked)} of them gold{even}, seed {given.seed}"
+    )
+    typer.echo(f"written: {given.out} (keep {PLAN_FILE} to yourself)")
 
 
 def _remember_field(folder: Path, field: Field) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -101,62 +102,88 @@ Overwrite = Annotated[
 ]
 
 
-def calibrate(
-    dataset: options.AnnotatedSet,
-    out: Out,
-    model: Model = "R",
-    threshold: options.Thresholds = None,
-    protocol: options.Protocol = "soccernet",
-    size: options.FitSize = None,
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    labels: options.LabelsFile = None,
-    off_plane: options.OffPlane = "left_out",
-    mirrored: options.Mirrored = False,
-    workers: options.FitWorkers = None,
-    dask: options.Dask = None,
-    shared_position: SharedPosition = False,
-    groups: options.Groups = None,
-    held_out: HeldOut = False,
-    resume: options.Resume = False,
-    overwrite: Overwrite = False,
-) -> None:
-    check_model(model)
-    if groups is not None and not shared_position:
+@dataclass(frozen=True)
+class AskedToCalibrate:
+    """What `calibrate` is asked for."""
+
+    dataset: options.AnnotatedSet
+    out: Out
+    model: Model = "R"
+    threshold: options.Thresholds = None
+    protocol: options.Protocol = "soccernet"
+    size: options.FitSize = None
+    field: options.FieldName = None
+    lines: options.Lines = None
+    labels: options.LabelsFile = None
+    off_plane: options.OffPlane = "left_out"
+    mirrored: options.Mirrored = False
+    workers: options.FitWorkers = None
+    dask: options.Dask = None
+    shared_position: SharedPosition = False
+    groups: options.Groups = None
+    held_out: HeldOut = False
+    resume: options.Resume = False
+    overwrite: Overwrite = False
+
+
+def calibrate(given: AskedToCalibrate) -> None:
+    check_model(given.model)
+    if given.groups is not None and not given.shared_position:
         raise UsageError("--groups is for --shared-position")
-    if held_out and shared_position:
+    if given.held_out and given.shared_position:
         raise UsageError("--held-out is for cameras of their own, not for --shared-position")
     setup = options.make_setup(
-        field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
+        given.field,
+        given.size,
+        given.protocol,
+        given.off_plane,
+        given.mirrored,
+        datasets=[given.dataset],
+        lines=given.lines,
     )
-    thresholds = options.thresholds_or_default(threshold)
-    place = annotations_of(dataset)
-    names = options.label_map(labels, setup.field)
+    thresholds = options.thresholds_or_default(given.threshold)
+    place = annotations_of(given.dataset)
+    names = options.label_map(given.labels, setup.field)
     with open_annotations(place, setup.field, names) as source:
-        left = unfinished_file(out, "calibrate")
-        going_on = options.goes_on(left, out, resume=resume, overwrite=overwrite)
-        _check_out(out, source, overwrite=overwrite or going_on, positions=shared_position)
+        left = unfinished_file(given.out, "calibrate")
+        going_on = options.goes_on(left, given.out, resume=given.resume, overwrite=given.overwrite)
+        _check_out(
+            given.out,
+            source,
+            overwrite=given.overwrite or going_on,
+            positions=given.shared_position,
+        )
         datasets.report_mismatch(source, setup.field)
         datasets.report_like_cameras(source)
-        sizes = fit_sizes(source, place, dataset, size)
-        asked = _terms(setup, thresholds, sizes, model, held_out, shared_position)
+        sizes = fit_sizes(source, place, given.dataset, given.size)
+        asked = _terms(setup, thresholds, sizes, given.model, given.held_out, given.shared_position)
         try:
             with Unfinished(left, asked, resume=going_on) as kept:
-                if shared_position:
-                    fits = fit_set(
-                        source, dataset, setup, sizes, model, groups, workers, dask, kept
-                    )
-                    code = _share(fits, setup, thresholds, out)
-                else:
-                    each = CalibrationRun(
-                        source, setup, sizes, thresholds, model, hold_out=held_out
-                    )
-                    each.kept = kept
-                    code = _each_alone(each, out, workers, dask)
+                code = _calibrate(given, source, setup, sizes, thresholds, kept)
                 kept.finish()
         except Interrupted as stopped:
-            raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
+            raise KeyboardInterrupt(_what_is_there(stopped, given.out)) from None
         raise typer.Exit(code)
+
+
+def _calibrate(
+    given: AskedToCalibrate,
+    source: FileSource,
+    setup: EvaluationSetup,
+    sizes: FitSizes,
+    thresholds: tuple[float, ...],
+    kept: Unfinished,
+) -> int:
+    """Fit the cameras, each alone or with what they share; the exit code."""
+    if given.shared_position:
+        fits = fit_set(
+            source, given.dataset, setup, sizes,
+            given.model, given.groups, given.workers, given.dask, kept,
+        )  # fmt: skip
+        return _share(fits, setup, thresholds, given.out)
+    each = CalibrationRun(source, setup, sizes, thresholds, given.model, hold_out=given.held_out)
+    each.kept = kept
+    return _each_alone(each, given.out, given.workers, given.dask)
 
 
 def _terms(

@@ -149,7 +149,7 @@ def noise_file(text: str | None) -> Path | None:
     return Path(text)
 
 
-def noise_of(text: str, seed: int) -> ClickNoise:
+def noise_named(text: str, seed: int) -> ClickNoise:
     """The noise that the option names.
 
     Raises:
@@ -203,6 +203,6 @@ def chance_terms(
         Draws(draws, seed),
         cast(Method, method),
         power,
-        None if click_noise is None else noise_of(click_noise, seed),
+        None if click_noise is None else noise_named(click_noise, seed),
         tuple(by),
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -34,7 +35,7 @@ from procc_annotator.report.comparison import (
     paint_frames,
     write_comparison,
 )
-from procc_annotator.report.comparison_chance import intervals_sheet, nearer_sheet
+from procc_annotator.report.comparison_chance import comparison_intervals_sheet, nearer_sheet
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
@@ -128,44 +129,51 @@ Dask = Annotated[
 ]
 
 
-def compare(
-    a: First,
-    b: Second,
-    dataset: Dataset = None,
-    size: options.Size = "960x540",
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    camera_size: options.CameraSize = None,
-    output: options.FigureFiles = None,
-    pictures: Pictures = None,
-    worst: Worst = 10,
-    intervals: Intervals = False,
-    versus: Versus = None,
-    tags: chance_options.TagsFile = None,
-    cluster: chance_options.Cluster = None,
-    seed: chance_options.Seed = 1,
-    workers: Workers = None,
-    dask: Dask = None,
-) -> None:
-    written_to = outputs.figure_files(output)
-    shown_field = chosen_field(field, dataset, lines=lines)
-    texts = (a, b) if versus is None else (a, b, versus)
-    own_size = options.shown_size(camera_size)
+@dataclass(frozen=True)
+class AskedToCompare:
+    """What `compare` is asked for."""
+
+    a: First
+    b: Second
+    dataset: Dataset = None
+    size: options.Size = "960x540"
+    field: options.FieldName = None
+    lines: options.Lines = None
+    camera_size: options.CameraSize = None
+    output: options.FigureFiles = None
+    pictures: Pictures = None
+    worst: Worst = 10
+    intervals: Intervals = False
+    versus: Versus = None
+    tags: chance_options.TagsFile = None
+    cluster: chance_options.Cluster = None
+    seed: chance_options.Seed = 1
+    workers: Workers = None
+    dask: Dask = None
+
+
+def compare(given: AskedToCompare) -> None:
+    written_to = outputs.figure_files(given.output)
+    shown_field = chosen_field(given.field, given.dataset, lines=given.lines)
+    texts = (given.a, given.b) if given.versus is None else (given.a, given.b, given.versus)
+    own_size = options.shown_size(given.camera_size)
     source_a, source_b, *third = open_sources(texts, own_size, shown_field)
-    _check_outputs(written_to, pictures, (source_a, source_b, *third), dataset)
-    alike = _clusters_of(dataset, tags, cluster)
-    names, images = frames_of(dataset, shown_field)
-    if dataset is None:
+    _check_outputs(written_to, given.pictures, (source_a, source_b, *third), given.dataset)
+    alike = _clusters_of(given.dataset, given.tags, given.cluster)
+    names, images = frames_of(given.dataset, shown_field)
+    if given.dataset is None:
         _report_field_around((source_a, source_b), shown_field)
-    if pictures is not None and any(
-        p.parent.resolve() == pictures.resolve() for p in images.values()
+    if given.pictures is not None and any(
+        p.parent.resolve() == given.pictures.resolve() for p in images.values()
     ):
-        raise UsageError(f"{pictures}: this is the dataset itself, choose another folder")
-    terms = shown_field, options.parse_size(size), names
+        raise UsageError(f"{given.pictures}: this is the dataset itself, choose another folder")
+    terms = shown_field, options.parse_size(given.size), names
     comparison = ComparisonRun(source_a, source_b, *terms)
     others = [ComparisonRun(source_a, other, *terms) for other in third]
     count = comparison.total
-    with make_executor(workers, dask, frames=count, worth_from=_WORTH_WORKERS) as executor:
+    with make_executor(
+        given.workers, given.dask, frames=count, worth_from=_WORTH_WORKERS
+    ) as executor:
         comparison.executor = executor
         compared = compare_sources(comparison, with_progress)
         for run in others:
@@ -174,15 +182,15 @@ def compare(
     for other in versus_others:
         compared.errors = list(dict.fromkeys((*compared.errors, *other.errors)))
         compared.notices |= other.notices
-    if intervals or others or cluster is not None:
-        compared.chance = _chance(compared, versus_others, alike, Draws(seed=seed))
-    compared.fitted = _fitted_on((source_a, source_b), dataset, shown_field)
-    _print_comparison(compared, worst or count)
+    if given.intervals or others or given.cluster is not None:
+        compared.chance = _chance(compared, versus_others, alike, Draws(seed=given.seed))
+    compared.fitted = _fitted_on((source_a, source_b), given.dataset, shown_field)
+    _print_comparison(compared, given.worst or count)
     for path in written_to:
         write_comparison(compared, comparison, path)
         typer.echo(f"written: {path}")
-    if pictures is not None:
-        _draw(compared, comparison, pictures, images, worst or None)
+    if given.pictures is not None:
+        _draw(compared, comparison, given.pictures, images, given.worst or None)
     _report_frames(comparison, compared)
     raise typer.Exit(report_unreadable(compared.errors))
 
@@ -228,11 +236,11 @@ def _chance(
     a, b = compared.marked_names
     clusters = alike([frame.name for frame in compared.frames])
     described = compared.described
-    sheets = [intervals_sheet(compared.frames, clusters, draws, (a, b), described)]
+    sheets = [comparison_intervals_sheet(compared.frames, clusters, draws, (a, b), described)]
     for other in others:
         names = a, other.marked_names[1]
         clusters = alike([frame.name for frame in other.frames])
-        sheets.append(intervals_sheet(other.frames, clusters, draws, names, described))
+        sheets.append(comparison_intervals_sheet(other.frames, clusters, draws, names, described))
         of_other = {frame.name: frame for frame in other.frames}
         own = [frame for frame in compared.frames if frame.name in of_other]
         if not own:

@@ -129,54 +129,57 @@ Method = Annotated[
 ]
 
 
-def convert(
-    source: Source,
-    out: Out,
-    to: To,
-    from_: From = "auto",
-    field: options.FieldName = None,
-    labels: options.LabelsFile = None,
-    size: Size = None,
-    camera_size: options.CameraSize = None,
-    line_width: LineWidth = 4.0,
-    split: Split = "",
-    into: Into = None,
-    protocol: options.Protocol = "soccernet",
-    frames: Frames = None,
-    method: Method = None,
-    overwrite: options.Overwrite = False,
-    keep_optional: options.KeepOptional = False,
-    pictures: Pictures = False,
-) -> None:
-    shown = options.shown_size(size)
-    if to == POLYLINES:
-        known = chosen_field(field, frames)
-        setup = EvaluationSetup(known, shown or OFFICIAL_SIZE, protocol)
-        wanted_cameras = _Polylines(setup, method or source.stem, frames)
-        own = options.shown_size(camera_size)
-        code = _convert_to_polylines(source, out, from_, wanted_cameras, own, overwrite=overwrite)
-        raise typer.Exit(code)
-    if to in CAMERA_TARGETS:
-        own = options.shown_size(camera_size)
-        raise typer.Exit(
-            _convert_cameras(
-                source, out, CAMERA_TARGETS[to], from_, (own, shown), split, overwrite=overwrite
-            )
-        )
-    if to not in NAMES:
+@dataclass(frozen=True)
+class AskedToConvert:
+    """What `convert` is asked for."""
+
+    source: Source
+    out: Out
+    to: To
+    from_: From = "auto"
+    field: options.FieldName = None
+    labels: options.LabelsFile = None
+    size: Size = None
+    camera_size: options.CameraSize = None
+    line_width: LineWidth = 4.0
+    split: Split = ""
+    into: Into = None
+    protocol: options.Protocol = "soccernet"
+    frames: Frames = None
+    method: Method = None
+    overwrite: options.Overwrite = False
+    keep_optional: options.KeepOptional = False
+    pictures: Pictures = False
+
+
+def convert(given: AskedToConvert) -> None:
+    if given.to == POLYLINES:
+        raise typer.Exit(_convert_to_polylines(given))
+    if given.to in CAMERA_TARGETS:
+        raise typer.Exit(_convert_cameras(given))
+    if given.to not in NAMES:
         known_names = ", ".join((*NAMES, *CAMERA_TARGETS, POLYLINES))
-        raise UsageError(f"no format {to!r}; there are {known_names}")
-    wanted = Wanted(to, line_width, split, into, overwrite, keep_optional, pictures)
-    known = chosen_field(field, source)
+        raise UsageError(f"no format {given.to!r}; there are {known_names}")
+    raise typer.Exit(_convert_annotations(given))
+
+
+def _convert_annotations(given: AskedToConvert) -> int:
+    """Write annotations in another format; returns the exit code."""
+    wanted = Wanted(
+        given.to, given.line_width, given.split, given.into, given.overwrite,
+        given.keep_optional, given.pictures,
+    )  # fmt: skip
+    size, source = options.shown_size(given.size), given.source
+    known = chosen_field(given.field, source)
     with _progress() as progress:
         done = convert_annotations(
             source,
-            out,
+            given.out,
             wanted,
             known,
-            fmt=from_,
-            names=options.label_map(labels, known) or own_label_map(source, known),
-            size=shown,
+            fmt=given.from_,
+            names=options.label_map(given.labels, known) or own_label_map(source, known),
+            size=size,
             progress=progress,
         )
     datasets.tell_mismatch(done.classes, known, source, unknown=done.unknown)
@@ -188,92 +191,77 @@ def convert(
         )
     unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.frames:
-        raise UsageError(f"nothing to do: no frame of {source} could be written to {out}")
+        raise UsageError(f"nothing to do: no frame of {source} could be written to {given.out}")
     typer.echo(
         f"{count_of(done.frames, 'frame')}, {count_of(done.elements, 'element')},"
         f" {count_of(done.points, 'point')}"
-        f" written to {out} ({done.title})"
-    )
-    raise typer.Exit(unreadable)
-
-
-@dataclass(frozen=True)
-class _Polylines:
-    """What polylines are made for; frames: whose names are to be judged."""
-
-    setup: EvaluationSetup
-    method: str
-    frames: Path | None
-
-
-def _convert_to_polylines(
-    source: Path,
-    out: Path,
-    camera_format: str,
-    wanted: _Polylines,
-    camera_size: tuple[int, int] | None,
-    *,
-    overwrite: bool,
-) -> int:
-    """Write where cameras show the elements; returns the exit code."""
-    _check_cameras(source, out, overwrite=overwrite)
-    names = None
-    if wanted.frames is not None:
-        with open_source(annotations_of(wanted.frames)) as annotated:
-            names = list(list_annotations(annotated))
-    with CameraCollection.open(source, camera_format) as cameras, _progress() as progress:
-        if not cameras.frames:
-            raise UsageError(f"nothing to do: no camera (format {camera_format}) in {source}")
-        done = export_polylines(
-            cameras, out, wanted.setup, wanted.method, names,
-            camera_size=camera_size, progress=progress,
-        )  # fmt: skip
-        datasets.report_remarks(cameras.notices)
-    unreadable = datasets.report_unreadable(done.problems, "left out")
-    typer.echo(
-        f"polylines of {count_of(done.written, 'frame')} written to {out}"
-        f" ({wanted.setup.describe()}, method {wanted.method})"
+        f" written to {given.out} ({done.title})"
     )
     return unreadable
 
 
-def _check_cameras(source: Path, out: Path, *, overwrite: bool) -> None:
-    if not source.exists():
-        raise UsageError(f"{source}: does not exist")
-    if source.resolve() == out.resolve() or out.resolve().is_relative_to(source.resolve()):
-        raise UsageError(f"{out}: lies in what is read, write to another place than {source}")
-    if out.exists() and not overwrite and (out.is_file() or any(out.iterdir())):
-        raise UsageError(f"{out}: exists already, choose another name or ask to overwrite it")
+def _convert_to_polylines(given: AskedToConvert) -> int:
+    """Write where cameras show the elements; returns the exit code."""
+    size = options.shown_size(given.size) or OFFICIAL_SIZE
+    setup = EvaluationSetup(chosen_field(given.field, given.frames), size, given.protocol)
+    method, own = given.method or given.source.stem, options.shown_size(given.camera_size)
+    names = None
+    with _cameras(given) as (cameras, progress):
+        if given.frames is not None:
+            with open_source(annotations_of(given.frames)) as annotated:
+                names = list(list_annotations(annotated))
+        done = export_polylines(
+            cameras, given.out, setup, method, names, camera_size=own, progress=progress
+        )
+        datasets.report_remarks(cameras.notices)
+    unreadable = datasets.report_unreadable(done.problems, "left out")
+    typer.echo(
+        f"polylines of {count_of(done.written, 'frame')} written to {given.out}"
+        f" ({setup.describe()}, method {method})"
+    )
+    return unreadable
 
 
-def _convert_cameras(
-    source: Path,
-    out: Path,
-    to: str,
-    camera_format: str,
-    sizes: tuple[tuple[int, int] | None, tuple[int, int] | None],
-    split: str,
-    *,
-    overwrite: bool,
-) -> int:
+def _convert_cameras(given: AskedToConvert) -> int:
     """Write cameras in another format, from one picture size to another; returns the exit code."""
-    own, wanted = sizes
-    _check_cameras(source, out, overwrite=overwrite)
-    with CameraCollection.open(source, camera_format) as cameras, _progress() as progress:
-        if not cameras.frames:
-            raise UsageError(f"nothing to do: no camera (format {camera_format}) in {source}")
+    size, own = options.shown_size(given.size), options.shown_size(given.camera_size)
+    with _cameras(given) as (cameras, progress):
         done = export_cameras(
-            cameras, out, to, size=wanted, camera_size=own, split=split or "test",
-            progress=progress,
+            cameras, given.out, CAMERA_TARGETS[given.to], size=size, camera_size=own,
+            split=given.split or "test", progress=progress,
         )  # fmt: skip
         datasets.report_remarks(cameras.notices)
     datasets.report_notices(done.losses)
     datasets.report_remarks(folds_remark(done.folded))
     unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.written:
-        raise UsageError(f"nothing to do: no camera of {source} could be written to {out}")
-    typer.echo(f"{count_of(done.written, 'camera')} written to {out}")
+        raise UsageError(
+            f"nothing to do: no camera of {given.source} could be written to {given.out}"
+        )
+    typer.echo(f"{count_of(done.written, 'camera')} written to {given.out}")
     return unreadable
+
+
+@contextmanager
+def _cameras(
+    given: AskedToConvert,
+) -> Iterator[tuple[CameraCollection, Callable[[int, int], None]]]:
+    """The cameras to convert, at least one, and a bar while somebody watches.
+
+    Raises:
+        UsageError: there is none, or what would be written is there already or is what is read.
+    """
+    source, out = given.source, given.out
+    if not source.exists():
+        raise UsageError(f"{source}: does not exist")
+    if source.resolve() == out.resolve() or out.resolve().is_relative_to(source.resolve()):
+        raise UsageError(f"{out}: lies in what is read, write to another place than {source}")
+    if out.exists() and not given.overwrite and (out.is_file() or any(out.iterdir())):
+        raise UsageError(f"{out}: exists already, choose another name or ask to overwrite it")
+    with CameraCollection.open(source, given.from_) as cameras, _progress() as progress:
+        if not cameras.frames:
+            raise UsageError(f"nothing to do: no camera (format {given.from_}) in {source}")
+        yield cameras, progress
 
 
 @contextmanager

@@ -135,85 +135,51 @@ class _Call:
     chance: ChanceTerms | None
 
 
-def evaluate(
-    context: typer.Context,
-    annotations: Annotations = None,
-    cameras: Cameras = None,
-    sets: Sets = None,
-    sources: options.Sources = None,
-    threshold: options.Thresholds = None,
-    protocol: options.Protocol = "soccernet",
-    size: options.Sizes = None,
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    labels: options.LabelsFile = None,
-    camera_format: options.CameraFormat = "auto",
-    camera_size: options.CameraSize = None,
-    off_plane: options.OffPlane = "missed",
-    planar_only: options.PlanarOnly = False,
-    mirrored: options.Mirrored = False,
-    tags: chance_options.TagsFile = None,
-    by: By = None,
-    intervals: chance_options.Intervals = False,
-    cluster: chance_options.Cluster = None,
-    interval_method: chance_options.IntervalMethod = "t",
-    power: chance_options.Power = False,
-    click_noise: chance_options.Noise = None,
-    draws: chance_options.Count = 10_000,
-    seed: chance_options.Seed = 1,
-    submission: Submission = None,
-    output: options.FigureFiles = None,
-    table: TableFile = None,
-    recipe: RecipeOption = None,
-    steady: over_time.OverTime = False,
-    shots: over_time.Shots = None,
-    pictures: over_time.Pictures = None,
-    over_time_output: over_time.Output = None,
-    workers: options.Workers = None,
-    dask: options.Dask = None,
-) -> None:
-    written_to = outputs.figure_files(output)
-    growing = outputs.each_once(table or ())
-    for path in growing:
-        check_table(path)
-        outputs.check_output_folder(path)
-    if recipe is not None:
-        outputs.check_output_folder(recipe)
-    if submission is not None:
-        cameras, sources = None, [*(sources or []), submitted_source(submission)]
-    plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format, labels)
-    fields = plan.fields(field, lines)
-    first = next(iter(fields.values()))
-    setups = [
-        options.setup_for(first, text, protocol, off_plane, mirrored, planar_only)
-        for text in dict.fromkeys(size or [options.DEFAULT_SIZE])
-    ]
-    if submission is not None:
-        require_submitted_for(submission, setups[0], plan.frames(fields))
-    thresholds = options.thresholds_or_default(threshold)
-    read_tags = None if tags is None else Tags.read(tags)
-    grouped, derived = chance_options.parted_by(by, read_tags, cluster)
-    groups = () if grouped is None else check_by(grouped, read_tags)
-    terms = None
-    if intervals or power or click_noise is not None or cluster is not None or derived:
-        parts = [name for name in (*groups, *derived) if name != MODEL]
-        terms = chance_options.chance_terms(
-            read_tags, dict(plan.sets), cluster, parts, interval_method, draws, seed,
-            shots=shots, power=power, click_noise=click_noise,
-        )  # fmt: skip
-    noise = chance_options.noise_file(click_noise)
-    beside = {"tags": tags, "click noise": noise, "shots": shots}
-    for path in written_to:
-        outputs.check_not_an_input(path, [file for file in beside.values() if file is not None])
-    call = _Call(
-        plan, fields, setups, thresholds, read_tags, groups,
-        options.shown_size(camera_size), written_to, growing,
-        recipe_for(recipe, context, FieldAsked(field, lines), beside),
-        over_time.OverTimeCall.of(steady, shots, pictures, over_time_output), terms,
-    )  # fmt: skip
+@dataclass(frozen=True)
+class AskedToEvaluate:
+    """What `evaluate` is asked for."""
+
+    annotations: Annotations = None
+    cameras: Cameras = None
+    sets: Sets = None
+    sources: options.Sources = None
+    threshold: options.Thresholds = None
+    protocol: options.Protocol = "soccernet"
+    size: options.Sizes = None
+    field: options.FieldName = None
+    lines: options.Lines = None
+    labels: options.LabelsFile = None
+    camera_format: options.CameraFormat = "auto"
+    camera_size: options.CameraSize = None
+    off_plane: options.OffPlane = "missed"
+    planar_only: options.PlanarOnly = False
+    mirrored: options.Mirrored = False
+    tags: chance_options.TagsFile = None
+    by: By = None
+    intervals: chance_options.Intervals = False
+    cluster: chance_options.Cluster = None
+    interval_method: chance_options.IntervalMethod = "t"
+    power: chance_options.Power = False
+    click_noise: chance_options.Noise = None
+    draws: chance_options.Count = 10_000
+    seed: chance_options.Seed = 1
+    submission: Submission = None
+    output: options.FigureFiles = None
+    table: TableFile = None
+    recipe: RecipeOption = None
+    steady: over_time.OverTime = False
+    shots: over_time.Shots = None
+    pictures: over_time.Pictures = None
+    over_time_output: over_time.Output = None
+    workers: options.Workers = None
+    dask: options.Dask = None
+
+
+def evaluate(context: typer.Context, given: AskedToEvaluate) -> None:
+    call = _call_of(context, given)
     # The figures took long to make: a file that cannot be written must not take them along.
     unwritten: dict[Path, ProccError] = {}
-    scored, told, steadiness = _score(call, workers, dask, unwritten)
+    scored, told, steadiness = _score(call, given.workers, given.dask, unwritten)
     code = _tell(call, scored, told, unwritten)
     if call.over_time is not None:
         call.over_time.tell(steadiness)
@@ -222,6 +188,70 @@ def evaluate(
     for failure in unwritten.values():
         typer.echo(f"procc-annotator: {failure}", err=True)
     raise typer.Exit(2 if unwritten else code)
+
+
+def _call_of(context: typer.Context, given: AskedToEvaluate) -> _Call:
+    """What is to be done; all that was given is looked at before anything is."""
+    written_to = outputs.figure_files(given.output)
+    growing = outputs.each_once(given.table or ())
+    for path in growing:
+        check_table(path)
+        outputs.check_output_folder(path)
+    if given.recipe is not None:
+        outputs.check_output_folder(given.recipe)
+    plan = _plan(given)
+    fields = plan.fields(given.field, given.lines)
+    setups = _setups(given, next(iter(fields.values())))
+    if given.submission is not None:
+        require_submitted_for(given.submission, setups[0], plan.frames(fields))
+    thresholds = options.thresholds_or_default(given.threshold)
+    tags = None if given.tags is None else Tags.read(given.tags)
+    grouped, derived = chance_options.parted_by(given.by, tags, given.cluster)
+    groups = () if grouped is None else check_by(grouped, tags)
+    chance = _chance(given, plan, tags, (*groups, *derived), asked=bool(derived))
+    noise = chance_options.noise_file(given.click_noise)
+    beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
+    for path in written_to:
+        outputs.check_not_an_input(path, [file for file in beside.values() if file is not None])
+    shown = options.shown_size(given.camera_size)
+    recipe = recipe_for(given.recipe, context, FieldAsked(given.field, given.lines), beside)
+    steady = over_time.OverTimeCall.of(
+        given.steady, given.shots, given.pictures, given.over_time_output
+    )
+    return _Call(
+        plan, fields, setups, thresholds, tags, groups, shown, written_to, growing, recipe, steady,
+        chance,
+    )  # fmt: skip
+
+
+def _plan(given: AskedToEvaluate) -> Plan:
+    cameras, sources = given.cameras, given.sources or []
+    if given.submission is not None:
+        cameras, sources = None, [*sources, submitted_source(given.submission)]
+    return Plan.of(
+        given.annotations, cameras, given.sets or [], sources, given.camera_format, given.labels
+    )
+
+
+def _setups(given: AskedToEvaluate, field: Field) -> list[EvaluationSetup]:
+    """One a picture size."""
+    terms = given.protocol, given.off_plane, given.mirrored, given.planar_only
+    sizes = dict.fromkeys(given.size or [options.DEFAULT_SIZE])
+    return [options.setup_for(field, size, *terms) for size in sizes]
+
+
+def _chance(
+    given: AskedToEvaluate, plan: Plan, tags: Tags | None, by: Sequence[str], *, asked: bool
+) -> ChanceTerms | None:
+    """How intervals are found, if anything asks for them."""
+    told = given.click_noise is not None or given.cluster is not None
+    if not (asked or told or given.intervals or given.power):
+        return None
+    return chance_options.chance_terms(
+        tags, dict(plan.sets), given.cluster, [name for name in by if name != MODEL],
+        given.interval_method, given.draws, given.seed,
+        shots=given.shots, power=given.power, click_noise=given.click_noise,
+    )  # fmt: skip
 
 
 def _score(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import ExitStack
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -49,11 +50,14 @@ Example:
 """
 
 
-def gold(
-    dataset: Annotated[Path, typer.Argument(help="The dataset with the answers.")],
+@dataclass(frozen=True)
+class AskedForGold:
+    """What `gold` is asked for."""
+
+    dataset: Annotated[Path, typer.Argument(help="The dataset with the answers.")]
     annotators: Annotated[
         list[Path], typer.Argument(metavar="A [B]...", help="Annotations of each annotator.")
-    ],
+    ]
     gold_file: Annotated[
         Path | None,
         typer.Option(
@@ -62,7 +66,7 @@ def gold(
             show_default=False,
             help="Gold frames.  [default: the dataset's]",
         ),
-    ] = None,
+    ] = None
     threshold: Annotated[
         list[float] | None,
         typer.Option(
@@ -72,25 +76,27 @@ def gold(
             metavar="PX",
             help="A point is right if it is closer than this; repeat for several.  [default: 5]",
         ),
-    ] = None,
-    size: options.Size = "960x540",
-    field: options.FieldName = None,
-    labels: options.LabelsFile = None,
-    tags: chance_options.TagsFile = None,
-    cluster: chance_options.Cluster = None,
-    output: options.FigureFiles = None,
-) -> None:
-    files = outputs.figure_files(output)
-    marked = _marked(dataset, gold_file)
-    shown = chosen_field(field, dataset, *annotators)
-    names = options.label_map(labels, shown)
-    terms = shown, options.parse_size(size), options.thresholds_or_default(threshold)
-    read = None if tags is None else Tags.read(tags)
-    clustering = chance_options.cluster_of(cluster, read), read
+    ] = None
+    size: options.Size = "960x540"
+    field: options.FieldName = None
+    labels: options.LabelsFile = None
+    tags: chance_options.TagsFile = None
+    cluster: chance_options.Cluster = None
+    output: options.FigureFiles = None
+
+
+def gold(given: AskedForGold) -> None:
+    files = outputs.figure_files(given.output)
+    marked = _marked(given.dataset, given.gold_file)
+    shown = chosen_field(given.field, given.dataset, *given.annotators)
+    names = options.label_map(given.labels, shown)
+    terms = shown, options.parse_size(given.size), options.thresholds_or_default(given.threshold)
+    read = None if given.tags is None else Tags.read(given.tags)
+    clustering = chance_options.cluster_of(given.cluster, read), read
     with ExitStack() as opened:
         answers, *sources = (
             opened.enter_context(open_annotations(annotations_of(path), shown, names))
-            for path in (dataset, *annotators)
+            for path in (given.dataset, *given.annotators)
         )
         for path in files:
             outputs.check_not_an_input(path, (answers, *sources))
@@ -99,7 +105,7 @@ def gold(
             raise UsageError(
                 f"{listed(unanswered, 'gold frame')} without an annotation in {answers.path}"
             )
-        against = _compared(answers, sources, annotators, marked, terms, clustering)
+        against = _compared(answers, sources, given.annotators, marked, terms, clustering)
     for path in files:  # before the tables: whoever reads them may stop after the first
         write_gold(against, path)
     for sheet in gold_sheets(against):

@@ -11,6 +11,8 @@ import typer
 from typer.core import TyperCommand
 from typer.main import get_command
 
+from procc_annotator.cli.asked import with_options
+
 _NEW_OBJECTS = 20_000  # before garbage is looked for: arrays and frozen values make hardly any
 
 
@@ -57,7 +59,7 @@ class LazyCommand(TyperCommand):
             return command
         alone = typer.Typer(add_completion=False, rich_markup_mode=None)
         text = f"{self.help}\n\n{module.HELP}"
-        alone.command(self.name, help=text, epilog=module.EXAMPLE)(chosen)
+        alone.command(self.name, help=text, epilog=module.EXAMPLE)(with_options(chosen))
         return get_command(alone)
 
     def make_context(

@@ -129,9 +129,9 @@ class CommandOrPath(TyperGroup):
         except ImportError as error:
             if not _is_of_qt(error):
                 raise
-            from procc_annotator.cli.qt_libraries import words_for
+            from procc_annotator.cli.qt_libraries import qt_missing_words
 
-            typer.echo(f"procc-annotator: {words_for(error)}", err=True)
+            typer.echo(f"procc-annotator: {qt_missing_words(error)}", err=True)
             raise typer.Exit(2) from error
         except OSError as error:
             # Files are written by functions that name them; what is left is the standard output.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import os
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -38,17 +39,20 @@ Example:
 """
 
 
-def open_window(
+@dataclass(frozen=True)
+class AskedToOpen:
+    """What `open` is asked for."""
+
     path: Annotated[
         Path | None, typer.Argument(help="Folder of pictures, one picture, or a video.")
-    ] = None,
+    ] = None
     annotations: Annotated[
         Path | None,
         typer.Option(
             metavar="DIR", help="Folder of the annotation files, if not beside the pictures."
         ),
-    ] = None,
-    cameras: Sources = None,
+    ] = None
+    cameras: Sources = None
     field: Annotated[
         str | None,
         typer.Option(
@@ -58,23 +62,26 @@ def open_window(
             help="The field that PATH shows, which its dataset remembers.  [default: what it"
             " remembers, or what its classes tell]",
         ),
-    ] = None,
-    lines: Lines = None,
+    ] = None
+    lines: Lines = None
     selftest: Annotated[
         bool,
         typer.Option("--selftest", help="Try the window on a copy of a picture, and end."),
-    ] = False,
-) -> None:
+    ] = False
+
+
+def open_window(given: AskedToOpen) -> None:
+    path = given.path
     if path is not None and path.name == FIELD_FILE and path.is_file():
         path = path.parent  # a dataset's own, opened from a file manager
-    if selftest:
+    if given.selftest:
         os.environ["QT_QPA_PLATFORM"] = os.environ.get("QT_QPA_PLATFORM") or "offscreen"
-        raise typer.Exit(_selftest(path, field, lines))
-    texts = cameras or []
+        raise typer.Exit(_selftest(path, given.field, given.lines))
+    texts = given.cameras or []
     sources = parse_sources(texts)
-    for given in (path, annotations, *(source.path for source in sources)):
-        if given is not None and not given.exists():
-            raise UsageError(f"{given}: does not exist")
+    for place in (path, given.annotations, *(source.path for source in sources)):
+        if place is not None and not place.exists():
+            raise UsageError(f"{place}: does not exist")
     if not display_available():
         raise UsageError(
             "there is no display for the window; `evaluate`, `export` and `render` work without"
@@ -84,16 +91,16 @@ def open_window(
     from procc_annotator.gui.app import CameraChoice, main
 
     shown = None
-    if field is not None:
-        shown = chosen_field(field, lines=lines)
-    elif lines is not None:
-        shown = chosen_field(None, path, lines=lines)
+    if given.field is not None:
+        shown = chosen_field(given.field, lines=given.lines)
+    elif given.lines is not None:
+        shown = chosen_field(None, path, lines=given.lines)
     choices = [
         # A path alone leaves the name open, so that one given in the window earlier comes back.
         CameraChoice(s.path, s.format, None if str(s.path) == str(Path(text)) else s.name)
         for s, text in zip(sources, texts, strict=True)
     ]
-    raise typer.Exit(main(path, annotations=annotations, cameras=choices, field=shown))
+    raise typer.Exit(main(path, annotations=given.annotations, cameras=choices, field=shown))
 
 
 def _selftest(path: Path | None, field: str | None, lines: str | None) -> int:

@@ -25,8 +25,8 @@ from procc_annotator.report.proposals import (
     doubtful_table,
     positions_words,
     propose_for_set,
+    proposed_words,
     states_table,
-    summary_words,
 )
 from procc_annotator.report.targets import Interrupted, is_archive
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
@@ -114,60 +114,69 @@ Overwrite = Annotated[
 ]
 
 
-def propose(
-    dataset: Source,
-    out: Out,
-    known: Known = None,
-    every_frame: All = False,
-    every: Every = 1,
-    detector: With = None,
-    annotations: datasets.Annotations = None,
-    labels: options.LabelsFile = None,
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    camera_format: options.CameraFormat = "auto",
-    workers: Workers = None,
-    dask: options.Dask = None,
-    resume: options.Resume = False,
-    overwrite: Overwrite = False,
-) -> None:
-    for given in (annotations, known):
-        if given is not None and not given.exists():
-            raise UsageError(f"{given}: does not exist")
+@dataclass(frozen=True)
+class AskedToPropose:
+    """What `propose` is asked for."""
+
+    dataset: Source
+    out: Out
+    known: Known = None
+    every_frame: All = False
+    every: Every = 1
+    detector: With = None
+    annotations: datasets.Annotations = None
+    labels: options.LabelsFile = None
+    field: options.FieldName = None
+    lines: options.Lines = None
+    camera_format: options.CameraFormat = "auto"
+    workers: Workers = None
+    dask: options.Dask = None
+    resume: options.Resume = False
+    overwrite: Overwrite = False
+
+
+def propose(given: AskedToPropose) -> None:
+    for place in (given.annotations, given.known):
+        if place is not None and not place.exists():
+            raise UsageError(f"{place}: does not exist")
     proposer: Proposer = propose_camera
-    if detector is not None:
-        chosen_proposer(detector)
-        proposer = WithPlugin(detector)
-    shown = chosen_field(field, dataset, lines=lines)
-    names = options.label_map(labels, shown)
-    pictures = open_pictures(dataset, annotations)
+    if given.detector is not None:
+        chosen_proposer(given.detector)
+        proposer = WithPlugin(given.detector)
+    shown = chosen_field(given.field, given.dataset, lines=given.lines)
+    names = options.label_map(given.labels, shown)
+    pictures = open_pictures(given.dataset, given.annotations)
     datasets.report_remarks(pictures.notices)
-    left = unfinished_file(out, "propose")
-    going_on = options.goes_on(left, out, resume=resume, overwrite=overwrite)
-    inputs = [pictures.path, *([known] if known is not None else [])]
-    _check_out(out, inputs, overwrite=overwrite or going_on)
-    positions = () if known is None else read_positions(known, shown, camera_format)
-    annotated = None if every_frame else pictures.annotated(annotations, shown, names)
-    wanted = _wanted(pictures.frames[::every], shown, annotated)
+    left = unfinished_file(given.out, "propose")
+    going_on = options.goes_on(left, given.out, resume=given.resume, overwrite=given.overwrite)
+    inputs = [pictures.path, *([given.known] if given.known is not None else [])]
+    _check_out(given.out, inputs, overwrite=given.overwrite or going_on)
+    positions = (
+        () if given.known is None else read_positions(given.known, shown, given.camera_format)
+    )
+    annotated = None if given.every_frame else pictures.annotated(given.annotations, shown, names)
+    wanted = _wanted(pictures.frames[:: given.every], shown, annotated)
     chosen = wanted.frames
     run = ProposalRun(chosen, shown, proposer, positions)
     asked = {
-        "detector": detector or "",
+        "detector": given.detector or "",
         "field": f"{shown.described}, {field_fingerprint(shown)[:12]}",
     }
     try:
         with (
             Unfinished(left, asked, resume=going_on) as kept,
-            make_executor(workers, dask, frames=run.total, worth_from=_WORTH_WORKERS) as executor,
+            make_executor(
+                given.workers, given.dask, frames=run.total, worth_from=_WORTH_WORKERS
+            ) as executor,
         ):
             run.executor, run.kept = executor, kept
-            found = propose_for_set(run, out, with_progress)
+            found = propose_for_set(run, given.out, with_progress)
             kept.finish()
     except Interrupted as stopped:
-        raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
+        raise KeyboardInterrupt(_what_is_there(stopped, given.out)) from None
     if positions and found.states and not found.states[SURE]:
-        datasets.report_remarks([_stands_elsewhere(known)])
-    raise typer.Exit(_report(found, wanted, out))
+        datasets.report_remarks([_stands_elsewhere(given.known)])
+    raise typer.Exit(_report(found, wanted, given.out))
 
 
 def _check_out(out: Path, inputs: Sequence[Path], *, overwrite: bool) -> None:
@@ -263,5 +272,5 @@ def _report(found: ProposedSet, wanted: _Wanted, out: Path) -> int:
     if wanted.damaged:
         frames = count_of(len(wanted.damaged), "frame")
         typer.echo(f"passed over: {frames} whose annotation cannot be read (--all)")
-    typer.echo(f"{summary_words(found)}; written to {out}, with {TABLE_FILE}")
+    typer.echo(f"{proposed_words(found)}; written to {out}, with {TABLE_FILE}")
     return datasets.report_unreadable([*found.errors, *wanted.damaged])

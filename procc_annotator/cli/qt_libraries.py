@@ -42,7 +42,7 @@ def require_qt_libraries(folder: Path | None = None) -> None:
         raise UsageError(f"system libraries of the window are {how_to_install(missing)}")
 
 
-def words_for(error: ImportError) -> str:
+def qt_missing_words(error: ImportError) -> str:
     """What to say of Qt that could not be imported: which system libraries are missing, or the
     error itself."""
     folder = _qt_folder()

@@ -32,8 +32,8 @@ from procc_annotator.report.recipe import (
     RecipeFile,
     RecipeInput,
     field_of_recipe,
-    figures_of,
     hashed,
+    set_figures,
 )
 from procc_annotator.report.recipe_further import (
     RecipeChance,
@@ -209,7 +209,7 @@ def evaluation_of(
         tuple(summaries),
         one.camera_size,
         _picture_sizes(one.annotations),
-        figures_of(summaries),
+        set_figures(summaries),
     )
 
 
@@ -331,12 +331,14 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def moved(one: RecipeEvaluation, summaries: Mapping[float, SetSummary], again: Asked) -> Any:
+def evaluated_here(
+    one: RecipeEvaluation, summaries: Mapping[float, SetSummary], again: Asked
+) -> Any:
     """The evaluation as it is here."""
     field = field_of_recipe(again.setup.field, one.field.given, one.field.lines)
     return replace(
         one,
         field=field,
         picture_sizes=_picture_sizes(again.annotations),
-        figures=figures_of(summaries),
+        figures=set_figures(summaries),
     )

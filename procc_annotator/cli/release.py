@@ -6,6 +6,7 @@ import datetime
 import re
 import tempfile
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, TypeVar
 
@@ -123,59 +124,66 @@ Date = Annotated[
 ]
 
 
-def release(
-    dataset: options.AnnotatedSet,
-    out: Annotated[Path, typer.Argument(help="Folder or .zip to write.")],
-    name: Name = None,
-    version: Version = "1.0.0",
-    licence: Licence = "",
-    by: By = None,
-    url: Url = "",
-    description: Description = "",
-    citation: Citation = None,
-    splits: Splits = None,
-    second: Second = None,
-    before: Before = None,
-    pictures: Pictures = False,
-    check: Check = True,
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    date: Date = None,
-    overwrite: options.Overwrite = False,
-) -> None:
-    place = annotations_of(dataset)
+@dataclass(frozen=True)
+class AskedToRelease:
+    """What `release` is asked for."""
+
+    dataset: options.AnnotatedSet
+    out: Annotated[Path, typer.Argument(help="Folder or .zip to write.")]
+    name: Name = None
+    version: Version = "1.0.0"
+    licence: Licence = ""
+    by: By = None
+    url: Url = ""
+    description: Description = ""
+    citation: Citation = None
+    splits: Splits = None
+    second: Second = None
+    before: Before = None
+    pictures: Pictures = False
+    check: Check = True
+    field: options.FieldName = None
+    lines: options.Lines = None
+    date: Date = None
+    overwrite: options.Overwrite = False
+
+
+def release(given: AskedToRelease) -> None:
+    place = annotations_of(given.dataset)
     folder = folder_of_dataset(place)
-    known = chosen_field(field, dataset, lines=lines)
-    called = name or (folder or dataset).absolute().stem
-    said = "" if citation is None else read_file(citation).decode("utf-8", "replace")
+    known = chosen_field(given.field, given.dataset, lines=given.lines)
+    called = given.name or (folder or given.dataset).absolute().stem
+    said = "" if given.citation is None else read_file(given.citation).decode("utf-8", "replace")
     terms = ReleaseTerms(
-        called, called, version, date or datetime.date.today().isoformat(), licence,
-        tuple(by or ()), url, description, said,
+        called, called, given.version, given.date or datetime.date.today().isoformat(),
+        given.licence, tuple(given.by or ()), given.url, given.description, said,
     )  # fmt: skip
     with open_annotations(place, known) as source:
         datasets.report_remarks(source.notices)
-        _check_out(out, source, dataset, overwrite=overwrite)
-        sizes = PictureSizes(picture_folders(dataset, place), tree=picture_tree(dataset))
+        _check_out(given.out, source, given.dataset, overwrite=given.overwrite)
+        sizes = PictureSizes(
+            picture_folders(given.dataset, place), tree=picture_tree(given.dataset)
+        )
         with progress_bar("reading") as progress:
-            found = gather_frames(source, known, _splits(splits), sizes, progress)
-        made = _Making(source, dataset, folder, known)
+            found = gather_frames(source, known, _splits(given.splits), sizes, progress)
+        made = _Making(source, given.dataset, folder, known)
         files: dict[str, bytes] = {}
-        open_findings = made.findings(files) if check else None
-        agreed = "" if second is None else made.agreement(second, files)
+        open_findings = made.findings(files) if given.check else None
+        agreed = "" if given.second is None else made.agreement(given.second, files)
         origins = made.provenance(files)
         made.field_file(files)
         whole = Release(
             terms, tuple(found.frames), known, made.fingerprint, open_findings, agreed, origins,
-            pictures, tuple(files.items()),
+            given.pictures, tuple(files.items()),
         )  # fmt: skip
         with progress_bar("writing") as progress:
-            changes = write_release(whole, out, before, sizes.path, progress)
+            changes = write_release(whole, given.out, given.before, sizes.path, progress)
     for split, names in whole.splits.items():
         typer.echo(f"{split}: {count_of(len(names), 'frame')}")
     if changes is not None:
         counted = (len(changes.added), len(changes.removed), len(changes.changed))
         typer.echo("since {}: {} added, {} removed, {} changed".format(changes.before, *counted))
-    typer.echo(f"release {version} of {called} written to {out}")
+    typer.echo(f"release {given.version} of {called} written to {given.out}")
     raise typer.Exit(datasets.report_unreadable(found.problems, "left out"))
 
 

@@ -12,7 +12,7 @@ import typer
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.recipe_further import over_time_again, terms_again
-from procc_annotator.cli.recipes import field_again, hashed_input, map_again, moved
+from procc_annotator.cli.recipes import evaluated_here, field_again, hashed_input, map_again
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -186,7 +186,7 @@ def _again(
     if known.chance is not None:
         different += differing_chance(known.chance, evaluations.told)
     again = [
-        moved(was, own.summaries, one)
+        evaluated_here(was, own.summaries, one)
         for was, own, one in zip(known.evaluations, scored, asked, strict=True)
     ]
     return again, different

@@ -149,78 +149,92 @@ LatexWidth = Annotated[
 ]
 
 
-def report(
-    context: typer.Context,
-    dataset: Dataset,
-    cameras: options.Sources = None,
-    output: Output = None,
-    annotations: datasets.Annotations = None,
-    threshold: Thresholds = None,
-    protocol: options.Protocol = "soccernet",
-    size: options.Size = "960x540",
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    labels: options.LabelsFile = None,
-    camera_format: options.CameraFormat = "auto",
-    camera_size: options.CameraSize = None,
-    off_plane: options.OffPlane = "missed",
-    planar_only: options.PlanarOnly = False,
-    mirrored: options.Mirrored = False,
-    tags: chance_options.TagsFile = None,
-    by: By = None,
-    cluster: chance_options.Cluster = None,
-    interval_method: chance_options.IntervalMethod = "t",
-    power: chance_options.Power = False,
-    click_noise: chance_options.Noise = None,
-    draws: chance_options.Count = 10_000,
-    title: Title = None,
-    date: Date = None,
-    worst: Worst = 4,
-    random: Random = 3,
-    seed: Seed = 1,
-    disagreement: Disagreement = None,
-    reference: Reference = None,
-    picture_width: PictureWidth = 960,
-    latex_width: LatexWidth = COLUMN_PT,
-    recipe: RecipeOption = None,
-    steady: over_time.OverTime = False,
-    shots: over_time.Shots = None,
-    workers: options.Workers = None,
-    dask: options.Dask = None,
-) -> None:
-    written = _written(cameras, output)
+@dataclass(frozen=True)
+class AskedToReport:
+    """What `report` is asked for."""
+
+    dataset: Dataset
+    cameras: options.Sources = None
+    output: Output = None
+    annotations: datasets.Annotations = None
+    threshold: Thresholds = None
+    protocol: options.Protocol = "soccernet"
+    size: options.Size = "960x540"
+    field: options.FieldName = None
+    lines: options.Lines = None
+    labels: options.LabelsFile = None
+    camera_format: options.CameraFormat = "auto"
+    camera_size: options.CameraSize = None
+    off_plane: options.OffPlane = "missed"
+    planar_only: options.PlanarOnly = False
+    mirrored: options.Mirrored = False
+    tags: chance_options.TagsFile = None
+    by: By = None
+    cluster: chance_options.Cluster = None
+    interval_method: chance_options.IntervalMethod = "t"
+    power: chance_options.Power = False
+    click_noise: chance_options.Noise = None
+    draws: chance_options.Count = 10_000
+    title: Title = None
+    date: Date = None
+    worst: Worst = 4
+    random: Random = 3
+    seed: Seed = 1
+    disagreement: Disagreement = None
+    reference: Reference = None
+    picture_width: PictureWidth = 960
+    latex_width: LatexWidth = COLUMN_PT
+    recipe: RecipeOption = None
+    steady: over_time.OverTime = False
+    shots: over_time.Shots = None
+    workers: options.Workers = None
+    dask: options.Dask = None
+
+
+def report(context: typer.Context, given: AskedToReport) -> None:
+    written = _written(given.cameras, given.output)
     setup = options.make_setup(
-        field, size, protocol, off_plane, mirrored, planar_only, datasets=[dataset], lines=lines
+        given.field,
+        given.size,
+        given.protocol,
+        given.off_plane,
+        given.mirrored,
+        given.planar_only,
+        datasets=[given.dataset],
+        lines=given.lines,
     )
-    thresholds = options.thresholds_or_default(threshold or list(DEFAULT_THRESHOLDS))
-    specs = parse_sources(cameras or (), camera_format)
-    name = dataset_name(dataset)
+    thresholds = options.thresholds_or_default(given.threshold or list(DEFAULT_THRESHOLDS))
+    specs = parse_sources(given.cameras or (), given.camera_format)
+    name = dataset_name(given.dataset)
     request = ReportRequest(
-        title or f"Cameras of {name}", date or datetime.date.today().isoformat(),
-        worst, random, seed,
-        tuple(_pair(text) for text in disagreement or ()), reference=reference or "",
-        recipe="" if recipe is None else recipe.name, latex_width_pt=latex_width,
+        given.title or f"Cameras of {name}", given.date or datetime.date.today().isoformat(),
+        given.worst, given.random, given.seed,
+        tuple(_pair(text) for text in given.disagreement or ()), reference=given.reference or "",
+        recipe="" if given.recipe is None else given.recipe.name, latex_width_pt=given.latex_width,
     )  # fmt: skip
     check_request(request, [spec.name for spec in specs])
-    place = annotation_place(dataset, setup.field, annotations)
-    read_tags = None if tags is None else Tags.read(tags)
-    grouped, derived = chance_options.parted_by(by, read_tags, cluster)
+    place = annotation_place(given.dataset, setup.field, given.annotations)
+    read_tags = None if given.tags is None else Tags.read(given.tags)
+    grouped, derived = chance_options.parted_by(given.by, read_tags, given.cluster)
     parts = (*(check_by(grouped, read_tags) if grouped else ()), *derived)
     chance = chance_options.chance_terms(
-        read_tags, {name: place[0]}, cluster, parts, interval_method, draws, seed,
-        shots=shots, power=power, click_noise=click_noise,
+        read_tags, {name: place[0]}, given.cluster, parts, given.interval_method,
+        given.draws, given.seed,
+        shots=given.shots, power=given.power, click_noise=given.click_noise,
     )  # fmt: skip
-    if recipe is not None:
-        outputs.check_output_folder(recipe)
-    noise = chance_options.noise_file(click_noise)
-    beside = {"tags": tags, "click noise": noise, "shots": shots}
-    asked = recipe_for(recipe, context, FieldAsked(field, lines), beside)
+    if given.recipe is not None:
+        outputs.check_output_folder(given.recipe)
+    noise = chance_options.noise_file(given.click_noise)
+    beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
+    asked = recipe_for(given.recipe, context, FieldAsked(given.field, given.lines), beside)
     call = _Call(
-        name, specs, setup, thresholds, request, written, picture_width, chance,
-        options.label_map(labels, setup.field), asked,
-        over_time.OverTimeCall.of(steady, shots, None, None),
+        name, specs, setup, thresholds, request, written, given.picture_width, chance,
+        options.label_map(given.labels, setup.field), asked,
+        over_time.OverTimeCall.of(given.steady, given.shots, None, None),
     )  # fmt: skip
-    gathered, problems = _make(call, *place, options.shown_size(camera_size), workers, dask)
+    gathered, problems = _make(
+        call, *place, options.shown_size(given.camera_size), given.workers, given.dask
+    )
     raise typer.Exit(_tell(call, gathered, problems))
 
 

@@ -26,7 +26,7 @@ from procc_annotator.report.tracks import (
     gaps_table,
     read_table,
     shots_table,
-    summary_words,
+    tracked_words,
     write_tracks,
 )
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
@@ -290,5 +290,5 @@ def _report(table: TrackTable, anchors: Anchors, kept: int, out: Path) -> int:
         console.print(gaps_table(gaps))
     if kept:
         typer.echo(f"followed before: {count_of(kept, 'shot')} (--overwrite follows them again)")
-    typer.echo(f"{summary_words(table)}; written to {out}, with {TABLE_FILE}")
+    typer.echo(f"{tracked_words(table)}; written to {out}, with {TABLE_FILE}")
     return datasets.report_unreadable([*anchors.errors, *table.errors])

@@ -15,7 +15,7 @@ from dataclasses import replace
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Covariance, Spot
 from procc_annotator.field.model import Element, Field, Landmark, Symmetry
-from procc_annotator.field.words import shown
+from procc_annotator.field.words import printed
 
 GROUP = "Landmarks"
 # Hues that are seen on grass, on wood and on ice: all but the greens, from cyan over red to yellow.
@@ -88,7 +88,7 @@ def _refuse_taken(field: Field, landmarks: Iterable[Landmark]) -> None:
         if landmark.name.strip() in taken:
             raise FieldError(
                 field.name,
-                f"the landmark {shown(landmark.name)} has the name of a class of the field",
+                f"the landmark {printed(landmark.name)} has the name of a class of the field",
                 place=f"landmarks[{number}].name",
                 advice="delete the entry, or rename the landmark",
             )

@@ -6,7 +6,7 @@ import re
 import tomllib
 from itertools import pairwise
 
-from procc_annotator.field.words import shown
+from procc_annotator.field.words import printed
 
 _HEADER = re.compile(r"\s*\[{1,2}\s*([^\]]+?)\s*\]{1,2}\s*(#.*)?$")
 _LONGEST_HEADER = 200  # looking at longer lines would take time by their square
@@ -54,7 +54,7 @@ def _line_in_element(
         chosen = elements[int(wanted) - 1 : int(wanted)]
     else:  # of two elements with one name the later one is wrong
         chosen = [
-            (start, end) for start, end in elements if shown(_name_in(lines[start:end])) == wanted
+            (start, end) for start, end in elements if printed(_name_in(lines[start:end])) == wanted
         ][-1:]
     if not chosen:
         return None

@@ -19,7 +19,7 @@ from procc_annotator.field.appearance import (
 )
 from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot, Vector, on_plane
 from procc_annotator.field.values import Values
-from procc_annotator.field.words import shown
+from procc_annotator.field.words import printed
 
 _LOOKS = ("tone", "paint_colour")
 _OF_LINES = {"line_width", "measured", *_LOOKS}
@@ -131,7 +131,7 @@ class PaintReader:
     def _one_of(self, place: str, value: object, allowed: tuple[str, ...]) -> str:
         if not isinstance(value, str) or value not in allowed:
             raise self._values.error(
-                place, f"expected one of {', '.join(allowed)}, found {shown(value)}"
+                place, f"expected one of {', '.join(allowed)}, found {printed(value)}"
             )
         return value
 

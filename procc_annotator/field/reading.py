@@ -14,7 +14,7 @@ from procc_annotator.field.paint_reading import PAINT_KEYS, PaintReader
 from procc_annotator.field.shapes import GEOMETRY_KEYS, read_geometry
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
 from procc_annotator.field.values import FARTHEST_M, Values
-from procc_annotator.field.words import did_you_mean, shown
+from procc_annotator.field.words import did_you_mean, printed
 
 _REQUIRED = {"name", "title", "elements"}
 _ALLOWED = {
@@ -99,7 +99,7 @@ class _Reader:
         name = self.values.text("name", self.data["name"])
         if not _NAME.match(name):
             raise self._error(
-                "name", f"expected letters, digits, _ and - alone, found {shown(name)}"
+                "name", f"expected letters, digits, _ and - alone, found {printed(name)}"
             )
         return name
 
@@ -107,7 +107,9 @@ class _Reader:
         """Where elements are to lie; those read here lie where the file has them."""
         lines = self.data.get("lines", MEASURED)
         if lines not in LINES:
-            raise self._error("lines", f"expected one of {', '.join(LINES)}, found {shown(lines)}")
+            raise self._error(
+                "lines", f"expected one of {', '.join(LINES)}, found {printed(lines)}"
+            )
         return str(lines)
 
     def _table(self, key: str) -> dict[str, Any]:
@@ -122,7 +124,7 @@ class _Reader:
         seen = {e.name.strip() for e in elements}
         for i, name in enumerate(extra):
             if self.values.text(f"{place}[{i}]", name).strip() in seen:
-                raise self._error(f"{place}[{i}]", f"{shown(name)} is used twice")
+                raise self._error(f"{place}[{i}]", f"{printed(name)} is used twice")
             seen.add(name.strip())
         return tuple(extra)
 
@@ -132,7 +134,7 @@ class _Reader:
             if name not in table:
                 hint = did_you_mean(name, table)
                 known = "" if hint or not table else f"there are {', '.join(table)}"
-                raise self._refused(f"no dimension {shown(name)}{hint}", known)
+                raise self._refused(f"no dimension {printed(name)}{hint}", known)
         for name, entry in table.items():
             place = f"dimensions.{name}"
             if not isinstance(entry, dict):
@@ -192,7 +194,7 @@ class _Reader:
         for number, entry in enumerate(entries, 1):
             name = entry.get("name") if isinstance(entry, dict) else None
             named = isinstance(name, str) and name
-            place = f"element {shown(name) if named else number}"
+            place = f"element {printed(name) if named else number}"
             if not isinstance(entry, dict):
                 raise self._error(place, "expected a table")
             element = self._element(place, entry, paint)
@@ -201,8 +203,8 @@ class _Reader:
                 ("shortcut", element.shortcut.casefold()),  # keys have no case
             ):
                 if used and (other := seen[key].get(used)) is not None:
-                    by = f", by {shown(other.name)} too" if key == "shortcut" else ""
-                    raise self._error(f"{place}.{key}", f"{shown(entry[key])} is used twice{by}")
+                    by = f", by {printed(other.name)} too" if key == "shortcut" else ""
+                    raise self._error(f"{place}.{key}", f"{printed(entry[key])} is used twice{by}")
                 seen[key][used] = element
             yield element
 
@@ -210,7 +212,7 @@ class _Reader:
         kind = entry.get("kind")
         if not isinstance(kind, str) or kind not in GEOMETRY_KEYS:
             kinds = ", ".join(GEOMETRY_KEYS)
-            raise self._error(f"{place}.kind", f"expected one of {kinds}, found {shown(kind)}")
+            raise self._error(f"{place}.kind", f"expected one of {kinds}, found {printed(kind)}")
         needed, more = GEOMETRY_KEYS[kind]
         required = {*_ELEMENT_TEXTS, "kind", *needed}
         self.values.keys(place, entry, {*required, *more, *PAINT_KEYS, "optional"}, required)
@@ -219,7 +221,7 @@ class _Reader:
             for k in _ELEMENT_TEXTS
         }
         if not _COLOUR.match(texts["colour"]):
-            found = shown(texts["colour"])
+            found = printed(texts["colour"])
             raise self._error(f"{place}.colour", f"expected #rrggbb, found {found}")
         optional = self.values.flag(f"{place}.optional", entry.get("optional", False))
         geometry = read_geometry(self.values, place, kind, entry)

@@ -10,7 +10,7 @@ from typing import Any
 from procc_annotator.errors import FieldError
 from procc_annotator.field.formula import FormulaError, Formulas, UnknownWordError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.words import did_you_mean, printable_place, shown
+from procc_annotator.field.words import did_you_mean, printable_place, printed
 
 # Far beyond any sports field. Samples lie centimetres apart: without a limit a slip of the pen (or
 # a hostile file) would fill the memory with them.
@@ -36,10 +36,10 @@ class Values:
         """Make a name known to the formulas that follow; a second meaning would hide the first."""
         if not name.isidentifier():
             raise self.error(
-                place, f"{shown(name)} cannot be used in formulas; expected a plain word"
+                place, f"{printed(name)} cannot be used in formulas; expected a plain word"
             )
         if name in self._names:
-            raise self.error(place, f"the name {shown(name)} is taken already")
+            raise self.error(place, f"the name {printed(name)} is taken already")
         self._names[name] = value
 
     def vector(self, place: str, value: object) -> Vector:
@@ -62,7 +62,7 @@ class Values:
         if isinstance(value, str):
             value = self._evaluated(place, value)
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.error(place, f"expected a number or a formula, found {shown(value)}")
+            raise self.error(place, f"expected a number or a formula, found {printed(value)}")
         try:
             number = float(value)
         except OverflowError as error:
@@ -89,17 +89,18 @@ class Values:
     def text(self, place: str, value: object, *, may_be_empty: bool = False) -> str:
         """A text that says something."""
         if not isinstance(value, str) or not (value.strip() or (may_be_empty and not value)):
-            raise self.error(place, f"expected text, found {shown(value)}")
+            raise self.error(place, f"expected text, found {printed(value)}")
         if not value.isprintable() or len(value) > _LONGEST_TEXT:
             raise self.error(
-                place, f"expected a line of at most {_LONGEST_TEXT} letters, found {shown(value)}"
+                place,
+                f"expected a line of at most {_LONGEST_TEXT} letters, found {printed(value)}",
             )
         return value
 
     def flag(self, place: str, value: object) -> bool:
         """true or false."""
         if not isinstance(value, bool):
-            raise self.error(place, f"expected true or false, found {shown(value)}")
+            raise self.error(place, f"expected true or false, found {printed(value)}")
         return value
 
     def table(self, place: str, value: object) -> dict[str, Any]:

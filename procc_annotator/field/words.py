@@ -18,7 +18,7 @@ def did_you_mean(word: object, known: Iterable[str]) -> str:
     return f"; did you mean {close[0]!r}?" if close else ""
 
 
-def shown(value: object) -> str:
+def printed(value: object) -> str:
     """A value of the file in an error message; never one that is itself too large to be shown."""
     if isinstance(value, dict | list):
         return "a table" if isinstance(value, dict) else "a list"

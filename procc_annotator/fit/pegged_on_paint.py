@@ -11,7 +11,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.on_paint.belief import Belief, usual
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE
 from procc_annotator.fit.on_paint.refining import OnPaint, refine_on_paint
-from procc_annotator.fit.pegs import Peg, misses, pegged, turned
+from procc_annotator.fit.pegs import Peg, misses, pegged, turned_camera
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import CENTRE, vector_from_camera
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
@@ -55,7 +55,7 @@ def refine_pegged(
         return best, why
     for zoom in _ZOOMS:
         go_on()
-        zoomed = pegged(turned(camera, np.array([0.0, 0.0, zoom, 0.0])), pegs)
+        zoomed = pegged(turned_camera(camera, np.array([0.0, 0.0, zoom, 0.0])), pegs)
         found, _ = _refined(picture, field, zoomed, pegs)
         if found is not None and (best is None or found.coverage > best.coverage):
             best = found

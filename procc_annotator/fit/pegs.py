@@ -84,7 +84,7 @@ def pegged(camera: PinholeCamera, pegs: Sequence[Peg], hand: Peg | None = None) 
         if abs(change[2]) > _MOST_ZOOM:
             return camera
         if float(np.abs(by @ step).max()) < _SETTLED_PX:
-            return turned(camera, change)
+            return turned_camera(camera, change)
     return camera
 
 
@@ -103,7 +103,7 @@ def misses(camera: PinholeCamera, pegs: Sequence[Peg]) -> FloatArray:
     return np.asarray(np.where(shown[:count], away, np.inf))
 
 
-def turned(camera: PinholeCamera, change: FloatArray) -> PinholeCamera:
+def turned_camera(camera: PinholeCamera, change: FloatArray) -> PinholeCamera:
     """A camera turned and zoomed where it stands; its lens bends the picture as before.
 
     Args:

@@ -104,7 +104,7 @@ def main(
     window = build_window(path, annotations=annotations, cameras=cameras, field=field)
     window.installEventFilter(_FirstPaint(partial(go_to_work, app), window))
     window.coach.begin()
-    return run(app, window)
+    return show_until_closed(app, window)
 
 
 class _FirstPaint(QObject):
@@ -157,7 +157,7 @@ def collect_now_and_then() -> None:
         gc.collect(2 if parts >= _PARTS_A_WHOLE else 1)
 
 
-def run(app: QApplication, window: QWidget) -> int:
+def show_until_closed(app: QApplication, window: QWidget) -> int:
     """Show a window until it is closed, or Ctrl+C is pressed in the terminal; the exit code."""
     window.show()
     signal.signal(signal.SIGINT, lambda *_: window.close())

@@ -178,8 +178,8 @@ def run_preview(
     Args:
         source, dimensions, taken_keys: see `FieldPreview`.
     """
-    from procc_annotator.gui.app import application, run
+    from procc_annotator.gui.app import application, show_until_closed
 
     app = application()
     take_up(app, Settings().get(LANGUAGE))
-    return run(app, FieldPreview(source, dimensions, taken_keys))
+    return show_until_closed(app, FieldPreview(source, dimensions, taken_keys))

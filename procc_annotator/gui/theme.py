@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
-from PySide6.QtWidgets import QApplication, QGraphicsView
+from PySide6.QtGui import QColor, QFont, QGuiApplication, QPainter, QPalette
+from PySide6.QtWidgets import QApplication, QGraphicsView, QStyle, QStyleOptionViewItem
 
 _LIGHT = {
     QPalette.ColorRole.Window: "#f3f4f5",
@@ -164,6 +164,21 @@ def blend(a: QColor, b: QColor, share: float) -> QColor:
         a.greenF() + (b.greenF() - a.greenF()) * share,
         a.blueF() + (b.blueF() - a.blueF()) * share,
     )
+
+
+def paint_row(painter: QPainter, option: QStyleOptionViewItem) -> tuple[QColor, QColor]:
+    """Paint what lies below a row of a list, chosen or with the mouse over it; the colours of that
+    and of text on it."""
+    palette: QPalette = option.palette
+    base, text = palette.color(QPalette.ColorRole.Base), palette.color(QPalette.ColorRole.Text)
+    if option.state & QStyle.StateFlag.State_Selected:
+        base = palette.color(QPalette.ColorRole.Highlight)
+        text = palette.color(QPalette.ColorRole.HighlightedText)
+        painter.fillRect(option.rect, base)
+    elif option.state & QStyle.StateFlag.State_MouseOver:
+        base = blend(base, text, 0.07)
+        painter.fillRect(option.rect, base)
+    return base, text
 
 
 def muted(palette: QPalette, share: float = 0.35) -> QColor:

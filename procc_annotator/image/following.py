@@ -47,7 +47,7 @@ class Course:
     begin_px: float
 
 
-def follow(
+def follow_course(
     patch: Patch, angle: float, offset_px: float, width_px: float, sought: Sought
 ) -> Iterator[Course]:
     """Follow a band or an edge both ways.

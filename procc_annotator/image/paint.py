@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, WHITE
 from procc_annotator.image.cuts import Patch
 from procc_annotator.image.following import REACH_PX as FOLLOWED_PX
-from procc_annotator.image.following import Course, follow
+from procc_annotator.image.following import Course, follow_course
 from procc_annotator.image.maxima import BEYOND_PX, TRIED, Maxima, PatchBand, foot_of
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.sought import ANYTHING, Sought
@@ -134,7 +134,7 @@ def _snap_along(
     most_turn = _MOST_TURN_BENT if sought.bends else _MOST_TURN
 
     def goes_on(found: PatchBand) -> PatchBand | None:
-        for course in follow(patch, found.angle, found.offset, found.width, sought):
+        for course in follow_course(patch, found.angle, found.offset, found.width, sought):
             turn = abs(found.angle + course.turn - angle)
             if course.length_px >= _least_length(found, course, sought) and turn <= most_turn:
                 # It is wanted beside the position, not where it can be seen.
@@ -224,7 +224,7 @@ def _snap_any_way(
         finer = Maxima.of(centred, found.angle + _FAN * turn, sought, reach_px).best()
         if finer is None or abs(finer.offset) > _RECENTRED_PX:
             return None
-        courses = follow(centred, finer.angle, finer.offset, finer.width, sought)
+        courses = follow_course(centred, finer.angle, finer.offset, finer.width, sought)
         if not any(course.length_px >= _LEAST_LENGTH_ANY_PX for course in courses):
             return None
         # The click's foot on it is wanted.

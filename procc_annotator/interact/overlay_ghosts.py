@@ -78,7 +78,7 @@ def with_next(
     return replace(overlay, marks=(*overlay.marks, rim, ring), labels=(*overlay.labels, said))
 
 
-def extent(ghost: Ghost) -> tuple[float, float, float, float]:
+def ghost_extent(ghost: Ghost) -> tuple[float, float, float, float]:
     """Left, top, right and bottom of what is visible of a ghost, picture px."""
     points = np.concatenate([piece.points_px for piece in ghost.pieces])
     (left, top), (right, bottom) = points.min(axis=0).tolist(), points.max(axis=0).tolist()

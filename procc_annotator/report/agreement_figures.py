@@ -6,7 +6,7 @@ from typing import Any
 
 from procc_annotator.metric.chance.intervals import Interval
 from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.report.scores.chance_sheets import ends_of, interval_columns
+from procc_annotator.report.scores.chance_sheets import interval_columns, interval_ends
 from procc_annotator.report.scores.tables import pixels
 from procc_annotator.report.sheet.as_json import figure_entry
 from procc_annotator.report.sheet.figures import JAC, MEDIAN_PX, OF_AGREEMENT, P95_PX
@@ -27,11 +27,11 @@ def sure_columns() -> list[Column]:
 def sure_values(found: SureAgreement, tau: float) -> tuple[Value, ...]:
     """The values of `sure_columns` at a threshold, px."""
     overall, known = found.summary.overall, found.known
-    low, high = ends_of(known.jac[tau])
+    low, high = interval_ends(known.jac[tau])
     ends = (None if low is None else max(0.0, low), None if high is None else min(1.0, high))
     return (
         found.summary.mean_jac[tau], *ends,
-        overall.median, *ends_of(known.median), overall.p95, *ends_of(known.p95),
+        overall.median, *interval_ends(known.median), overall.p95, *interval_ends(known.p95),
     )  # fmt: skip
 
 

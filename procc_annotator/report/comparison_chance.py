@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from procc_annotator.metric.chance.paired import PairedDifference
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report.agreement_figures import intervals_described
-from procc_annotator.report.scores.chance_sheets import ends_of
+from procc_annotator.report.scores.chance_sheets import interval_ends
 from procc_annotator.report.sheet.figure import Figure
 from procc_annotator.report.sheet.figures import (
     LEGACY,
@@ -46,7 +46,7 @@ _ENDS = (
 )
 
 
-def intervals_sheet(
+def comparison_intervals_sheet(
     frames: Sequence[ComparedFrame],
     clusters: Clusters,
     draws: Draws,
@@ -65,7 +65,7 @@ def intervals_sheet(
 
     def add(over: str, key: str, found: KnownFigure) -> None:
         figures.append(_FIGURES[key])
-        rows.append((_words(key), over, found.value, *ends_of(found.interval), found.frames))
+        rows.append((_words(key), over, found.value, *interval_ends(found.interval), found.frames))
 
     for key in KEYS:
         add("share of all area" if key == "within" else "mean", key, known[key])
@@ -103,7 +103,7 @@ def nearer_sheet(
         Column("nearer", f"nearer to {names[0]}"),
     )  # fmt: skip
     rows = tuple(
-        (_words(key), one.value, *ends_of(one.interval), one.frames, one.p, one.corrected,
+        (_words(key), one.value, *interval_ends(one.interval), one.frames, one.p, one.corrected,
          _nearer(key, one, names[1:]))
         for key, one in found.items()
     )  # fmt: skip

@@ -299,12 +299,12 @@ def write_agreed(agreed: AgreedAll, run: ConsensusRun, output: Path) -> None:
     if score_format(output) == "json":
         content = json_bytes(_content(agreed, run), indent=0)
     else:
-        content = csv_bytes(frames_sheet(agreed, run))
+        content = csv_bytes(consensus_frames_sheet(agreed, run))
     with replacing(output) as stream:
         stream.write(content)
 
 
-def frames_sheet(agreed: AgreedAll, run: ConsensusRun) -> Sheet:
+def consensus_frames_sheet(agreed: AgreedAll, run: ConsensusRun) -> Sheet:
     """One row a frame, annotator and class, against the consensus of the others.
 
     The status of a class is ``common``, ``apart``, ``added`` or ``missed``; that of a row without

@@ -128,7 +128,7 @@ def over_time_sheet(against: AgainstGold) -> Sheet:
     return Sheet("over_time", title, tuple(columns), tuple(rows), against.described, tuple(notes))
 
 
-def frames_sheet(against: AgainstGold) -> Sheet:
+def gold_frames_sheet(against: AgainstGold) -> Sheet:
     """One row a gold frame and annotator, in the order of work."""
     jacs = tuple(
         Column(f"jac_{tau:g}", f"JaC @{tau:g}", "number", JAC) for tau in against.thresholds
@@ -153,7 +153,7 @@ def write_gold(against: AgainstGold, output: Path) -> None:
         UsageError: an output of another kind.
         SaveError: it cannot be written.
     """
-    frames = frames_sheet(against)
+    frames = gold_frames_sheet(against)
     content: bytes
     if score_format(output) == "csv":
         content = csv_bytes(frames)

@@ -172,7 +172,7 @@ def shown_sheets(whole_sheet: Sheet) -> list[Sheet]:
     return parts
 
 
-def frames_sheet(found: Sequence[SourceOverTime]) -> Sheet:
+def frames_over_time_sheet(found: Sequence[SourceOverTime]) -> Sheet:
     """A row a source and frame."""
     rows = [row for one in found for shot in one.shots for row in _frame_rows(one, shot)]
     return Sheet("over_time_frames", "Frames over time", _OF_FRAME, tuple(rows))
@@ -206,12 +206,12 @@ def over_time_bytes(found: Sequence[SourceOverTime], path: Path) -> bytes:
     if path.suffix.lower() == ".json":
         return json_bytes(over_time_entries(found))
     check_suffix(path)
-    return csv_bytes(frames_sheet(found))
+    return csv_bytes(frames_over_time_sheet(found))
 
 
 def over_time_entries(found: Sequence[SourceOverTime]) -> dict[str, Any]:
     """All figures over time, for a file: shots, jumps and outages, frames."""
-    sheets = (shots_sheet(found), breaks_sheet(found), frames_sheet(found))
+    sheets = (shots_sheet(found), breaks_sheet(found), frames_over_time_sheet(found))
     return {sheet.name: sheet_entry(sheet) for sheet in sheets}
 
 

@@ -185,7 +185,7 @@ def doubtful_table(found: ProposedSet) -> Sheet:
     return Sheet("doubtful", title, columns, tuple(doubtful[:_SHOWN]), notes=notes)
 
 
-def summary_words(found: ProposedSet) -> str:
+def proposed_words(found: ProposedSet) -> str:
     """``112 sure, 9 unsure, 5 none``."""
     states = found.states
     return ", ".join(f"{states[state]} {state}" for state in (SURE, UNSURE, NONE))

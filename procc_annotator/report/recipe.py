@@ -164,7 +164,7 @@ def read_recipe(path: Path) -> Recipe:
     return found
 
 
-def figures_of(
+def set_figures(
     summaries: Mapping[float, SetSummary],
 ) -> dict[str, dict[str, float | int | None]]:
     """The figures of a set by threshold, with how many frames there are and were evaluated."""

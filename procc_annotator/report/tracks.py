@@ -306,7 +306,7 @@ def gaps_table(gaps: Sequence[Gap]) -> Sheet:
     return Sheet("gaps", count_of(len(gaps), "gap"), columns, rows, notes=notes)
 
 
-def summary_words(table: TrackTable) -> str:
+def tracked_words(table: TrackTable) -> str:
     """``430 of 436 frames have a camera (2 anchors, 420 followed, 8 bridged), 6 are lost``."""
     states = Counter(row["state"] for row in table.rows.values())
     anchors = count_of(states["anchor"], "anchor")

@@ -1711,30 +1711,6 @@ Esc leert die Suche.</translation>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
    <translation>Ihn nicht mehr zeigen, bis sich die Punkte seiner Elemente ändern</translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Fehler</numerusform>
-    <numerusform>{n:,} Fehler</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Warnung</numerusform>
-    <numerusform>{n:,} Warnungen</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Hinweis</numerusform>
-    <numerusform>{n:,} Hinweise</numerusform>
-   </translation>
-  </message>
   <message>
    <source>This frame</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
@@ -1861,6 +1837,30 @@ Open a folder of pictures to check their labels.</source>
    <source>Checking the set…</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
    <translation>Der Satz wird geprüft…</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} errors</source>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Fehler</numerusform>
+    <numerusform>{n:,} Fehler</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} warnings</source>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Warnung</numerusform>
+    <numerusform>{n:,} Warnungen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} hints</source>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Hinweis</numerusform>
+    <numerusform>{n:,} Hinweise</numerusform>
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
@@ -5587,6 +5587,14 @@ Verliert {loses}.</translation>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>zu sagen</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} Label ist keine Klasse von {field}. Sagen Sie, wofür es steht; der Vorschlag folgt aus seinen Wörtern und daraus, auf welchen Elementen seine Formen liegen.</numerusform>
+    <numerusform>{n} Labels sind keine Klassen von {field}. Sagen Sie, wofür sie stehen; die Vorschläge folgen aus ihren Wörtern und daraus, auf welchen Elementen ihre Formen liegen.</numerusform>
+   </translation>
+  </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
@@ -5596,14 +5604,6 @@ Verliert {loses}.</translation>
    <source>Names of another program</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>Namen eines anderen Programms</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} Label ist keine Klasse von {field}. Sagen Sie, wofür es steht; der Vorschlag folgt aus seinen Wörtern und daraus, auf welchen Elementen seine Formen liegen.</numerusform>
-    <numerusform>{n} Labels sind keine Klassen von {field}. Sagen Sie, wofür sie stehen; die Vorschläge folgen aus ihren Wörtern und daraus, auf welchen Elementen ihre Formen liegen.</numerusform>
-   </translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>

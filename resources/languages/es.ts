@@ -1711,30 +1711,6 @@ Esc borra la búsqueda.</translation>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
    <translation>No mostrarlo más hasta que cambien los puntos de sus elementos</translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} error</numerusform>
-    <numerusform>{n:,} errores</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} aviso</numerusform>
-    <numerusform>{n:,} avisos</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} indicio</numerusform>
-    <numerusform>{n:,} indicios</numerusform>
-   </translation>
-  </message>
   <message>
    <source>This frame</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
@@ -1861,6 +1837,30 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    <source>Checking the set…</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
    <translation>Revisando el conjunto…</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} errors</source>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} error</numerusform>
+    <numerusform>{n:,} errores</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} warnings</source>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} aviso</numerusform>
+    <numerusform>{n:,} avisos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} hints</source>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} indicio</numerusform>
+    <numerusform>{n:,} indicios</numerusform>
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
@@ -5587,6 +5587,14 @@ Pierde {loses}.</translation>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>por decir</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} etiqueta no es ninguna clase de {field}. Diga qué significa; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
+    <numerusform>{n} etiquetas no son ninguna clase de {field}. Diga qué significan; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
+   </translation>
+  </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
@@ -5596,14 +5604,6 @@ Pierde {loses}.</translation>
    <source>Names of another program</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>Nombres de otro programa</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} etiqueta no es ninguna clase de {field}. Diga qué significa; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
-    <numerusform>{n} etiquetas no son ninguna clase de {field}. Diga qué significan; lo propuesto se dedujo de sus palabras y de los elementos sobre los que están sus formas.</numerusform>
-   </translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>

@@ -1711,30 +1711,6 @@ Esc clears the search.</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
    <translation>Ne plus le montrer tant que les points de ses éléments ne changent pas</translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} erreur</numerusform>
-    <numerusform>{n:,} erreurs</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} avertissement</numerusform>
-    <numerusform>{n:,} avertissements</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} remarque</numerusform>
-    <numerusform>{n:,} remarques</numerusform>
-   </translation>
-  </message>
   <message>
    <source>This frame</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
@@ -1861,6 +1837,30 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    <source>Checking the set…</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
    <translation>Vérification du jeu…</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} errors</source>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} erreur</numerusform>
+    <numerusform>{n:,} erreurs</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} warnings</source>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} avertissement</numerusform>
+    <numerusform>{n:,} avertissements</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} hints</source>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} remarque</numerusform>
+    <numerusform>{n:,} remarques</numerusform>
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
@@ -5587,6 +5587,14 @@ Perd {loses}.</translation>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>à dire</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} étiquette n’est pas une classe de {field}. Dites ce qu’elle signifie ; la proposition vient de ses mots et des éléments sur lesquels sont ses formes.</numerusform>
+    <numerusform>{n} étiquettes ne sont pas des classes de {field}. Dites ce qu’elles signifient ; les propositions viennent de leurs mots et des éléments sur lesquels sont leurs formes.</numerusform>
+   </translation>
+  </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
@@ -5596,14 +5604,6 @@ Perd {loses}.</translation>
    <source>Names of another program</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>Noms d’un autre programme</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} étiquette n’est pas une classe de {field}. Dites ce qu’elle signifie ; la proposition vient de ses mots et des éléments sur lesquels sont ses formes.</numerusform>
-    <numerusform>{n} étiquettes ne sont pas des classes de {field}. Dites ce qu’elles signifient ; les propositions viennent de leurs mots et des éléments sur lesquels sont leurs formes.</numerusform>
-   </translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>

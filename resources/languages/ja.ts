@@ -1687,27 +1687,6 @@ Esc で検索を消します。</translation>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
    <translation>その要素の点が変わるまで表示しません</translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>エラー {n:,} 件</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>警告 {n:,} 件</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>ヒント {n:,} 件</numerusform>
-   </translation>
-  </message>
   <message>
    <source>This frame</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
@@ -1829,6 +1808,27 @@ Open a folder of pictures to check their labels.</source>
    <source>Checking the set…</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
    <translation>セットを検査中…</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} errors</source>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>エラー {n:,} 件</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} warnings</source>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>警告 {n:,} 件</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} hints</source>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>ヒント {n:,} 件</numerusform>
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
@@ -5499,6 +5499,13 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>要指定</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} 個のラベルは {field} のクラスではありません。何に対応するかを指定してください。候補は、語と、図形がどの要素の上にあるかから選びました。</numerusform>
+   </translation>
+  </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
@@ -5508,13 +5515,6 @@ Loses {loses}.</source>
    <source>Names of another program</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>ほかのプログラムの名前</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} 個のラベルは {field} のクラスではありません。何に対応するかを指定してください。候補は、語と、図形がどの要素の上にあるかから選びました。</numerusform>
-   </translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>

@@ -1687,27 +1687,6 @@ Esc clears the search.</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, the action ignore_finding]</extracomment>
    <translation>在其元素的点改变之前不再显示</translation>
   </message>
-  <message numerus="yes">
-   <source>{n:,} errors</source>
-   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个错误</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} warnings</source>
-   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个警告</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n:,} hints</source>
-   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} 个提示</numerusform>
-   </translation>
-  </message>
   <message>
    <source>This frame</source>
    <extracomment>[procc_annotator/gui/panels/findings/panel.py, procc_annotator/gui/plots/panel.py]</extracomment>
@@ -1829,6 +1808,27 @@ Open a folder of pictures to check their labels.</source>
    <source>Checking the set…</source>
    <extracomment>[procc_annotator/gui/panels/findings/words.py]</extracomment>
    <translation>正在检查数据集…</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} errors</source>
+   <extracomment>{n:,} error / {n:,} errors [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个错误</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} warnings</source>
+   <extracomment>{n:,} warning / {n:,} warnings [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个警告</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} hints</source>
+   <extracomment>{n:,} hint / {n:,} hints [procc_annotator/gui/panels/findings/words.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 个提示</numerusform>
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n} open</source>
@@ -5499,6 +5499,13 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>待指定</translation>
   </message>
+  <message numerus="yes">
+   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
+   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个标签不是{field}的类别。请指明其含义；建议由其用词和形状所在的元素得出。</numerusform>
+   </translation>
+  </message>
   <message>
    <source>These names are more like those of {field}: choose that field first (File &gt; Field).</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
@@ -5508,13 +5515,6 @@ Loses {loses}.</source>
    <source>Names of another program</source>
    <extracomment>[procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
    <translation>其他程序的名称</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on.</source>
-   <extracomment>{n} label is no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. / {n} labels are no class of {field}. Say what they stand for; what is proposed was told by their words, and by which elements their shapes lie on. [procc_annotator/gui/tasks/files/label_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个标签不是{field}的类别。请指明其含义；建议由其用词和形状所在的元素得出。</numerusform>
-   </translation>
   </message>
   <message>
    <source>Keep these names with the dataset ({file})</source>

@@ -11,7 +11,11 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.cli import system_packages
-from procc_annotator.cli.qt_libraries import missing_libraries, require_qt_libraries, words_for
+from procc_annotator.cli.qt_libraries import (
+    missing_libraries,
+    qt_missing_words,
+    require_qt_libraries,
+)
 from procc_annotator.cli.system_packages import PACKAGES, how_to_install, stem_of
 from procc_annotator.errors import UsageError
 
@@ -93,11 +97,13 @@ def test_without_a_known_tool_all_commands_are_named(monkeypatch: pytest.MonkeyP
 def test_an_import_that_fails_says_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     tools(monkeypatch, "apt-get")
     error = ImportError("libEGL.so.1: cannot open shared object file: No such file or directory")
-    assert words_for(error) == (
+    assert qt_missing_words(error) == (
         "system libraries that Qt needs are missing here: libegl1; install with: sudo apt-get"
         " install libegl1"
     )
-    assert "cannot be loaded here: no such module" in words_for(ImportError("no such module"))
+    assert "cannot be loaded here: no such module" in qt_missing_words(
+        ImportError("no such module")
+    )
 
 
 def test_the_table_knows_what_the_shipped_plugins_need() -> None:

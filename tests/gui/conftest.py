@@ -7,6 +7,7 @@ import json
 import shutil
 import zlib
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.paint_watch import Evidence
 from procc_annotator.session.strokes.paint_evidence import paint_evidence
+from tests.gui.known_already import hand_out
 from tests.gui.one_window import OneWindow
 
 SIZE = (640, 360)
@@ -39,6 +41,17 @@ KEPT = ("Big rect. left bottom", "Big rect. left main", "Big rect. left top", "C
 KEPT = (*KEPT, "Goal left crossbar")
 
 MakeWindow = Callable[..., MainWindow]
+
+
+@pytest.fixture
+def qtbot(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> QtBot:
+    """What a test waits for may take its time on a machine that is busy with other things."""
+    for name in ("waitUntil", "waitActive", "waitSignal"):
+        monkeypatch.setattr(qtbot, name, partial(getattr(qtbot, name), timeout=_PATIENCE_MS))
+    return qtbot
+
+
+_PATIENCE_MS = 60_000
 
 
 @pytest.fixture(scope="session")
@@ -99,6 +112,12 @@ def nothing_proposed(monkeypatch: pytest.MonkeyPatch) -> None:
         return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)
 
     monkeypatch.setattr("procc_annotator.gui.state.proposals.propose_camera", none)
+
+
+@pytest.fixture(autouse=True)
+def worked_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What goes on beside a window is the same in most tests, see `known_already`."""
+    hand_out(monkeypatch)
 
 
 @pytest.fixture(autouse=True)
@@ -352,7 +371,7 @@ def told(begun: MainWindow) -> list[str]:
 
 
 def wait_for_ghosts(window: MainWindow, qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: window.document.live_fit.insight is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: window.document.live_fit.insight is not None)
 
 
 @pytest.fixture
@@ -381,14 +400,14 @@ def until_kept() -> None:
 
 def let_work_end(qtbot: QtBot) -> None:
     """Wait until no work is under way in the background, wanted or not, and all is delivered."""
-    qtbot.waitUntil(lambda: not worker._desk().jobs, timeout=20_000)
+    qtbot.waitUntil(lambda: not worker._desk().jobs)
 
 
 def settle(window: MainWindow, qtbot: QtBot) -> None:
     """Wait until everything computed in the background has arrived."""
     document = window.document
     qtbot.waitUntil(lambda: not document.auditing.waiting)
-    qtbot.waitUntil(lambda: not document.set_scores.running, timeout=20_000)
+    qtbot.waitUntil(lambda: not document.set_scores.running)
     qtbot.waitUntil(lambda: all(document.source_frames.of(s) is not None for s in document.sources))
 
 
@@ -401,12 +420,14 @@ def all_done(qtbot: QtBot) -> None:
 
     def nothing_due() -> bool:
         nonlocal quiet, due
-        due = "; ".join([*map(_what, worker._desk().jobs.values()), *map(_whose, _timers_due())])
+        due = "; ".join(map(_what, worker._desk().jobs.values()))
+        if not due:  # or timers, which take longer to look through
+            due = "; ".join(map(_whose, _timers_due()))
         quiet = 0 if due else quiet + 1
         return quiet == 3  # what has just been done may have asked for more
 
     try:
-        qtbot.waitUntil(nothing_due, timeout=20_000)
+        qtbot.waitUntil(nothing_due)
     except TimeoutError as error:
         raise AssertionError(f"this does not end: {due}") from error
 
@@ -428,5 +449,5 @@ def _whose(timer: QTimer) -> str:
 def _timers_due() -> list[QTimer]:
     """Those that run out once, and soon."""
     windows = [w for w in QApplication.topLevelWidgets() if w.parent() is None]
-    timers = [t for window in windows for t in window.findChildren(QTimer)]
-    return [t for t in timers if t.isActive() and t.isSingleShot() and t.interval() <= _SOON_MS]
+    timers = [t for window in windows for t in window.findChildren(QTimer) if t.isActive()]
+    return [t for t in timers if t.isSingleShot() and t.interval() <= _SOON_MS]

@@ -139,7 +139,8 @@ def _settings_of(window: MainWindow) -> dict[str, object]:
             found[f"text {edit.objectName()}"] = edit.text()
     for combo in window.findChildren(QComboBox):
         if combo.objectName() not in ("", "reviewStatus"):  # that is the dataset's
-            found[f"choice {combo.objectName()}"] = combo.currentIndex()
+            # One that is filled when it is first seen stands on its first choice then.
+            found[f"choice {combo.objectName()}"] = max(combo.currentIndex(), 0)
     for button in window.findChildren(QAbstractButton):
         if button.objectName() and button.isCheckable():
             found[f"button {button.objectName()}"] = button.isChecked()

@@ -18,7 +18,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.pegs import misses, turned
+from procc_annotator.fit.pegs import misses, turned_camera
 from procc_annotator.fit.predict.given_camera import given_camera
 from procc_annotator.fit.solving.models import vector_from_camera
 from procc_annotator.fit.solving.observations import PictureFrame
@@ -34,6 +34,7 @@ from procc_annotator.session.dataset.video_frames import open_video
 from procc_annotator.session.facts.origins import OriginKind
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
 from tests.gui.conftest import all_done, until_kept
+from tests.gui.known_already import TrackMemory
 
 if TYPE_CHECKING:
     from tests.gui.conftest import MakeWindow
@@ -103,7 +104,7 @@ def truth(annotated: Path) -> PinholeCamera:
 @pytest.fixture
 def wrong(truth: PinholeCamera) -> PinholeCamera:
     """What the search in the picture finds: turned and zoomed away."""
-    return turned(truth, np.array([0.02, 0.006, 0.03, 0.0]))
+    return turned_camera(truth, np.array([0.02, 0.006, 0.03, 0.0]))
 
 
 @pytest.fixture
@@ -447,6 +448,17 @@ def written(drawn: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return write_video(path, [drawn.frame(n) for n in range(COUNT)])
 
 
+@pytest.fixture(scope="module")
+def tracks() -> TrackMemory:
+    return TrackMemory()
+
+
+@pytest.fixture(autouse=True)
+def tracked_once(tracks: TrackMemory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The shot is followed in the first test that needs it; so is what lies around an anchor."""
+    tracks.hand_out(monkeypatch)
+
+
 class TestInAShot:
     @pytest.fixture
     def shot(
@@ -539,6 +551,6 @@ class TestInAShot:
 
 
 def words(window: MainWindow) -> str:
-    from procc_annotator.gui.strip.words import words_of
+    from procc_annotator.gui.strip.words import strip_words
 
-    return words_of(window.document, window.strip.content, window.strip.number)
+    return strip_words(window.document, window.strip.content, window.strip.number)

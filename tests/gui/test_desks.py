@@ -8,14 +8,14 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QTabBar, QToolButton
+from PySide6.QtWidgets import QTabBar, QToolButton
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import DESKS as KEPT
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.window.docks import DESKS
-from tests.gui.conftest import MakeWindow
+from tests.gui.conftest import MakeWindow, all_done
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -69,19 +69,21 @@ def test_a_panel_that_is_asked_for_brings_its_work(window: MainWindow, in_front:
     assert in_front(window, "elements")
 
 
-def test_each_is_found_as_it_was_left(window: MainWindow, in_front: InFront) -> None:
+def test_each_is_found_as_it_was_left(window: MainWindow, in_front: InFront, qtbot: QtBot) -> None:
     window.panels.show("fit")
     window.docks["scores"].close()
+    all_done(qtbot)
     window.resizeDocks([window.docks["fit"]], [420], Qt.Orientation.Horizontal)
-    QApplication.processEvents()
+    all_done(qtbot)
     wide = window.docks["fit"].width()
     assert wide > 400
     window.panels.turn_to("annotate")
     window.resizeDocks([window.docks["elements"]], [300], Qt.Orientation.Horizontal)
-    QApplication.processEvents()
+    all_done(qtbot)
     window.panels.turn_to("judge")
     assert opened(window) == {"cameras", "fit"}
     assert in_front(window, "fit")
+    all_done(qtbot)
     assert abs(window.docks["fit"].width() - wide) <= 2
 
 
@@ -139,7 +141,7 @@ def test_no_tab_hides_behind_an_arrow(
     window = make_window(dataset, size=(1280, 720))
     qtbot.waitUntil(lambda: window.docks["elements"].width() >= 280)
     window.panels.turn_to(desk)
-    QApplication.processEvents()
+    all_done(qtbot)
     direct = Qt.FindChildOption.FindDirectChildrenOnly
     for bar in window.findChildren(QTabBar, options=direct):
         if bar.isVisible():
@@ -151,11 +153,12 @@ class TestDrawer:
         assert window.drawer.isHidden()
         window.panels.turn_to("judge")
         assert window.drawer.isVisible()
-        QApplication.processEvents()
+        all_done(qtbot)  # or the picture is laid out once more
         tall = window.canvas.height()
         QTest.mouseClick(window.drawer, Qt.MouseButton.LeftButton)
         plots, canvas = window.docks["plots"], window.canvas
         qtbot.waitUntil(lambda: canvas.height() < tall)
+        all_done(qtbot)
         assert plots.mapTo(window, plots.rect().topLeft()).y() > canvas.geometry().bottom()
         assert abs(plots.width() - window.centralWidget().width()) <= 2  # the columns stay whole
         assert "Shut" in window.drawer.toolTip()
@@ -168,14 +171,15 @@ class TestDrawer:
         QTest.keyClick(window.canvas, Qt.Key.Key_F5)
         plots = window.docks["plots"]
         qtbot.waitUntil(plots.isVisible)
+        all_done(qtbot)
         window.resizeDocks([plots], [190], Qt.Orientation.Vertical)
-        QApplication.processEvents()
+        all_done(qtbot)
         high = plots.height()
         window.panels.turn_to("annotate")
         assert opened(window) == set(DESKS["annotate"])
         assert window.drawer.isHidden()
         window.panels.turn_to("judge")
-        QApplication.processEvents()
+        all_done(qtbot)
         assert plots.isVisible()
         assert abs(plots.height() - high) <= 2
 

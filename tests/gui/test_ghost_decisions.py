@@ -16,7 +16,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import ghosts as ghosts_module
 from procc_annotator.gui.tasks.elements import ghost_accepting
-from procc_annotator.interact.overlay_ghosts import extent
+from procc_annotator.interact.overlay_ghosts import ghost_extent
 from procc_annotator.session.dataset.edits import delete_point
 from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
 from tests.gui.conftest import KEPT, Hand, MakeWindow, let_work_end, wait_for_ghosts
@@ -142,7 +142,7 @@ def test_a_ghost_that_is_drawn_by_hand_after_all_is_not_accepted_as_well(
     document = begun.document
     hand.key(Key.Key_Tab)
     name = current(begun)
-    left, top, right, bottom = extent(document.ghosts.current)
+    left, top, right, bottom = ghost_extent(document.ghosts.current)
     hand.key(Key.Key_Return)
     hand.click(left, top)
     assert "is not accepted: it is being drawn by hand" in told[-1]

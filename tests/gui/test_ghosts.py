@@ -24,7 +24,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements import ghost_accepting
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.interact.next_element import next_element
-from procc_annotator.interact.overlay_ghosts import extent
+from procc_annotator.interact.overlay_ghosts import ghost_extent
 from procc_annotator.interact.overlay_shapes import NOTHING
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.edits import append_points, delete_point
@@ -117,7 +117,7 @@ class TestWalk:
             hand.key(Key.Key_Tab)
             visited.append(current(begun))
             assert document.selected_class == current(begun)  # lists and field map show it
-            left, top, right, bottom = extent(document.ghosts.current)
+            left, top, right, bottom = ghost_extent(document.ghosts.current)
             a, b = canvas.to_view(left, top), canvas.to_view(right, bottom)
             room = canvas.viewport().rect().adjusted(-2, -2, 2, 2)
             assert room.contains(a.toPoint())
@@ -155,7 +155,7 @@ class TestWalk:
     def test_drawing_by_hand_ends_the_walk_where_it_is(self, begun: MainWindow, hand: Hand) -> None:
         hand.key(Key.Key_Tab)
         name, scale = current(begun), begun.canvas.view_scale
-        left, top, right, bottom = extent(begun.document.ghosts.current)
+        left, top, right, bottom = ghost_extent(begun.document.ghosts.current)
         hand.click(left, top)
         assert current(begun) is None
         assert begun.canvas.view_scale == scale

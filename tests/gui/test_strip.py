@@ -23,7 +23,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.strip import content
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.band import Band, band_pixels
-from procc_annotator.gui.strip.painting import rows_of
+from procc_annotator.gui.strip.painting import strip_rows
 from procc_annotator.session.dataset.frame_sequence import FEWEST, sequence_of
 from procc_annotator.session.dataset.frames import list_frames
 from tests.gui.conftest import all_done
@@ -326,7 +326,7 @@ class TestWhatItTells:
         take(window, [tracked(n) for n in range(100, 112)], (100, 111))
         strip = window.strip
         image = strip.grab().toImage()
-        rows = rows_of(strip.fontMetrics())
+        rows = strip_rows(strip.fontMetrics())
         ground = strip.palette().color(QPalette.ColorRole.Base)
         low = rows.band + 14  # the worst frame is as high
 
@@ -350,9 +350,9 @@ class TestWhatItTells:
 
 
 def strip_words(window: MainWindow) -> str:
-    from procc_annotator.gui.strip.words import words_of
+    from procc_annotator.gui.strip.words import strip_words
 
-    return words_of(window.document, window.strip.content, window.strip.number)
+    return strip_words(window.document, window.strip.content, window.strip.number)
 
 
 def test_frames_are_gone_to_and_marked_by_keys(window: MainWindow, qtbot: QtBot) -> None:

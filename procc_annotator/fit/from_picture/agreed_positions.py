@@ -14,7 +14,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import CENTRE, vector_from_camera
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.solving.surroundings import surroundings_of
-from procc_annotator.fit.together.positions import find_places
+from procc_annotator.fit.together.positions import find_positions
 from procc_annotator.fit.together.tripod import usual_of
 
 # What is known of the position of a camera that no other one agrees with, metres.
@@ -67,7 +67,7 @@ def positions_of_cameras(
 def _agreed(
     vectors: FloatArray, covariances: FloatArray, field: Field, is_sure: NDArray[np.bool_]
 ) -> tuple[KnownPosition, ...]:
-    places = find_places(vectors[:, CENTRE], covariances, surroundings_of(field).reach)
+    places = find_positions(vectors[:, CENTRE], covariances, surroundings_of(field).reach)
     return tuple(
         KnownPosition(place.position, place.covariance, usual_of(vectors[place.members]))
         for place in places

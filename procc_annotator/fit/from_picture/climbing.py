@@ -27,7 +27,7 @@ _DAMPING = 1.02
 
 
 @dataclass(frozen=True, eq=False)
-class Scene:
+class SearchScene:
     """What a search goes by.
 
     Attributes:
@@ -63,7 +63,7 @@ class Scene:
 
 
 def climb(
-    scene: Scene,
+    scene: SearchScene,
     vectors: FloatArray,
     scales_px: Sequence[float],
     *,
@@ -142,8 +142,8 @@ def harmonic(one: Any, other: Any) -> Any:
     return 2 * one * other / np.maximum(one + other, 1e-9)
 
 
-def agreement(
-    scene: Scene, vectors: FloatArray, within_px: float, *, places: int, paint: int
+def agreement_with_paint(
+    scene: SearchScene, vectors: FloatArray, within_px: float, *, places: int, paint: int
 ) -> Agreement:
     """Judge cameras (B, 11) by so many places on lines, and of the paint."""
     chosen = in_view(vectors, scene.lines.coarse, scene.paint.half_height, places).places

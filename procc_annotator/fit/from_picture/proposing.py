@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.climbing import Scene, agreement, harmonic
+from procc_annotator.fit.from_picture.climbing import SearchScene, agreement_with_paint, harmonic
 from procc_annotator.fit.from_picture.deciding import Evidence, decide
 from procc_annotator.fit.from_picture.field_lines import FieldLines, lines_of
 from procc_annotator.fit.from_picture.hypotheses import at_places, on_side
 from procc_annotator.fit.from_picture.in_view import apart_px
 from procc_annotator.fit.from_picture.proposal import NONE, KnownPosition, Proposal
-from procc_annotator.fit.from_picture.searching import STAGES, STAGES_KNOWN, search
+from procc_annotator.fit.from_picture.searching import STAGES, STAGES_KNOWN, search_picture
 from procc_annotator.fit.from_picture.seen_paint import SeenPaint, see_paint
 from procc_annotator.fit.on_paint.belief import Belief
 from procc_annotator.fit.on_paint.beside import beside_in
@@ -166,16 +166,16 @@ def _best(
 ) -> _Best | None:
     half_height = float(round(paint.half_height))
     if place is None:
-        scene = Scene(lines, paint)
+        scene = SearchScene(lines, paint)
         hypotheses = [
             (on_side(lines, half_height, side), _CLIMB if side == 0 else _CLIMB_OTHER)
             for side in _sides(field)
         ]
     else:
         x, y, z = place.position_m.tolist()
-        scene = Scene(lines, paint, _prior_at(place, lines))
+        scene = SearchScene(lines, paint, _prior_at(place, lines))
         hypotheses = [(at_places(lines, half_height, ((x, y, z),)), _CLIMB_KNOWN)]
-    found = search(scene, hypotheses, go_on, STAGES if place is None else STAGES_KNOWN)
+    found = search_picture(scene, hypotheses, go_on, STAGES if place is None else STAGES_KNOWN)
     vectors = found.vectors[:_REFINED]
     if place is None and field.half_turn is not None:
         # Labels are those of a camera on the main side.
@@ -203,7 +203,7 @@ def _prior_at(place: KnownPosition, lines: FieldLines) -> Prior:
 
 
 def _refined(
-    picture: PixelArray, field: Field, scene: Scene, vectors: FloatArray, scores: FloatArray
+    picture: PixelArray, field: Field, scene: SearchScene, vectors: FloatArray, scores: FloatArray
 ) -> _Best | None:
     """The best of some cameras (B, 11) with their scores (B,), those that come near the first one
     refined; None if there is paint beside none."""
@@ -231,10 +231,10 @@ def _refined(
     return _Best(best, vector, score)
 
 
-def _judged(scene: Scene, tried: Sequence[OnPaint]) -> list[_Candidate]:
+def _judged(scene: SearchScene, tried: Sequence[OnPaint]) -> list[_Candidate]:
     """Refined cameras, the best first."""
     final = np.array([refined.fit.vector for refined in tried])
-    judged = agreement(scene, final, _WITHIN_PX, places=1, paint=_JUDGED)
+    judged = agreement_with_paint(scene, final, _WITHIN_PX, places=1, paint=_JUDGED)
     unlikeliness = scene.unlikeliness(final)
     candidates = [
         _Candidate(vector, refined, float(explained), float(unlikely))

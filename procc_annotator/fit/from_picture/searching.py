@@ -7,7 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.from_picture.climbing import Agreement, Scene, agreement, climb
+from procc_annotator.fit.from_picture.climbing import (
+    Agreement,
+    SearchScene,
+    agreement_with_paint,
+    climb,
+)
 from procc_annotator.fit.from_picture.hypotheses import CELL_PX, Hypotheses
 from procc_annotator.fit.from_picture.in_view import apart_px
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
@@ -75,8 +80,8 @@ class Found:
         return Found(self.vectors[rows], self.scores[rows], both)
 
 
-def search(
-    scene: Scene,
+def search_picture(
+    scene: SearchScene,
     hypotheses: Sequence[tuple[Hypotheses, int]],
     go_on: Callable[[], None],
     stages: Sequence[Stage] = STAGES,
@@ -96,7 +101,7 @@ def search(
     return found
 
 
-def _round(scene: Scene, vectors: FloatArray, stage: Stage) -> Found:
+def _round(scene: SearchScene, vectors: FloatArray, stage: Stage) -> Found:
     for _ in range(stage.rounds):
         vectors = climb(
             scene,
@@ -106,7 +111,7 @@ def _round(scene: Scene, vectors: FloatArray, stage: Stage) -> Found:
             paint=stage.paint,
             model=stage.model,
         )
-    found = judged(scene, vectors, stage)
+    found = judged_cameras(scene, vectors, stage)
     order = np.argsort(-found.scores, kind="stable")
     most = min(stage.kept, max(len(order) // _GO_ON, 1))
     if not stage.apart_px:
@@ -114,16 +119,16 @@ def _round(scene: Scene, vectors: FloatArray, stage: Stage) -> Found:
     return found.chosen(_distinct(scene, vectors, order, stage.apart_px, most))
 
 
-def judged(scene: Scene, vectors: FloatArray, stage: Stage = STAGES[-1]) -> Found:
+def judged_cameras(scene: SearchScene, vectors: FloatArray, stage: Stage = STAGES[-1]) -> Found:
     """Cameras (B, 11) with what they are worth, in their order."""
-    found = agreement(
+    found = agreement_with_paint(
         scene, vectors, stage.within_px, places=stage.judged[0], paint=stage.judged[1]
     )
     return Found(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors), found)
 
 
 def _distinct(
-    scene: Scene, vectors: FloatArray, order: IntArray, apart: float, most: int
+    scene: SearchScene, vectors: FloatArray, order: IntArray, apart: float, most: int
 ) -> IntArray:
     """The first ones that show lines so many solver px from where those before them do."""
     kept: list[int] = []

@@ -67,7 +67,7 @@ class Solved:
     weights: FloatArray
 
 
-def solve(
+def solve_believed(
     marks: Marks,
     belief: Belief,
     start: FloatArray,

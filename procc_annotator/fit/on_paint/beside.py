@@ -13,8 +13,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.fit.on_paint.belief import COUNTS, weights_of
-from procc_annotator.fit.on_paint.expected import Expected, expect, pixels_of
-from procc_annotator.fit.on_paint.looking import SPACING_PX, Look, look, look_at, shares_on_paint
+from procc_annotator.fit.on_paint.expected import Expected, expect, projected_px
+from procc_annotator.fit.on_paint.looking import (
+    SPACING_PX,
+    PaintLook,
+    look,
+    look_at,
+    shares_on_paint,
+)
 from procc_annotator.fit.on_paint.marks import Marks
 from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.solving.jacobian import Lens
@@ -53,11 +59,11 @@ def beside_in(
     seen = look(picture, vector, painted, frame, _NEAR_PX)
     if not len(seen.marks):
         return ""
-    weights = weights_of(off_px(vector, seen.marks, frame))
+    weights = weights_of(marks_off_px(vector, seen.marks, frame))
     around = look_beside(picture, vector, painted, frame, seen, weights)
     marks = seen.marks.chosen(np.flatnonzero(weights > COUNTS))
     length = np.full(len(marks), SPACING_PX)
-    return words_of(elements_beside(vector, marks, length, around, frame), painted, frame)
+    return beside_words(elements_beside(vector, marks, length, around, frame), painted, frame)
 
 
 def look_beside(
@@ -65,7 +71,7 @@ def look_beside(
     vector: FloatArray,
     painted: Painted,
     frame: PictureFrame,
-    seen: Look,
+    seen: PaintLook,
     weights: FloatArray,
 ) -> FoundAround | None:
     """Look farther out for the elements of which a camera (11,) finds little.
@@ -99,7 +105,7 @@ def look_beside(
 
 
 def _steady(
-    expected: Expected, near: Look, far: Look, painted: Painted, least_contrast: float
+    expected: Expected, near: PaintLook, far: PaintLook, painted: Painted, least_contrast: float
 ) -> FoundAround | None:
     """What was found near, else farther out, where it goes on as its neighbour does."""
     px = np.where(near.offsets.found, near.offsets.px, far.offsets.px)
@@ -140,7 +146,7 @@ def elements_beside(
         (marks, length_px),
         *([(around.marks, around.length_px)] if around else []),
     ]:
-        off = off_px(vector, some, frame)
+        off = marks_off_px(vector, some, frame)
         for number in np.unique(some.element[np.abs(off) >= _BESIDE_PX]).tolist():
             own = some.element == number
             away = _to_one_side(off[own], length[own])
@@ -160,13 +166,13 @@ def _to_one_side(off: FloatArray, length: FloatArray) -> float | None:
     return float(np.abs(np.median(off[side])))
 
 
-def off_px(vector: FloatArray, marks: Marks, frame: PictureFrame) -> FloatArray:
+def marks_off_px(vector: FloatArray, marks: Marks, frame: PictureFrame) -> FloatArray:
     """(n,) solver px that marks are off from where a camera (11,) shows them."""
-    px, _ = pixels_of(Lens.of(vector[None], frame.half_diagonal), marks.world.astype(np.float64))
+    px, _ = projected_px(Lens.of(vector[None], frame.half_diagonal), marks.world.astype(np.float64))
     return np.asarray(marks.across - (px * marks.normal).sum(axis=0))
 
 
-def words_of(beside: dict[int, float], painted: Painted, frame: PictureFrame) -> str:
+def beside_words(beside: dict[int, float], painted: Painted, frame: PictureFrame) -> str:
     """That elements lie beside their paint, the farthest first; "" of none."""
     if not beside:
         return ""

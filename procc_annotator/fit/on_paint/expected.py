@@ -59,7 +59,7 @@ def expect(
             are taken.
     """
     lens = Lens.of(vector[None], frame.half_diagonal)
-    px, shown = pixels_of(lens, painted.world)
+    px, shown = projected_px(lens, painted.world)
     limit = (np.array(frame.size)[:, None] - 1) / 2 * frame.scale - _INSIDE_PX
     inside = np.flatnonzero(shown & (np.abs(px) <= limit).all(axis=0))
     if not len(inside):
@@ -83,7 +83,7 @@ def expect(
     return Expected(rows, seen[:, kept], normal, width, chosen, length)
 
 
-def pixels_of(lens: Lens, world: FloatArray) -> tuple[FloatArray, np.ndarray]:
+def projected_px(lens: Lens, world: FloatArray) -> tuple[FloatArray, np.ndarray]:
     """(3, N) metres -> (2, N) solver px of one camera, and (N,) whether it shows them."""
     place = lens.linear[0, :, :3] @ world + lens.linear[0, :, 3:]
     ahead = place[2] > NEAREST_M

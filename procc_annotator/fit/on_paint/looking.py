@@ -19,7 +19,7 @@ SPACING_PX = 5.0
 
 
 @dataclass(frozen=True, eq=False)
-class Look:
+class PaintLook:
     """Paint beside n expected places.
 
     Attributes:
@@ -40,7 +40,7 @@ def look(
     frame: PictureFrame,
     reach_px: float,
     spacing_px: float = SPACING_PX,
-) -> Look:
+) -> PaintLook:
     """Look for paint beside where a camera (11,) shows it, so many solver px to either side."""
     return look_at(picture, expect(vector, painted, frame, spacing_px), painted, frame, reach_px)
 
@@ -51,7 +51,7 @@ def look_at(
     painted: Painted,
     frame: PictureFrame,
     reach_px: float,
-) -> Look:
+) -> PaintLook:
     """Look for paint beside expected places, so many solver px to either side."""
     offsets = offsets_of(picture, expected, painted, frame, reach_px)
     found = np.flatnonzero(offsets.found)
@@ -61,11 +61,11 @@ def look_at(
     marks = Marks(
         painted.world[:, rows], across, normal, painted.element[rows], expected.run[found]
     )
-    return Look(expected, offsets, marks)
+    return PaintLook(expected, offsets, marks)
 
 
 def shares_on_paint(
-    seen: Look, weights: FloatArray, painted: Painted
+    seen: PaintLook, weights: FloatArray, painted: Painted
 ) -> tuple[float, Mapping[str, float]]:
     """The share of what should be in sight that was found where the camera has it, by length.
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve, usual
-from procc_annotator.fit.on_paint.looking import Look, look, shares_on_paint
+from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve_believed, usual
+from procc_annotator.fit.on_paint.looking import PaintLook, look, shares_on_paint
 from procc_annotator.fit.on_paint.painted import Painted, painted_of
 from procc_annotator.fit.on_paint.result import fit_of, worth_of
 from procc_annotator.fit.result import FitResult
@@ -72,19 +72,21 @@ def refine_on_paint(
             return _nothing(frame, painted, seen)
         solved = on_marks(seen, belief, vector, frame, reach)
         vector = solved.vector
-    return result_of(solved, seen, belief, painted, frame)
+    return refined_result(solved, seen, belief, painted, frame)
 
 
 def on_marks(
-    seen: Look, belief: Belief, start: FloatArray, frame: PictureFrame, reach_px: float
+    seen: PaintLook, belief: Belief, start: FloatArray, frame: PictureFrame, reach_px: float
 ) -> Solved:
     """The camera for what was found within a reach, from (11,) parameters."""
     scale = _SCALE_SHARE * reach_px
-    return solve(seen.marks, belief, start, frame.half_diagonal, error_px=1.0, scale_px=scale)
+    return solve_believed(
+        seen.marks, belief, start, frame.half_diagonal, error_px=1.0, scale_px=scale
+    )
 
 
-def result_of(
-    solved: Solved, seen: Look, belief: Belief, painted: Painted, frame: PictureFrame
+def refined_result(
+    solved: Solved, seen: PaintLook, belief: Belief, painted: Painted, frame: PictureFrame
 ) -> OnPaint:
     """What a refinement hands back."""
     worth = worth_of(solved, seen.marks)
@@ -97,7 +99,7 @@ def result_of(
     return OnPaint(fit, coverage, residual, shares, int(counted.sum()))
 
 
-def _nothing(frame: PictureFrame, painted: Painted, seen: Look) -> OnPaint:
+def _nothing(frame: PictureFrame, painted: Painted, seen: PaintLook) -> OnPaint:
     fit = FitResult(
         "R", frame.size, None, "there is too little paint where the camera expects some"
     )

@@ -169,15 +169,20 @@ def project(
         by_first = squares * lens.bend_by_kappa if first is None else first
         derivatives[:, KAPPA] = v * by_first[:, None]
     if free > ASPECT:
-        derivatives[:, :ASPECT, 0] *= stretch[:, None]
-        derivatives[:, ASPECT:] = 0.0
-        derivatives[:, ASPECT, 0] = bent[:, 0]
-        derivatives[:, PRINCIPAL_X, 0] = 1.0
-        derivatives[:, PRINCIPAL_Y, 1] = 1.0
+        _by_picture(derivatives, bent, stretch)
     if free > SECOND and second is not None:
         derivatives[:, SECOND] = v * second[:, None]
         derivatives[:, SECOND, 0] *= stretch
     return pixels, moved, derivatives
+
+
+def _by_picture(derivatives: FloatArray, bent: FloatArray, stretch: FloatArray) -> None:
+    """Fill in what aspect ratio and principal point do to pixels, and stretch all else."""
+    derivatives[:, :ASPECT, 0] *= stretch[:, None]
+    derivatives[:, ASPECT:] = 0.0
+    derivatives[:, ASPECT, 0] = bent[:, 0]
+    derivatives[:, PRINCIPAL_X, 0] = 1.0
+    derivatives[:, PRINCIPAL_Y, 1] = 1.0
 
 
 def _curve_of(vectors: FloatArray, half_diagonal: float) -> LensCurve:

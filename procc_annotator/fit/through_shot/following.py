@@ -14,7 +14,7 @@ from procc_annotator.fit.on_paint.result import Worth
 from procc_annotator.fit.solving.observations import PictureFrame
 from procc_annotator.fit.through_shot.kept_steps import KeptSteps
 from procc_annotator.fit.through_shot.reading import Glimpse, ReadFrame, glimpses
-from procc_annotator.fit.through_shot.stand import TRIPOD, Stand
+from procc_annotator.fit.through_shot.stand import TRIPOD, ShotStand
 from procc_annotator.fit.through_shot.stepping import Stepped, foretold, stepped
 from procc_annotator.fit.through_shot.turning import OWN, Turn, turn_between
 
@@ -57,7 +57,7 @@ def follow(
     picture_frame: PictureFrame,
     on_step: Callable[[int, Stepped], None],
     go_on: Callable[[], None],
-    stand: Stand = TRIPOD,
+    stand: ShotStand = TRIPOD,
 ) -> Followed:
     """Follow a camera from frame to frame.
 
@@ -119,7 +119,7 @@ def _next(
     start: Belief,
     painted: Painted,
     frame: PictureFrame,
-    stand: Stand,
+    stand: ShotStand,
 ) -> Stepped:
     if before is None:
         return stepped(now.picture, start, None, painted, frame, _FIRST_WORTH)

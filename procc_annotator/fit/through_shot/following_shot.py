@@ -25,8 +25,8 @@ from procc_annotator.fit.through_shot.following import Followed, follow
 from procc_annotator.fit.through_shot.known_places import stands_at_one
 from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
 from procc_annotator.fit.through_shot.smoothing import Smoothed, smoothed
-from procc_annotator.fit.through_shot.stand import MOVING, TRIPOD, Stand
-from procc_annotator.fit.through_shot.starting import belief_at, vector_of
+from procc_annotator.fit.through_shot.stand import MOVING, TRIPOD, ShotStand
+from procc_annotator.fit.through_shot.starting import belief_at, pinhole_near
 from procc_annotator.fit.through_shot.stepping import Stepped, wireframe_apart
 from procc_annotator.fit.through_shot.track import FrameState, Track, TrackedFrame
 
@@ -138,7 +138,7 @@ class _Work:
 
     def from_anchors(self, numbers: range, anchors: Mapping[int, Camera]) -> None:
         """Follow what lies around and between anchors."""
-        vectors = {n: vector_of(c, self.field, self.picture) for n, c in anchors.items()}
+        vectors = {n: pinhole_near(c, self.field, self.picture) for n, c in anchors.items()}
         given = {
             n: belief_at(vector, self.field, self.painted, self.picture)
             for n, vector in vectors.items()
@@ -177,7 +177,7 @@ class _Work:
         return forwards, self._follow(range(other, last, -1), near)
 
     def _follow(
-        self, numbers: Sequence[int], given: Mapping[int, Belief], stand: Stand = TRIPOD
+        self, numbers: Sequence[int], given: Mapping[int, Belief], stand: ShotStand = TRIPOD
     ) -> Followed:
         """Follow frames from the first of them, whose camera was given."""
         begin, places = numbers[0], np.array(list(given))

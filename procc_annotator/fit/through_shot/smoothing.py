@@ -21,7 +21,7 @@ from procc_annotator.fit.through_shot.banded import BandedSolution, Normal, solv
 from procc_annotator.fit.through_shot.chain import FrameChain
 from procc_annotator.fit.through_shot.kept_steps import KeptSteps
 from procc_annotator.fit.through_shot.shot_marks import MarksOfSome, ShotMarks
-from procc_annotator.fit.through_shot.stand import TRIPOD, Stand
+from procc_annotator.fit.through_shot.stand import TRIPOD, ShotStand
 from procc_annotator.fit.through_shot.ties import Ties, ties_of
 
 # Marks count by these scales, solver px, from round to round: at first each frame's camera is off
@@ -51,7 +51,7 @@ class Smoothed:
 
 
 def smoothed(
-    chain: FrameChain, field: Field, frame: PictureFrame, stand: Stand = TRIPOD
+    chain: FrameChain, field: Field, frame: PictureFrame, stand: ShotStand = TRIPOD
 ) -> Smoothed:
     """The same frames, each with the camera that is best for all of them together."""
     marks, ties = ShotMarks(chain.steps), ties_of(chain.turns, stand)
@@ -119,7 +119,7 @@ def _normal(
     known: _Known,
     vectors: FloatArray,
     frame: PictureFrame,
-    stand: Stand,
+    stand: ShotStand,
     scale_px: float,
 ) -> Normal:
     """The normal equations at K cameras (K, 11)."""
@@ -178,7 +178,7 @@ def _of_marks(
 
 
 def _beside(
-    marks: ShotMarks, vectors: FloatArray, normal: Normal, frame: PictureFrame, stand: Stand
+    marks: ShotMarks, vectors: FloatArray, normal: Normal, frame: PictureFrame, stand: ShotStand
 ) -> tuple[float, FloatArray]:
     """What it does to the cameras that elements lie beside the model, each all along the chain by
     as much as elements of single frames do: more frames do not average that out.
@@ -229,7 +229,7 @@ def _held(
     return shares, residuals
 
 
-def _add_noise(full: FloatArray, found: BandedSolution, stand: Stand) -> None:
+def _add_noise(full: FloatArray, found: BandedSolution, stand: ShotStand) -> None:
     """Add to the covariances (K, 8, 8) of each frame's parameters what the marks' noise does."""
     own, shared = stand.own, stand.shared
     followed = found.follow @ found.shared_covariance

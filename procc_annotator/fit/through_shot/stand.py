@@ -11,7 +11,7 @@ from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
 
 @dataclass(frozen=True, eq=False)
-class Stand:
+class ShotStand:
     """What may change from frame to frame, and how much.
 
     Attributes:
@@ -33,9 +33,11 @@ class Stand:
 _KAPPA, _KAPPA_ZOOMING = 0.0003, 0.02
 _PLACE = (X, X + 1, Z)
 # Tripods give a little, and no field is quite what it should be.
-TRIPOD = Stand(np.array([PAN, TILT, ROLL, LOG_FOCAL, KAPPA]), np.array(_PLACE), 0.015, np.zeros(4))
+TRIPOD = ShotStand(
+    np.array([PAN, TILT, ROLL, LOG_FOCAL, KAPPA]), np.array(_PLACE), 0.015, np.zeros(4)
+)
 # Rails, cranes and cameras on ropes: some metres a second, 60 m from what they film.
-MOVING = Stand(
+MOVING = ShotStand(
     np.array([PAN, TILT, ROLL, *_PLACE, LOG_FOCAL, KAPPA]),
     np.array([], dtype=np.intp),
     0.15,

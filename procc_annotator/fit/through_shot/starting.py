@@ -25,7 +25,7 @@ _GIVEN_PX = 1.0
 _POINTS = 12
 
 
-def vector_of(camera: Camera, field: Field, frame: PictureFrame) -> FloatArray:
+def pinhole_near(camera: Camera, field: Field, frame: PictureFrame) -> FloatArray:
     """(11,) parameters of the pinhole camera that is nearest to any.
 
     Raises:

@@ -12,16 +12,22 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve, weights_of
+from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve_believed, weights_of
 from procc_annotator.fit.on_paint.beside import (
     FoundAround,
+    beside_words,
     elements_beside,
     look_beside,
-    off_px,
-    words_of,
+    marks_off_px,
 )
-from procc_annotator.fit.on_paint.expected import Expected, expect, pixels_of
-from procc_annotator.fit.on_paint.looking import SPACING_PX, Look, look, look_at, shares_on_paint
+from procc_annotator.fit.on_paint.expected import Expected, expect, projected_px
+from procc_annotator.fit.on_paint.looking import (
+    SPACING_PX,
+    PaintLook,
+    look,
+    look_at,
+    shares_on_paint,
+)
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, Marks
 from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.on_paint.result import Worth, worth_of
@@ -29,7 +35,7 @@ from procc_annotator.fit.solving.covariance import projected_covariance, worst_s
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.models import KAPPA, LOG_FOCAL, ROLL, X, Z
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.fit.through_shot.stand import TRIPOD, Stand, lens_change
+from procc_annotator.fit.through_shot.stand import TRIPOD, ShotStand, lens_change
 from procc_annotator.fit.through_shot.turning import OWN, Turn
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.language import said
@@ -82,10 +88,12 @@ class Stepped:
             return ""
         length = np.full(len(self.marks), self.standing_for * _THIN * SPACING_PX)
         found = elements_beside(self.belief.vector, self.marks, length, self.around, frame)
-        return words_of(found, painted, frame)
+        return beside_words(found, painted, frame)
 
 
-def foretold(belief: Belief, turn: Turn | None, last: FloatArray, stand: Stand = TRIPOD) -> Belief:
+def foretold(
+    belief: Belief, turn: Turn | None, last: FloatArray, stand: ShotStand = TRIPOD
+) -> Belief:
     """What is believed of a camera one frame on.
 
     Args:
@@ -151,7 +159,7 @@ def stepped(
         if len(seen.marks) < _FEWEST:
             return replace(none, reason=said("too little paint in sight"))
         solved, marks = _solved(seen, believed, solved.vector, frame, worth, _LEAST_REACH_PX)
-    off = off_px(solved.vector, seen.marks, frame)
+    off = marks_off_px(solved.vector, seen.marks, frame)
     weights = weights_of(off)
     coverage, _ = shares_on_paint(seen, weights, painted)
     least = _LEAST_COVERAGE_FAR if reach > _SURE_REACH_PX else _LEAST_COVERAGE
@@ -187,7 +195,7 @@ def _surer(
 
 
 def _solved(
-    seen: Look,
+    seen: PaintLook,
     believed: Belief,
     start: FloatArray,
     frame: PictureFrame,
@@ -196,7 +204,7 @@ def _solved(
 ) -> tuple[Solved, Marks]:
     """The camera for every third of the marks, and those."""
     marks = seen.marks.chosen(np.arange(0, len(seen.marks), _THIN))
-    solved = solve(
+    solved = solve_believed(
         marks,
         believed,
         start,
@@ -218,7 +226,9 @@ def wireframe_apart(
 def _apart(expected: Expected, other: FloatArray, painted: Painted, frame: PictureFrame) -> float:
     if not len(expected.rows):
         return np.inf
-    there, _ = pixels_of(Lens.of(other[None], frame.half_diagonal), painted.world[:, expected.rows])
+    there, _ = projected_px(
+        Lens.of(other[None], frame.half_diagonal), painted.world[:, expected.rows]
+    )
     across = ((there - expected.px) * expected.normal).sum(axis=0)
     return _nine_in_ten(np.abs(across))
 

@@ -10,7 +10,7 @@ import numpy as np
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE
 from procc_annotator.fit.solving.models import KAPPA, LOG_FOCAL, X, Z
 from procc_annotator.fit.solving.observations import FloatArray
-from procc_annotator.fit.through_shot.stand import Stand, lens_change
+from procc_annotator.fit.through_shot.stand import ShotStand, lens_change
 from procc_annotator.fit.through_shot.turning import OWN, Turn
 
 # Of a step that nothing foretells, standard deviations: pan, tilt, roll, logarithm of the focal
@@ -30,7 +30,7 @@ class Ties:
 
     step: FloatArray
     stiffness: FloatArray
-    stand: Stand
+    stand: ShotStand
 
     def add_to(
         self, information: FloatArray, pull: FloatArray, rows: slice, vectors: FloatArray
@@ -72,7 +72,7 @@ class Ties:
         return stiff
 
 
-def ties_of(turns: Sequence[Turn | None], stand: Stand) -> Ties:
+def ties_of(turns: Sequence[Turn | None], stand: ShotStand) -> Ties:
     """The ties of frames between which the picture turned so; None where nothing tells."""
     told = [turn or _UNKNOWN for turn in turns]
     apparent = np.diag(stand.apparent**2)

@@ -35,7 +35,7 @@ class CameraPlace:
     members: IntArray
 
 
-def find_places(
+def find_positions(
     positions: FloatArray, covariances: FloatArray, reach: float
 ) -> tuple[CameraPlace, ...]:
     """The positions that frames agree on, the one with most frames first.

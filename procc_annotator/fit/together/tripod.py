@@ -34,7 +34,7 @@ from procc_annotator.fit.together.known import (
     sighting_of,
 )
 from procc_annotator.fit.together.outer import Profile, Shared, SharedPrior, find_shared
-from procc_annotator.fit.together.positions import find_places
+from procc_annotator.fit.together.positions import find_positions
 from procc_annotator.fit.together.sides import on_other_side
 from procc_annotator.language import said, said_joined
 
@@ -159,7 +159,7 @@ def _tripods(
     """Each position that frames agree on, with their fits there."""
     names = list(sightings)
     positions, covariances = _stands([alone[name] for name in names])
-    for place in find_places(positions, covariances, surroundings_of(field).reach):
+    for place in find_positions(positions, covariances, surroundings_of(field).reach):
         members = [names[i] for i in place.members]
         shared, taken = _common(
             [sightings[name] for name in members], place.position, field, on_step

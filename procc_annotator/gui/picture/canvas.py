@@ -17,7 +17,7 @@ from procc_annotator.gui.picture.blind_frame import BlindFrame
 from procc_annotator.gui.picture.camera_hand import CameraHand
 from procc_annotator.gui.picture.comparison import OtherSources
 from procc_annotator.gui.picture.corner_legend import CornerLegend
-from procc_annotator.gui.picture.drawing import Drawing
+from procc_annotator.gui.picture.drawing import OverlayDrawing
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.found_plate import FoundPlate
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
@@ -68,7 +68,7 @@ class Canvas(PictureView):
         self.blind_frame = BlindFrame(document, self.viewport())
         self.legend = CornerLegend(document, self.viewport(), self.comparison)
         self.camera_hand = CameraHand(document, self, self.editor)
-        self.drawing = Drawing(
+        self.drawing = OverlayDrawing(
             document,
             self,
             self.editor,

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QTransform
+from PySide6.QtCore import QCoreApplication, QRectF
+from PySide6.QtGui import QColor, QImage, QPainter, QTransform
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import SaveError
 from procc_annotator.field.model import Field
+from procc_annotator.gui.picture.caption import paint_caption
 from procc_annotator.gui.picture.comparison_panel import PANEL_SIZE, paint_panel
 from procc_annotator.gui.picture.disagreement_picture import paint_disagreement
 from procc_annotator.gui.picture.metre_map_picture import paint_lines
@@ -107,7 +108,8 @@ def _paint_frame(
     ):
         paint_wireframe(painter, camera, scene.field, own, transform, colour, unit)
     if scene.image_path is None:
-        _note(painter, "no picture of this frame", QRectF(0, 0, *size), unit)
+        area, font_px = QRectF(0, 0, *size), max(10, round(13 * unit))
+        paint_caption(painter, "no picture of this frame", area, unit, font_px)
 
 
 def paint_wireframe(
@@ -136,15 +138,3 @@ def paint_wireframe(
         width=_LINE_WIDTH * unit,
         casing=_RIM_WIDTH * unit,
     )
-
-
-def _note(painter: QPainter, text: str, area: QRectF, unit: float) -> None:
-    font = QFont()
-    font.setPixelSize(max(10, round(13 * unit)))
-    metrics = QFontMetricsF(font)
-    band = QRectF(0, 0, metrics.horizontalAdvance(text) + 16 * unit, metrics.height() + 8 * unit)
-    band.moveBottomLeft(area.bottomLeft())
-    painter.fillRect(band, QColor(32, 32, 32, 200))
-    painter.setFont(font)
-    painter.setPen(QColor("white"))
-    painter.drawText(band, Qt.AlignmentFlag.AlignCenter, text)

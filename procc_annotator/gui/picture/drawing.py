@@ -21,7 +21,7 @@ from procc_annotator.interact.overlay import ColourBy
 from procc_annotator.interact.overlay_shapes import NOTHING
 
 
-class Drawing(QObject):
+class OverlayDrawing(QObject):
     """Draws overlay, ghosts and other sources where they changed; once for all that changes
     together.
 

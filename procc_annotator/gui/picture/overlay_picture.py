@@ -6,12 +6,13 @@ from base64 import b64encode
 
 import cv2
 import numpy as np
-from PySide6.QtCore import QBuffer, QByteArray, QCoreApplication, QIODevice, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
+from PySide6.QtCore import QBuffer, QByteArray, QCoreApplication, QIODevice, QRectF, QSize
+from PySide6.QtGui import QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.errors import SaveError
+from procc_annotator.gui.picture.caption import paint_caption
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.legend import LegendBand
 from procc_annotator.image.decode import PixelArray
@@ -171,7 +172,8 @@ class _Drawing:
         )  # fmt: skip
         painter.restore()
         if self._band is None:
-            _paint_caption(painter, self._caption, area, self._unit)
+            font_px = max(1, round(14 * self._unit))
+            paint_caption(painter, self._caption, area, self._unit, font_px)
         else:
             self._band.paint(painter, float(height))
 
@@ -188,17 +190,3 @@ def _with_picture(svg: bytes, picture: str, width: int, height: int) -> bytes:
     # A reader without the font must not fall back to one with serifs, which is of another width.
     drawn = rest.replace('" font-size="', ', sans-serif" font-size="')
     return f"{sized}{end}\n{picture}{drawn}".encode()
-
-
-def _paint_caption(painter: QPainter, text: str, area: QRectF, unit: float) -> None:
-    if not text:
-        return
-    font = QFont()
-    font.setPixelSize(max(1, round(14 * unit)))
-    metrics = QFontMetricsF(font)
-    band = QRectF(0, 0, metrics.horizontalAdvance(text) + 16 * unit, metrics.height() + 8 * unit)
-    band.moveBottomLeft(area.bottomLeft())
-    painter.fillRect(band, QColor(32, 32, 32, 200))
-    painter.setFont(font)
-    painter.setPen(QColor("white"))
-    painter.drawText(band, Qt.AlignmentFlag.AlignCenter, text)

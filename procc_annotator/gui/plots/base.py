@@ -142,8 +142,7 @@ class PlotPage(QWidget, Generic[D]):
 
     def add_plot(self, row: int, bottom: str, left: str, *, movable: bool = True) -> Any:
         """A set of axes with labels."""
-        item = self.view.addPlot(row=row, col=0)
-        item.setMenuEnabled(False)
+        item = self.view.addPlot(row=row, col=0, enableMenu=False)  # a third of its time to make
         item.hideButtons()
         item.setMouseEnabled(x=movable, y=movable)
         item.setLabel("left", left)

@@ -145,7 +145,7 @@ class RadiusPage(PlotPage[RadialPlot]):
         points = tuple(gather(request.audits(s), request.class_row) for s in request.sources)
         radial = tuple(radial_errors(p, request.size) for p in points)
         share = MOST_DOTS // max(1, sum(len(p.errors_px) > 0 for p in points))
-        painted = tuple(sample(p.errors_px, share) for p in points)
+        painted = tuple(thinned_errors(p.errors_px, share) for p in points)
         highest = [float(np.percentile(p.errors_px, 99)) for p in points if len(p.errors_px)]
         highest += [float(r.medians.max()) for r in radial if len(r.medians)]
         return RadialPlot(points, radial, painted, 1.1 * max(highest, default=1.0) + 0.1)
@@ -190,7 +190,7 @@ class RadiusPage(PlotPage[RadialPlot]):
         )
 
 
-def sample(errors: Any, most: int) -> Any:
+def thinned_errors(errors: Any, most: int) -> Any:
     """(m,) at most so many positions: the largest errors and an even choice of the others."""
     count = len(errors)
     if count <= most:

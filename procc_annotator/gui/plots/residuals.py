@@ -15,7 +15,7 @@ from procc_annotator.gui.plots.errors import (
     left_out,
     no_points,
     point_table,
-    sample,
+    thinned_errors,
 )
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
 from procc_annotator.gui.theme import muted
@@ -192,7 +192,7 @@ class DirectionsPage(PlotPage[Directions]):
         reach = [float(np.percentile(p.errors_px, 97)) for p in points if len(p.errors_px)]
         return Directions(
             points,
-            tuple(sample(p.errors_px, share) for p in points),
+            tuple(thinned_errors(p.errors_px, share) for p in points),
             tuple(bias(p) for p in points),
             1.15 * max(*reach, 0.5) if reach else None,
         )

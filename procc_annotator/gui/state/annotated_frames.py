@@ -13,7 +13,7 @@ from procc_annotator.gui.state.store import Store
 from procc_annotator.session.dataset.workspace import Workspace
 
 
-class AnnotatedFrames(QObject):
+class AnnotatedIndices(QObject):
     """Their indices, once somebody wants them. A frame that cannot be read counts as annotated:
     nobody may write over it."""
 

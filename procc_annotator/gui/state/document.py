@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.state.annotated_frames import AnnotatedFrames
+from procc_annotator.gui.state.annotated_frames import AnnotatedIndices
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.corrections import Corrections
@@ -264,7 +264,7 @@ class Document(QObject):
     def _make_watches(self) -> None:
         store, signals = self.store, self.signals
         self.sequence = SequenceWatch(store, signals)
-        self.annotated_frames = AnnotatedFrames(store, signals)
+        self.annotated_frames = AnnotatedIndices(store, signals)
         self.shot_track = ShotTrack(store, signals, self.sequence, self.camera_sources)
         self.painted_width = PaintedWidth(store, signals, self.judge)
         self.disagreement = DisagreementWatch(store, signals, self.source_frames)

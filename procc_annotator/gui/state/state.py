@@ -53,7 +53,7 @@ class ChosenElement:
 
 
 @dataclass(frozen=True, slots=True)
-class Options:
+class HandOptions:
     """How a hand works: what clicks do."""
 
     snapping: bool = True
@@ -115,7 +115,7 @@ class State:
     selection: ChosenElement = ChosenElement()
     hovered_class: str | None = None
     mode: Mode = "draw"
-    options: Options = Options()
+    options: HandOptions = HandOptions()
     sources: tuple[CameraSource, ...] = ()
     looks: tuple[SourceLook, ...] = ()
     active: CameraSource | None = None
@@ -251,7 +251,7 @@ _VALUES = (
     Enum,
     Path,
     ChosenElement,
-    Options,
+    HandOptions,
     SourceLook,
     Notice,
     Holder,

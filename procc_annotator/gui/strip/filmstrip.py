@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QModelIndex, QRect, QRectF, QSize, Qt, QTimer
-from PySide6.QtGui import QColor, QFontMetrics, QKeyEvent, QPainter, QPalette, QWheelEvent
+from PySide6.QtGui import QColor, QFontMetrics, QKeyEvent, QPainter, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
     QSizePolicy,
-    QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
@@ -19,7 +18,7 @@ from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.turned_rows import TurnedRows
-from procc_annotator.gui.theme import blend
+from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.interact import palette as tones
 from procc_annotator.language import tr
 from procc_annotator.session.facts.origins import Status
@@ -134,17 +133,8 @@ class _Cells(QStyledItemDelegate):
         model = index.model()
         if not isinstance(model, TurnedRows):
             return
-        palette: QPalette = option.palette
         rect: QRect = option.rect
-        ground = palette.color(QPalette.ColorRole.Base)
-        text = palette.color(QPalette.ColorRole.Text)
-        if option.state & QStyle.StateFlag.State_Selected:
-            ground = palette.color(QPalette.ColorRole.Highlight)
-            text = palette.color(QPalette.ColorRole.HighlightedText)
-            painter.fillRect(rect, ground)
-        elif option.state & QStyle.StateFlag.State_MouseOver:
-            ground = blend(ground, text, 0.07)
-            painter.fillRect(rect, ground)
+        ground, text = paint_row(painter, option)
         thumb = QRect(rect.left() + _PAD, rect.top() + _PAD, _THUMB.width(), _THUMB.height())
         words = rect.adjusted(_PAD, 2 * _PAD + _THUMB.height(), -_PAD, -_PAD // 2)
         info = model.frames.info(index.column())

@@ -51,7 +51,7 @@ class Rows:
     height: int
 
 
-def rows_of(metrics: QFontMetrics) -> Rows:
+def strip_rows(metrics: QFontMetrics) -> Rows:
     """The rows for a font."""
     words = 2
     marks = words + metrics.height()
@@ -61,7 +61,7 @@ def rows_of(metrics: QFontMetrics) -> Rows:
     return Rows(words, marks, band, status, numbers, numbers + metrics.height() + _GAP)
 
 
-def paint_frames(
+def paint_strip(
     painter: QPainter,
     content: StripContent,
     axis: Axis,
@@ -80,7 +80,7 @@ def paint_frames(
         colours: of the window.
         stretch: first and last number that somebody marked.
     """
-    rows = rows_of(painter.fontMetrics())
+    rows = strip_rows(painter.fontMetrics())
     painter.fillRect(painter.viewport(), colours.color(QPalette.ColorRole.Window))
     band = QRectF(area.left(), rows.band, area.width(), _BAND)
     painter.fillRect(band, colours.color(QPalette.ColorRole.Base))
@@ -112,11 +112,11 @@ def paint_here(
 
     Args:
         painter: on the widget.
-        axis, area, colours: as for `paint_frames`.
+        axis, area, colours: as for `paint_strip`.
         number: of the frame on screen.
         words: on the left, and on the right.
     """
-    rows = rows_of(painter.fontMetrics())
+    rows = strip_rows(painter.fontMetrics())
     _paint_words(painter, area, rows, colours, words)
     if number is not None:
         painter.translate(area.left(), 0)

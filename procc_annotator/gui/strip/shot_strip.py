@@ -23,8 +23,8 @@ from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.content import StripContent
-from procc_annotator.gui.strip.painting import Rows, paint_frames, paint_here, rows_of
-from procc_annotator.gui.strip.words import words_of
+from procc_annotator.gui.strip.painting import Rows, paint_here, paint_strip, strip_rows
+from procc_annotator.gui.strip.words import strip_words
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
 
@@ -131,7 +131,7 @@ class ShotStrip(QWidget):
         return max(1.0, self.width() - 2.0 * _SIDE)
 
     def _rows(self) -> Rows:
-        return rows_of(self.fontMetrics())
+        return strip_rows(self.fontMetrics())
 
     def sizeHint(self) -> QSize:
         return QSize(400, self._rows().height)
@@ -153,7 +153,7 @@ class ShotStrip(QWidget):
             area,
             colours=self.palette(),
             number=self.number,
-            words=(words_of(self._document, self.content, self.number), far),
+            words=(strip_words(self._document, self.content, self.number), far),
         )
         painter.end()
 
@@ -167,7 +167,7 @@ class ShotStrip(QWidget):
             self._painted.setDevicePixelRatio(ratio)
             painter = QPainter(self._painted)
             painter.setFont(self.font())
-            paint_frames(
+            paint_strip(
                 painter, self.content, axis, area, colours=self.palette(), stretch=self.stretch
             )
             painter.end()
@@ -255,7 +255,7 @@ class ShotStrip(QWidget):
         if isinstance(event, QHelpEvent) and self.axis is not None:
             number = self._number_under(QPointF(event.pos()))
             QToolTip.showText(
-                event.globalPos(), words_of(self._document, self.content, number), self
+                event.globalPos(), strip_words(self._document, self.content, number), self
             )
             return True
         if event.type() == QEvent.Type.FontChange:

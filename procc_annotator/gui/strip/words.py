@@ -17,7 +17,7 @@ _STATES = {
 }
 
 
-def words_of(document: Document, content: StripContent, number: int | None) -> str:
+def strip_words(document: Document, content: StripContent, number: int | None) -> str:
     """Number, time and what is known of its camera, in a line."""
     sequence = content.sequence
     if sequence is None or number is None:

@@ -121,6 +121,14 @@ class PaletteEntries:
             )
 
     def _of_the_window(self) -> Iterator[Entry]:
+        yield from self._of_elements()
+        yield from self._of_cameras()
+        yield from self._of_panels()
+        yield from self._of_settings()
+        for path in self._settings.get(RECENT):
+            yield Entry("", _OPEN, described(path), str(path), "", partial(self._open_path, path))
+
+    def _of_elements(self) -> Iterator[Entry]:
         document = self._document
         field = document.field
         for name in (*(e.name for e in field.elements), *field.classes_without_geometry):
@@ -134,6 +142,9 @@ class PaletteEntries:
                 document.selected_class == name,
                 english=field.title_of(name),
             )
+
+    def _of_cameras(self) -> Iterator[Entry]:
+        document = self._document
         for index, source in enumerate(document.sources):
             yield Entry(
                 "",
@@ -156,6 +167,8 @@ class PaletteEntries:
                 document.live_fit.model == model,
                 english=f"Live fit: model {model}",  # not shown
             )
+
+    def _of_panels(self) -> Iterator[Entry]:
         for name, title in TITLES.items():
             yield Entry(
                 f"panel:{name}",  # not shown
@@ -166,6 +179,8 @@ class PaletteEntries:
                 partial(self._show_panel, name),
                 english=f"Panel {title}",  # not shown
             )
+
+    def _of_settings(self) -> Iterator[Entry]:
         for setting in OFFERED:
             if setting.shown is not None and setting.key not in SWITCHES:  # those are actions
                 yield Entry(
@@ -177,8 +192,6 @@ class PaletteEntries:
                     partial(self._show_setting, setting.key),
                     english=f"{setting.shown.title}…",
                 )
-        for path in self._settings.get(RECENT):
-            yield Entry("", _OPEN, described(path), str(path), "", partial(self._open_path, path))
 
     def _of_numbers(self, text: str) -> Iterator[Entry]:
         """What a number alone may mean: a threshold, a frame."""

@@ -191,38 +191,45 @@ def _read(
     pieces = Pieces(path, "annotations", reading, size)
     taken = False
     for i, entry in entries:
-        where = f"annotations[{i}]"
-        if "keypoints" not in entry:
-            reading.remarks.add("annotations without keypoints are left out", frame)
-            continue
-        category = _id(entry, "category_id")
-        if category not in kinds:
-            raise AnnotationError(
-                path,
-                f"expected the id of a category, found {spelled(entry.get('category_id'))}",
-                place=f"{where}.category_id",
-                advice="correct it, or add the category",
-            )
-        points = _points(entry["keypoints"], size, path, f"{where}.keypoints")
-        kind = kinds[category]
-        if kind.template is None and (kind.is_template or (kind.is_new and has_gaps(points))):
-            reading.remarks.add(_unknown_template(kind), frame)
-            continue
-        if kind.template is not None:
-            reading.remarks.add(
-                f"keypoints ({kind.template.title}) are points of the elements they lie on", frame
-            )
-            for name, some in kind.template.shapes(points):
-                pieces.add(name, some, f"categories[id {category}].keypoints")
-        else:
-            seen = tuple(point for point in points if point is not None)
-            pieces.add(kind.name, seen, f"categories[id {category}].name")
-        taken = True
+        taken |= _add(pieces, entry, f"annotations[{i}]", kinds, frame)
     if not taken:
         return None
     extra = extra_of(image.get(EXTRA_KEY), path, f"{place}.{EXTRA_KEY}", reading.field)
     annotation = pieces.annotation(frame, extra)
     return ExchangedFrame(frame, annotation, size, picture_name(str(picture)))
+
+
+def _add(
+    pieces: Pieces, entry: dict[str, Any], where: str, kinds: dict[Any, _Kind], frame: str
+) -> bool:
+    """Take over the points of one annotation; False if it has none that mean something here."""
+    remarks = pieces.reading.remarks
+    if "keypoints" not in entry:
+        remarks.add("annotations without keypoints are left out", frame)
+        return False
+    category = _id(entry, "category_id")
+    if category not in kinds:
+        raise AnnotationError(
+            pieces.path,
+            f"expected the id of a category, found {spelled(entry.get('category_id'))}",
+            place=f"{where}.category_id",
+            advice="correct it, or add the category",
+        )
+    points = _points(entry["keypoints"], pieces.size, pieces.path, f"{where}.keypoints")
+    kind = kinds[category]
+    if kind.template is None and (kind.is_template or (kind.is_new and has_gaps(points))):
+        remarks.add(_unknown_template(kind), frame)
+        return False
+    if kind.template is not None:
+        remarks.add(
+            f"keypoints ({kind.template.title}) are points of the elements they lie on", frame
+        )
+        for name, some in kind.template.shapes(points):
+            pieces.add(name, some, f"categories[id {category}].keypoints")
+    else:
+        seen = tuple(point for point in points if point is not None)
+        pieces.add(kind.name, seen, f"categories[id {category}].name")
+    return True
 
 
 def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point | None, ...]:

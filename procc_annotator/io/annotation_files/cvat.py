@@ -22,7 +22,7 @@ from procc_annotator.io.annotation_files.cvat_xml import (
     points_text,
     server_label,
     spellable,
-    whole,
+    whole_number,
 )
 from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
@@ -78,7 +78,10 @@ def _read(image: Element, index: int, path: str, reading: Reading) -> ExchangedF
         # A task lists all its pictures: those without shapes were not annotated.
         return None
     size = size_told(
-        whole(image.get("width")), whole(image.get("height")), path, f"{place}.width, height"
+        whole_number(image.get("width")),
+        whole_number(image.get("height")),
+        path,
+        f"{place}.width, height",
     ) or reading.size_of(frame)
     if size is None:
         raise AnnotationError(

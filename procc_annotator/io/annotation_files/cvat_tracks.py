@@ -24,7 +24,7 @@ from procc_annotator.io.annotation_files.cvat_xml import (
     points_text,
     server_label,
     spellable,
-    whole,
+    whole_number,
 )
 from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
@@ -76,7 +76,7 @@ def read_tracks(root: Element, path: str, reading: Reading) -> Iterator[Exchange
 
 
 def _number(text: str | None, path: str, place: str) -> int:
-    number = whole(text)
+    number = whole_number(text)
     if type(number) is not int:
         raise AnnotationError(
             path,
@@ -92,7 +92,7 @@ def _size(root: Element, path: str) -> Size | None:
     if told is None:
         return None
     width, height = told.findtext("width"), told.findtext("height")
-    return size_told(whole(width), whole(height), path, "original_size")
+    return size_told(whole_number(width), whole_number(height), path, "original_size")
 
 
 def _frame(

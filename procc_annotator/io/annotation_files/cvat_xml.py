@@ -126,7 +126,7 @@ def _number(text: str) -> float:
     return int(text) if text.lstrip("+-").isdigit() and text != "-0" else parse_number(text)
 
 
-def whole(text: str | None) -> int | str | None:
+def whole_number(text: str | None) -> int | str | None:
     """A whole number of a file; what is none as it is."""
     if text is None or not _WHOLE.fullmatch(text):
         return text

@@ -26,7 +26,7 @@ from typing import Any
 from procc_annotator.annotation import Point
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
-from procc_annotator.field.words import did_you_mean, printable_place, shown
+from procc_annotator.field.words import did_you_mean, printable_place, printed
 from procc_annotator.io.annotation_files.keypoint_templates import known_templates, template_named
 from procc_annotator.io.source import read_file
 from procc_annotator.words import count_of
@@ -163,13 +163,13 @@ def read_label_map(path: Path, field: Field) -> LabelMap:
     labels = content.pop(_TABLE, None)
     if type(labels) is not dict or content:
         strange = next(iter(content), None)
-        found = "no table [labels]" if strange is None else f"{shown(strange)} beside it"
+        found = "no table [labels]" if strange is None else f"{printed(strange)} beside it"
         raise InputError(path, f"expected one table [labels] of names and classes, found {found}")
     rules: dict[str, Rule] = {}
     for label, value in labels.items():
         place = _place(text, label)
         if label.strip() in rules:
-            raise InputError(path, f"the label {shown(label)} is there twice", place=place)
+            raise InputError(path, f"the label {printed(label)} is there twice", place=place)
         rules[label.strip()] = _rule(value, field, path, place)
     return LabelMap(path, rules)
 
@@ -192,7 +192,7 @@ def _text_of(path: Path) -> str:
 
 def _place(text: str, label: str) -> str:
     """The line that a label's rule stands in, and the label."""
-    named = f"label {shown(label)}"
+    named = f"label {printed(label)}"
     pattern = re.compile(rf"\s*[\"']?{re.escape(label)}[\"']?\s*=")
     lines = enumerate(text.splitlines(), 1)
     number = next((i for i, line in lines if pattern.match(line)), None)
@@ -211,7 +211,7 @@ def _rule(value: Any, field: Field, path: Path, place: str) -> Rule:
         raise InputError(
             path,
             f"expected a class, false, or {{ {TOP_DOWN} = [classes] }} or"
-            f" {{ {LEFT_TO_RIGHT} = [classes] }}, found {shown(value)}",
+            f" {{ {LEFT_TO_RIGHT} = [classes] }}, found {printed(value)}",
             place=place,
             advice=_LEFT_OUT,
         )
@@ -232,7 +232,7 @@ def _template(name: Any, path: Path, place: str) -> OfTemplate:
     names = [known.name for known in known_templates()]
     raise InputError(
         path,
-        f"there is no template of keypoints {shown(name)}{did_you_mean(name, names)}",
+        f"there is no template of keypoints {printed(name)}{did_you_mean(name, names)}",
         place=place,
         advice=f"known: {', '.join(names)}",
     )
@@ -245,7 +245,7 @@ def _class(name: Any, field: Field, path: Path, place: str) -> str:
     near = did_you_mean(name, (*classes, *field.classes_without_geometry))
     raise InputError(
         path,
-        f"the field {field.title} has no class {shown(name)}{near}",
+        f"the field {field.title} has no class {printed(name)}{near}",
         place=place,
         advice=_LEFT_OUT if near else f"{_LEFT_OUT}; another field: --field NAME",
     )

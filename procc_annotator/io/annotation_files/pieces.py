@@ -33,14 +33,20 @@ Points = tuple[Point, ...]
 
 
 class Pieces:
-    """The shapes of one frame as they come, in the order of the file."""
+    """The shapes of one frame as they come, in the order of the file.
+
+    Attributes:
+        path: of the file.
+        reading: what the reader was given.
+        size: of the frame's picture, px; the usual one where nobody knows it.
+    """
 
     def __init__(self, path: str, place: str, reading: Reading, size: Size | None) -> None:
-        self._path = path
+        self.path = path
         self._place = place
-        self._reading = reading
+        self.reading = reading
         self._field = reading.field
-        self._size = size or _USUAL_SIZE
+        self.size = size or _USUAL_SIZE
         self._shapes: list[tuple[str, Points]] = []
 
     def add(self, label: Any, points: Points, place: str) -> None:
@@ -51,14 +57,14 @@ class Pieces:
         """
         if type(label) is not str:
             raise AnnotationError(
-                self._path,
+                self.path,
                 f"expected the name of a class, found {kind_of(label)}",
                 place=place,
                 advice="name the shape after a class",
             )
         if label == CAMERA_KEY:
             raise AnnotationError(
-                self._path,
+                self.path,
                 f"a class cannot be called {label!r}",
                 place=place,
                 advice="name the shape after a class",
@@ -72,9 +78,9 @@ class Pieces:
             AnnotationError: shapes of one class that cannot be joined without a guess.
         """
         polylines: list[Polyline] = []
-        remarks = self._reading.remarks
+        remarks = self.reading.remarks
         by_class: dict[str, list[Points]] = {}
-        for name, points in self._reading.classed(self._shapes, frame):
+        for name, points in self.reading.classed(self._shapes, frame):
             by_class.setdefault(name, []).append(points)
         taken = set(by_class)
         for name, pieces in by_class.items():
@@ -91,11 +97,11 @@ class Pieces:
     def _join(self, name: str, pieces: list[Points]) -> Points:
         element = self._field.element(name)
         joined = joined_pieces(
-            pieces, self._size, straight=element is not None and element.is_straight
+            pieces, self.size, straight=element is not None and element.is_straight
         )
         if joined is None:
             raise AnnotationError(
-                self._path,
+                self.path,
                 f"{len(pieces)} shapes are called {printable(name)!r} and do not continue one"
                 " another, expected one polyline a class",
                 place=self._place,

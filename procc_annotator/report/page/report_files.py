@@ -13,7 +13,11 @@ from procc_annotator.report.over_time import SourceOverTime, over_time_entries
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.page.report_pairs import ReportedPair
 from procc_annotator.report.scores.chance import chance_entries
-from procc_annotator.report.scores.chance_sheets import WITH_INTERVAL, ends_of, interval_columns
+from procc_annotator.report.scores.chance_sheets import (
+    WITH_INTERVAL,
+    interval_columns,
+    interval_ends,
+)
 from procc_annotator.report.scores.held_out_sheet import held_out_entry
 from procc_annotator.report.scores.score_columns import COUNTS
 from procc_annotator.report.scores.score_files import frame_entry, summary_entry
@@ -102,7 +106,7 @@ def report_csv(report: AuditReport) -> bytes:
     for place, source in enumerate(report.evaluated):
         ends = report.certainty.intervals[place]
         for tau, summary in source.summaries.items():
-            within = [end for f in WITH_INTERVAL for end in ends_of(ends[f.key, tau])]
+            within = [end for f in WITH_INTERVAL for end in interval_ends(ends[f.key, tau])]
             clusters = report.certainty.clusters.described
             shares = source.held_out.shares(tau) or (None, None)
             known = (*within, ranks[tau][place], clusters, source.fitted)

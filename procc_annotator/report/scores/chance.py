@@ -14,8 +14,8 @@ from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.chance_sheets import chance_sheets, curves_sheet
 from procc_annotator.report.scores.click_sheets import clicks_sheets
 from procc_annotator.report.scores.strata_sheet import (
-    differences_sheet,
     figures_sheet,
+    strata_differences_sheet,
     strata_sheet,
 )
 from procc_annotator.report.sheet.as_json import sheet_entry
@@ -25,7 +25,7 @@ from procc_annotator.session.runs.clusters import clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.frame_sums import SourceSums
 from procc_annotator.session.runs.moved_clicks import ClickNoise
-from procc_annotator.session.runs.strata import strata, values_of
+from procc_annotator.session.runs.strata import strata, values_of_frames
 
 
 @dataclass(frozen=True)
@@ -137,12 +137,12 @@ def told_of_set(
     more: list[Sheet] = []
     for by in terms.by:
         known = terms.tag(of_set[0], by), terms.orders.get(of_set[0])
-        values = values_of(by, certainty.sources, of_set[1], *known)
+        values = values_of_frames(by, certainty.sources, of_set[1], *known)
         parts = strata(certainty, by, values)
         sheets.append(strata_sheet(parts, certainty, tau, described))
         sheets.append(figures_sheet(parts, certainty, described))
         if certainty.pairs:
-            more.append(differences_sheet(parts, certainty, described))
+            more.append(strata_differences_sheet(parts, certainty, described))
     curves = (*more, curves_sheet(certainty, described)) if certainty.pairs else ()
     return ToldOfSet(of_set[0], described, tuple(sheets), curves)
 

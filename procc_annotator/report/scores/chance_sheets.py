@@ -77,7 +77,7 @@ def intervals_sheet(
         for tau in certainty.thresholds:
             row: list[Value] = [source.marked_name, tau]
             for figure in WITH_INTERVAL:
-                row += [figure.of(summary[tau]), *ends_of(found[figure.key, tau])]
+                row += [figure.of(summary[tau]), *interval_ends(found[figure.key, tau])]
             rows.append(tuple(row))
     notes = (f"In brackets {certainty.described}.", *certainty.cautions)
     return Sheet("intervals", "Intervals", tuple(columns), tuple(rows), described, notes)
@@ -111,7 +111,7 @@ def differences_sheet(certainty: Certainty, described: str) -> Sheet:
                 found = pair.differences[key, tau]
                 if found.beyond_chance and certainty.may_be_bold(pair.a, pair.b, key):
                     bold.add((len(rows), len(row)))
-                row += [found.value, *ends_of(found.interval)]
+                row += [found.value, *interval_ends(found.interval)]
             frames = (pair.shared, len(pair.only_a), len(pair.only_b))
             rows.append((*row, jac.p, jac.corrected, *frames))
     notes = (
@@ -231,5 +231,5 @@ def curves_sheet(certainty: Certainty, described: str) -> Sheet:
     )
 
 
-def ends_of(interval: Interval | None) -> tuple[float | None, float | None]:
+def interval_ends(interval: Interval | None) -> tuple[float | None, float | None]:
     return (None, None) if interval is None else (interval.low, interval.high)

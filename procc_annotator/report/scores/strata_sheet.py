@@ -9,8 +9,8 @@ from itertools import product
 from procc_annotator.report.scores.chance_sheets import (
     DIFFERENCES,
     WITH_INTERVAL,
-    ends_of,
     interval_columns,
+    interval_ends,
 )
 from procc_annotator.report.sheet.counts import FRAMES
 from procc_annotator.report.sheet.figure import Figure
@@ -38,11 +38,11 @@ def strata_sheet(
             own = source.ratios("mean_jac")
             count = float(own.wholes[:, at].sum())
             row += [float(own.parts[:, at].sum()) / count if count else None]
-            row += ends_of(ends["mean_jac", tau])
+            row += interval_ends(ends["mean_jac", tau])
         for (a, b), found in part.differences.get(("mean_jac", tau), {}).items():
             if found.beyond_chance and certainty.may_be_bold(a, b, "mean_jac"):
                 bold.add((len(rows), len(row)))
-            row += [found.value, *ends_of(found.interval), found.corrected]
+            row += [found.value, *interval_ends(found.interval), found.corrected]
         rows.append(tuple(row))
     notes = (
         f"In brackets {certainty.described}. The part where two sources differ most comes first; p"
@@ -73,7 +73,7 @@ def figures_sheet(parts: Sequence[Stratum], certainty: Certainty, described: str
                 for key, ratios in sums.items():
                     whole = float(ratios.wholes[:, at].sum())
                     row.append(float(ratios.parts[:, at].sum()) / whole if whole else None)
-                    row += ends_of(ends[key, tau])
+                    row += interval_ends(ends[key, tau])
                 rows.append(tuple(row))
     notes = (f"In brackets {certainty.described}.", *_cautions(parts))
     return Sheet(
@@ -82,7 +82,9 @@ def figures_sheet(parts: Sequence[Stratum], certainty: Certainty, described: str
     )  # fmt: skip
 
 
-def differences_sheet(parts: Sequence[Stratum], certainty: Certainty, described: str) -> Sheet:
+def strata_differences_sheet(
+    parts: Sequence[Stratum], certainty: Certainty, described: str
+) -> Sheet:
     """The differences of every two sources in each part, figure by figure; for files."""
     by = parts[0].by
     names = [source.marked_name for source in certainty.sources]
@@ -96,7 +98,7 @@ def differences_sheet(parts: Sequence[Stratum], certainty: Certainty, described:
             row: list[Value] = [part.value or "(none)", tau, names[pair[0]], names[pair[1]]]
             for _, key in DIFFERENCES:
                 found = part.differences[key, tau][pair]
-                row += [found.value, *ends_of(found.interval), found.frames]
+                row += [found.value, *interval_ends(found.interval), found.frames]
                 row += [found.p, found.corrected]
             rows.append(tuple(row))
     note = (

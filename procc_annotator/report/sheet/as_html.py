@@ -5,7 +5,7 @@ from __future__ import annotations
 from html import escape
 
 from procc_annotator.report.sheet.sheet import Sheet
-from procc_annotator.report.sheet.shown import Cell, ShownColumn, shown
+from procc_annotator.report.sheet.shown import Cell, ShownColumn, as_texts
 
 _ARROWS = {"higher": ("more is better", "↑"), "lower": ("less is better", "↓")}
 
@@ -19,7 +19,7 @@ def html_table(sheet: Sheet, *, sortable: bool = False) -> str:
     Args:
         sortable: says what it can be sorted by, for the page's own script.
     """
-    content = shown(sheet)
+    content = as_texts(sheet)
     caption = escape(content.caption)
     classes = f"wide{' short' if len(content.rows) <= _SHORT else ''}"
     lines = [

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from procc_annotator.report.sheet.latex_widths import text_width
 from procc_annotator.report.sheet.sheet import Sheet
-from procc_annotator.report.sheet.shown import Cell, ShownSheet, shown
+from procc_annotator.report.sheet.shown import Cell, ShownSheet, as_texts
 
 COLUMN_PT = 229.0  # the narrowest in use: LaTeX's article with two columns
 _WIDEST_COLUMN_PT = 260.0  # a wider table spans both columns, where a page has two
@@ -83,7 +83,7 @@ def latex_table(sheet: Sheet, width_pt: float = COLUMN_PT) -> str:
     Args:
         width_pt: it may have; beyond that of a column it spans both columns of a page.
     """
-    content = shown(sheet)
+    content = as_texts(sheet)
     every = range(len(content.columns))
     look = next((k for k in _LOOKS if _Setting(content, k, width_pt).fits(every)), _LOOKS[-1])
     setting = _Setting(content, look, width_pt)

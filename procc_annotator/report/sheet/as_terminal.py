@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from procc_annotator.report.sheet.sheet import Sheet
-from procc_annotator.report.sheet.shown import shown
+from procc_annotator.report.sheet.shown import as_texts
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -27,7 +27,7 @@ def terminal_table(sheet: Sheet) -> Table:
         caption="\n".join(sheet.notes) or None,
         caption_justify="left",
     )
-    content = shown(sheet)
+    content = as_texts(sheet)
     for column in content.columns:
         named = f"{column.group}\n{column.heading}" if column.group else column.heading
         table.add_column(named, justify="right" if column.numeric else "left")

@@ -55,7 +55,7 @@ class ShownSheet:
         return tuple(spans) if any(name for name, _ in spans) else ()
 
 
-def shown(sheet: Sheet) -> ShownSheet:
+def as_texts(sheet: Sheet) -> ShownSheet:
     """A sheet as texts."""
     columns = tuple(
         ShownColumn(

@@ -79,7 +79,7 @@ class Opened:
     notices: tuple[str, ...] = ()
 
 
-def leads_out(path: Path) -> bool:
+def lies_outside(path: Path) -> bool:
     """Whether a file in ``.procc``, or the journal beside it, lies outside the dataset in truth."""
     dataset = os.path.realpath(path.parent.parent)
     files = (path, path.with_name(f"{path.name}-journal"))
@@ -96,7 +96,7 @@ def require_folder(path: Path) -> None:
         OSError: it cannot be made, nothing can be written there, or a link leads out of the
             dataset: one from elsewhere could lead to any file of its user.
     """
-    if path.parent.name == FOLDER and leads_out(path):
+    if path.parent.name == FOLDER and lies_outside(path):
         raise PermissionError("a link leads out of the dataset; it is not followed")
     path.parent.mkdir(parents=path.parent.name != FOLDER, exist_ok=True)
     if not os.access(path.parent, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):

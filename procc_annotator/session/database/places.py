@@ -26,7 +26,7 @@ from procc_annotator.session.database.file import (
     FOLDER,
     Opened,
     free_name_beside,
-    leads_out,
+    lies_outside,
     open_database,
     reason_of,
     reread,
@@ -104,7 +104,9 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
         else:
             notices[-1] += f"; statuses and comments are kept in {own}"
             write_mark(_mark_path(own), mark_of(folder))
-            if opened.fresh and path.exists() and not leads_out(path):  # it can be read, at least
+            if (
+                opened.fresh and path.exists() and not lies_outside(path)
+            ):  # it can be read, at least
                 with suppress(*FAILURES):
                     rescue_file(path, opened.connection)
                     opened = reread(opened)
@@ -142,7 +144,7 @@ def read_times(dataset: Path) -> dict[str, float]:
 def _read_only(dataset: Path, question: str, as_value: Callable[[Value], T]) -> dict[str, T]:
     """Rows of a text and a value; none where there is no workspace."""
     path = database_path(dataset)
-    if not path.exists() or leads_out(path):
+    if not path.exists() or lies_outside(path):
         found = kept_elsewhere(dataset)
         if found is None:
             return {}

@@ -196,7 +196,7 @@ def swap_classes(annotation: FrameAnnotation, first: str, second: str) -> FrameA
 # --- unconfirmed elements ---------------------------------------------------------------------
 
 
-def propose(annotation: FrameAnnotation, polylines: Iterable[Polyline]) -> FrameAnnotation:
+def add_unconfirmed(annotation: FrameAnnotation, polylines: Iterable[Polyline]) -> FrameAnnotation:
     """Add unconfirmed elements; classes that are annotated already are left alone."""
     known = {p.class_name for p in annotation.polylines if p.points}
     proposed = [p for p in polylines if p.points and p.class_name not in known]

@@ -341,7 +341,7 @@ class Workspace:
         if state.error is not None:
             state.error, state.history = None, History(annotation)
         else:
-            kept = edits.propose(annotation, state.history.current.unconfirmed)
+            kept = edits.add_unconfirmed(annotation, state.history.current.unconfirmed)
             state.history.push(label, kept)
         state.stored(annotation, digest(data))
         state.made_here = data is None

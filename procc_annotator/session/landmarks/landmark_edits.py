@@ -22,7 +22,7 @@ def added(file: LandmarkFile, name: str, field: Field) -> LandmarkFile:
     require_free(name, field)
     if any(mark.name.strip() == name for mark in file.landmarks):
         raise UsageError(f"there is a landmark {name!r} already")
-    return checked(replace(file, landmarks=(*file.landmarks, Landmark(name))))
+    return checked_landmarks(replace(file, landmarks=(*file.landmarks, Landmark(name))))
 
 
 def require_free(name: str, field: Field) -> None:
@@ -46,7 +46,7 @@ def surveyed(file: LandmarkFile, name: str, position: Vector) -> LandmarkFile:
     own = _looks(entries)
     if any(map(is_moving, entries)):
         raise UsageError(f"{own.shown_title} moves: its positions hold for an instant each")
-    return checked(
+    return checked_landmarks(
         file.with_landmark(
             replace(own, position=position, covariance=None, surveyed=True, frames=())
         )
@@ -64,7 +64,9 @@ def with_title(file: LandmarkFile, name: str, title: str) -> LandmarkFile:
         raise UsageError(f"there is no landmark {name!r}")
     own = _looks(entries)
     title = title.strip()
-    return checked(file.with_landmark(replace(own, title="" if title == name.strip() else title)))
+    return checked_landmarks(
+        file.with_landmark(replace(own, title="" if title == name.strip() else title))
+    )
 
 
 def parse_place(text: str) -> Vector:
@@ -94,7 +96,7 @@ def parse_surveyed(text: str) -> tuple[str, Vector]:
     return name.strip(), parse_place(place)
 
 
-def checked(file: LandmarkFile) -> LandmarkFile:
+def checked_landmarks(file: LandmarkFile) -> LandmarkFile:
     """The landmarks, if a file may hold them.
 
     Raises:

@@ -18,7 +18,7 @@ from pathlib import Path
 from natsort import natsorted
 
 from procc_annotator.errors import InputError, SaveError
-from procc_annotator.field.words import did_you_mean, shown
+from procc_annotator.field.words import did_you_mean, printed
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
 
@@ -82,7 +82,7 @@ class ViewGroups:
         there = set(frames)
         return tuple(
             f"{self.told_by}: line {self.lines[name]}: there is neither a picture nor an annotation"
-            f" of {shown(name)}{did_you_mean(name, there)}"
+            f" of {printed(name)}{did_you_mean(name, there)}"
             for name in self.strange_names(there)[:most]
         )
 

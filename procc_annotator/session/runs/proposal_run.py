@@ -17,7 +17,7 @@ from procc_annotator.image.pixels import PixelArray
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.runs.kept_values import to_text
 from procc_annotator.session.runs.set_run import SetRun
-from procc_annotator.session.runs.unfinished import digest_of, stamp_of_file
+from procc_annotator.session.runs.unfinished import hex_digest, stamp_of_file
 
 
 class Proposer(Protocol):
@@ -101,7 +101,7 @@ class ProposalRun(SetRun[Frame, Proposed, None]):
             # A frame of a video lies in the video's file.
             file = frame.image_folder if frame.image_folder.is_file() else frame.image_path
             parts += [frame.name, stamp_of_file(file)]
-        return digest_of(*parts)
+        return hex_digest(*parts)
 
     def _sums_of(self, results: Sequence[Proposed]) -> None:
         return None

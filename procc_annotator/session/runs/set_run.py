@@ -22,7 +22,7 @@ from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import require_lists
 from procc_annotator.session.dataset.what_lies_there import instead_of_annotations, refuse_cameras
 from procc_annotator.session.runs.execution.executor import Executor, InProcess
-from procc_annotator.session.runs.unfinished import Unfinished, digest_of, stamp_of_file
+from procc_annotator.session.runs.unfinished import Unfinished, hex_digest, stamp_of_file
 
 # Frames a worker takes at once where each gets a fit: about half a second's work.
 CHUNK = 16
@@ -212,7 +212,7 @@ class AnnotationTask:
             except InputError as error:
                 data = f"unreadable: {error}"
             parts += [name, data, "" if picture is None else stamp_of_file(picture)]
-        return digest_of(*parts)
+        return hex_digest(*parts)
 
     def close(self) -> None:
         """Close what a worker opened."""

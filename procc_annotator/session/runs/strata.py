@@ -76,7 +76,7 @@ def _corrected(
     return [{pair: next(at) for pair in own} for own in several]
 
 
-def values_of(
+def values_of_frames(
     by: str,
     sources: Sequence[SourceSums],
     field: Field,

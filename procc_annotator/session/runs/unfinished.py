@@ -164,7 +164,7 @@ class Unfinished:
             self._file = None
 
 
-def digest_of(*parts: object) -> str:
+def hex_digest(*parts: object) -> str:
     """SHA-256, in hexadecimal, of bytes, and of the text of anything else."""
     digest = hashlib.sha256()
     for part in parts:

@@ -9,7 +9,7 @@ import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.pegged_on_paint import refine_pegged
-from procc_annotator.fit.pegs import Peg, misses, pegged, turned
+from procc_annotator.fit.pegs import Peg, misses, pegged, turned_camera
 from tests.unit.fit.plain_pictures import FIELD, apart_px, camera, draw
 
 PLAIN = PinholeCamera(0.1, 1.3, 0.01, (2.0, 60.0, -16.0), (1500.0, 1500.0), (639.5, 359.5))
@@ -58,7 +58,7 @@ def test_two_places_zoom_and_roll_it_and_the_first_one_stays(
 
 
 def test_of_more_places_the_one_in_hand_is_met_and_the_others_share_what_is_left() -> None:
-    turned_away = turned(PLAIN, np.array([0.01, -0.004, 0.05, 0.002]))
+    turned_away = turned_camera(PLAIN, np.array([0.01, -0.004, 0.05, 0.002]))
     rng = np.random.default_rng(3)
     pegs = [Peg(world, shown(turned_away, world)) for world in CORNERS]
     noisy = [replace_px(peg, rng.normal(0, 0.5, 2)) for peg in pegs[:3]]
@@ -96,7 +96,7 @@ def test_a_camera_that_looks_straight_down_turns_too() -> None:
 
 
 def test_zoom_leaves_the_bend_of_the_lens_in_the_picture() -> None:
-    twice = turned(BENT, np.array([0.0, 0.0, np.log(2.0), 0.0]))
+    twice = turned_camera(BENT, np.array([0.0, 0.0, np.log(2.0), 0.0]))
     rays = np.array([[0.2, 0.1, 1.0], [-0.15, 0.18, 1.0]])
     stand, turn = np.array(BENT.position_world), BENT.rotation_cam_from_world
     before, _ = BENT.project(stand + rays @ turn)
@@ -111,7 +111,7 @@ PLACES = ((36.0, 20.16, 0.0), (36.0, -20.16, 0.0), (52.5, 9.16, 0.0))
 def test_one_dragged_place_and_the_paint_give_the_camera() -> None:
     picture = draw(TRUE, noise=4.0)
     place = next(p for p in PLACES if _in_sight(p))
-    wrong = turned(TRUE, np.array([0.02, 0.008, 0.08, 0.0]))
+    wrong = turned_camera(TRUE, np.array([0.02, 0.008, 0.08, 0.0]))
     assert apart_px(TRUE, wrong) > 15
     hand = Peg(place, shown(TRUE, place), None, 1.0)
     found, why_not = refine_pegged(picture, FIELD, pegged(wrong, (), hand), [hand])

@@ -24,7 +24,7 @@ from procc_annotator.fit.through_shot.following import follow
 from procc_annotator.fit.through_shot.following_shot import track
 from procc_annotator.fit.through_shot.reading import glimpses
 from procc_annotator.fit.through_shot.smoothing import smoothed
-from procc_annotator.fit.through_shot.starting import belief_at, vector_of
+from procc_annotator.fit.through_shot.starting import belief_at, pinhole_near
 from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.fit.through_shot.turning import OWN, small_grey, turn_between
@@ -299,7 +299,7 @@ def test_coverage_is_that_of_the_camera_that_is_handed_back() -> None:
     """Lines that all frames together move a camera away from are not on its paint any more."""
     frame = PictureFrame(SIZE)
     painted = painted_of(FIELD)
-    start = belief_at(vector_of(CAMERAS[0], FIELD, frame), FIELD, painted, frame)
+    start = belief_at(pinhole_near(CAMERAS[0], FIELD, frame), FIELD, painted, frame)
     steps: list[Stepped] = []
     follow(
         _picture,

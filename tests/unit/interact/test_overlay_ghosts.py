@@ -7,7 +7,7 @@ import pytest
 
 from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay_ghosts import build_ghosts, extent, nearest_ghost
+from procc_annotator.interact.overlay_ghosts import build_ghosts, ghost_extent, nearest_ghost
 
 ACROSS = np.column_stack((np.linspace(100, 300, 21), np.full(21, 50.0)))
 LEVEL = Ghost("Side line top", (GhostPiece(ACROSS, np.full(21, 1.5)),))
@@ -68,7 +68,7 @@ def test_a_course_with_a_point_twice_has_a_band_all_the_same() -> None:
 
 
 def test_extent_is_that_of_all_pieces() -> None:
-    assert extent(PARTS) == (10, 10, 10, 120)
+    assert ghost_extent(PARTS) == (10, 10, 10, 120)
 
 
 @pytest.mark.parametrize(

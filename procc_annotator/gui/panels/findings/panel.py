@@ -24,7 +24,7 @@ from procc_annotator.gui.panels.findings.rows import (
     FindingsList,
     FindingsModel,
 )
-from procc_annotator.gui.panels.findings.words import frame_words, set_words
+from procc_annotator.gui.panels.findings.words import frame_words, set_words, so_many
 from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.picture.finding_sign import finding_icon
@@ -162,7 +162,7 @@ class FindingsPanel(QWidget):
         for severity, button in self.severity_buttons.items():
             button.setText(_short(counts[severity]))
             button.setChecked(severity in check.severities)
-            many = _counted(severity, counts[severity])
+            many = so_many(severity, counts[severity])
             button.setToolTip(tr("{findings}; click to list them or not", findings=many))
             button.setAccessibleName(many)
         entries = [(n, f) for n, f in every if f.finding.severity in check.severities]
@@ -282,16 +282,6 @@ class FindingsPanel(QWidget):
             self.ignoreWanted.emit(*self.model.entries[row])
             return True
         return False
-
-
-def _counted(severity: Severity, count: int) -> str:
-    match severity:
-        case Severity.ERROR:
-            return tr_count(count, "{n:,} error", "{n:,} errors")
-        case Severity.WARNING:
-            return tr_count(count, "{n:,} warning", "{n:,} warnings")
-        case Severity.HINT:
-            return tr_count(count, "{n:,} hint", "{n:,} hints")
 
 
 def _short(count: int) -> str:

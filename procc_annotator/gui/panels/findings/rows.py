@@ -13,10 +13,9 @@ from PySide6.QtCore import (
     QSize,
     Qt,
 )
-from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPalette, QResizeEvent
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
-    QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
@@ -27,7 +26,7 @@ from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.rows import Index, list_rows
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.theme import blend
+from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.language import tr, word
 from procc_annotator.session.facts.frame_check import FoundInFrame
 
@@ -127,17 +126,9 @@ class FindingDelegate(QStyledItemDelegate):
         model = index.model()
         if not isinstance(model, FindingsModel):
             return
-        palette: QPalette = option.palette
         rect: QRect = option.rect
-        base, text = palette.color(QPalette.ColorRole.Base), palette.color(QPalette.ColorRole.Text)
         painter.save()
-        if option.state & QStyle.StateFlag.State_Selected:
-            base = palette.color(QPalette.ColorRole.Highlight)
-            text = palette.color(QPalette.ColorRole.HighlightedText)
-            painter.fillRect(rect, base)
-        elif option.state & QStyle.StateFlag.State_MouseOver:
-            base = blend(base, text, 0.07)
-            painter.fillRect(rect, base)
+        base, text = paint_row(painter, option)
         texts = model.texts(index.row())
         font = self._view.font()
         frame_box, head_box, reason_box = _boxes(rect, texts, font)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.state.document import Document
 from procc_annotator.language import tr, tr_count
 
@@ -87,3 +88,14 @@ def set_words(document: Document) -> str:
         check.known.count, "Nothing found in {n:,} frame.", "Nothing found in {n:,} frames."
     )
     return "\n".join(filter(None, (nothing, problems)))
+
+
+def so_many(severity: Severity, count: int) -> str:
+    """How many findings are that sure: "2 errors"."""
+    match severity:
+        case Severity.ERROR:
+            return tr_count(count, "{n:,} error", "{n:,} errors")
+        case Severity.WARNING:
+            return tr_count(count, "{n:,} warning", "{n:,} warnings")
+        case Severity.HINT:
+            return tr_count(count, "{n:,} hint", "{n:,} hints")

@@ -232,7 +232,7 @@ class Assistant(QObject):
         document = self._document
         if not document.begin_edit():
             return
-        proposed = edits.propose(document.annotation, outcome.polylines)
+        proposed = edits.add_unconfirmed(document.annotation, outcome.polylines)
         label = said("copy from {frame}", frame=source)
         if document.commit_edit(label, proposed, OriginKind.COPIED, unseen=outcome.unseen):
             if (

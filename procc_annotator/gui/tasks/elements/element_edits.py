@@ -72,7 +72,7 @@ class ElementEdits:
             return
         copy = edits.change_class(FrameAnnotation((polyline,)), old, new).polylines
         label = self._step(word("duplicate {element} as {other}"), element=old, other=new)
-        if self._edit((old, new), label, lambda seen: edits.propose(seen, copy)):
+        if self._edit((old, new), label, lambda seen: edits.add_unconfirmed(seen, copy)):
             document.set_mode("edit")
             document.select_class(new)
             document.say(

@@ -13,7 +13,7 @@ from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements.ghost_accepting import GhostAccepting
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay_ghosts import extent, nearest_ghost
+from procc_annotator.interact.overlay_ghosts import ghost_extent, nearest_ghost
 from procc_annotator.interact.overlay_shapes import NOTHING
 from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.dataset.frames import Frame
@@ -157,7 +157,7 @@ class GhostTasks(QObject):
             )
         self._shown = ghost.name
         self._choose(ghost.name)
-        self._canvas.show_area(*extent(ghost))
+        self._canvas.show_area(*ghost_extent(ghost))
 
     def _choose(self, name: str | None) -> None:
         self._choosing = True

@@ -69,23 +69,13 @@ class LabelDialog(QDialog):
         self._proposals = proposals
         self.choices: list[QComboBox] = []
         self._rules: list[list[Rule | _AsItIs]] = []
-        asked = QLabel(
-            tr_count(
-                len(proposals),
-                "{n} label is no class of {field}. Say what they stand for; what is proposed was"
-                " told by their words, and by which elements their shapes lie on.",
-                "{n} labels are no class of {field}. Say what they stand for; what is proposed was"
-                " told by their words, and by which elements their shapes lie on.",
-                field=tr(field.title),
-            ),
-            wordWrap=True,
-        )
+        asked = QLabel(_asked(len(proposals), field), wordWrap=True)
         self.note = note_label("labelNote")
-        said = tr(
+        words = tr(
             "These names are more like those of {field}: choose that field first (File > Field).",
             field=tr(better) if better else "",
         )
-        show_note(self.note, said if better else "")
+        show_note(self.note, words if better else "")
         self.keep = QCheckBox(tr("Keep these names with the dataset ({file})", file=LABELS_FILE))
         if has_file:
             self.keep.setText(
@@ -185,3 +175,14 @@ def _wrapped(text: str) -> QLabel:
     label = _text(text, text)
     label.setWordWrap(True)
     return label
+
+
+def _asked(count: int, field: Field) -> str:
+    return tr_count(
+        count,
+        "{n} label is no class of {field}. Say what they stand for; what is proposed was"
+        " told by their words, and by which elements their shapes lie on.",
+        "{n} labels are no class of {field}. Say what they stand for; what is proposed was"
+        " told by their words, and by which elements their shapes lie on.",
+        field=tr(field.title),
+    )

@@ -13,6 +13,7 @@ from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Severity
 from procc_annotator.gui.panels.findings.panel import FindingsPanel
 from procc_annotator.gui.panels.findings.rows import Entry
+from procc_annotator.gui.panels.findings.words import so_many
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.io.atomic import write_atomic
@@ -278,7 +279,7 @@ class LabelCheckCommands(QObject):
     def _tell_finished(self, checked: int) -> None:
         check = self._check
         found = [f for _, f in check.known.in_set()]
-        counts = [_so_many(severity, n) for severity, n in by_severity(found).items() if n]
+        counts = [so_many(severity, n) for severity, n in by_severity(found).items() if n]
         words = tr_count(
             checked,
             "checked {n:,} frame, camera model {model}: {found}",
@@ -332,13 +333,3 @@ class LabelCheckCommands(QObject):
 
     def _title(self, class_name: str) -> str:
         return tr(self._document.field.title_of(class_name))
-
-
-def _so_many(severity: Severity, count: int) -> str:
-    match severity:
-        case Severity.ERROR:
-            return tr_count(count, "{n:,} error", "{n:,} errors")
-        case Severity.WARNING:
-            return tr_count(count, "{n:,} warning", "{n:,} warnings")
-        case Severity.HINT:
-            return tr_count(count, "{n:,} hint", "{n:,} hints")

@@ -65,7 +65,7 @@ def apply_version(document: Document, version: str) -> None:
     def restore(annotation: FrameAnnotation) -> FrameAnnotation:
         if annotation is not seen:  # nobody decided to give up what somebody else just saved
             raise UsageError(tr("the frame was changed elsewhere: look at it, then restore again"))
-        return edits.propose(restored, annotation.unconfirmed)
+        return edits.add_unconfirmed(restored, annotation.unconfirmed)
 
     if document.edit(said("restore an earlier version"), restore, OriginKind.FILE):
         document.say(tr("the earlier version is back; undo takes it away again"))

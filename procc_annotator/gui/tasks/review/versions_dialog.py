@@ -13,14 +13,13 @@ from PySide6.QtCore import (
     QSize,
     Qt,
 )
-from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPalette
+from PySide6.QtGui import QFont, QFontMetrics, QPainter
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QHBoxLayout,
     QListView,
     QStackedWidget,
-    QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QVBoxLayout,
@@ -34,7 +33,7 @@ from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.picture.annotation_preview import AnnotationPreview
-from procc_annotator.gui.theme import blend
+from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.language import tr, tr_count, word
 
@@ -287,16 +286,9 @@ class _VersionDelegate(QStyledItemDelegate):
         if not isinstance(model, VersionsModel):
             return
         when, author, reason, content = model.lines(index.row())
-        colours: QPalette = option.palette
         rect: QRect = option.rect
-        base, text = colours.color(QPalette.ColorRole.Base), colours.color(QPalette.ColorRole.Text)
-        if option.state & QStyle.StateFlag.State_Selected:
-            base = colours.color(QPalette.ColorRole.Highlight)
-            text = colours.color(QPalette.ColorRole.HighlightedText)
-        elif option.state & QStyle.StateFlag.State_MouseOver:
-            base = blend(base, text, 0.07)
         painter.save()
-        painter.fillRect(rect, base)
+        base, text = paint_row(painter, option)
         box = rect.adjusted(_PAD + 2, _PAD, -_PAD - 2, -_PAD)
         bold = QFont(option.font)
         bold.setBold(True)

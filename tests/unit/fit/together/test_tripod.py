@@ -10,7 +10,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.orientation import renamed
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.together.positions import find_places
+from procc_annotator.fit.together.positions import find_positions
 from procc_annotator.fit.together.tripod import SharedPosition, fit_from, share_position
 
 SIZE = (960, 540)
@@ -173,5 +173,5 @@ def test_stopping_is_up_to_the_caller(frames, alone, field) -> None:
 def test_no_agreement_is_no_place() -> None:
     far = np.array([[0.0, 60, -10], [30, 60, -10], [0, 90, -20], [50, 20, -15]])
     small = np.tile(np.eye(3) * 0.1, (4, 1, 1))
-    assert find_places(far, small, 62.0) == ()
-    assert find_places(np.empty((0, 3)), np.empty((0, 3, 3)), 62.0) == ()
+    assert find_positions(far, small, 62.0) == ()
+    assert find_positions(np.empty((0, 3)), np.empty((0, 3, 3)), 62.0) == ()

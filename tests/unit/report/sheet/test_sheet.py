@@ -19,7 +19,7 @@ from procc_annotator.report.sheet.as_terminal import terminal_table
 from procc_annotator.report.sheet.definitions import definitions
 from procc_annotator.report.sheet.figure import Figure
 from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, counted, of, whole
-from procc_annotator.report.sheet.shown import shown
+from procc_annotator.report.sheet.shown import as_texts
 
 LOW = Figure("low", "low", "%")
 HIGH = Figure("high", "high", "%")
@@ -53,7 +53,7 @@ def test_keys_of_figures_that_stand_together_differ() -> None:
 
 
 def test_columns_that_are_joined_share_a_cell_on_a_page() -> None:
-    content = shown(
+    content = as_texts(
         sheet(("a", 0.38, 0.36, 0.41, 2.0, 3, True), ("b", 0.4, None, None, 2.0, 3, False))
     )
     assert [column.heading for column in content.columns] == [

@@ -97,7 +97,9 @@ class TestWholeElements:
 
 
 class TestUnconfirmed:
-    WAITING = edits.propose(BOTH, [line(ARC, (0.7, 0.7), (0.8, 0.8)), line(TOP, (0.9, 0.9))])
+    WAITING = edits.add_unconfirmed(
+        BOTH, [line(ARC, (0.7, 0.7), (0.8, 0.8)), line(TOP, (0.9, 0.9))]
+    )
 
     def test_a_class_that_is_annotated_is_not_proposed(self) -> None:
         assert [p.class_name for p in self.WAITING.unconfirmed] == [ARC]

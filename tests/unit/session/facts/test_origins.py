@@ -30,7 +30,7 @@ def test_a_moved_point_is_new_and_the_others_are_not() -> None:
 
 
 def test_confirmed_points_were_copied_whatever_confirmed_them() -> None:
-    waiting = edits.propose(EMPTY, DRAWN.polylines)
+    waiting = edits.add_unconfirmed(EMPTY, DRAWN.polylines)
     assert new_origins(EMPTY, waiting, OriginKind.COPIED, "ann", 5.0) == {}
     found = new_origins(waiting, edits.confirm_all(waiting), OriginKind.MOVED, "ann", 6.0)
     assert {o.kind for o in found.values()} == {OriginKind.COPIED}
@@ -47,7 +47,7 @@ def test_points_without_paint_are_told_as_such_new_or_not() -> None:
     assert {key: origin.kind for key, origin in found.items()} == {
         (0.2, 0.2): OriginKind.UNCONFIRMED
     }
-    waiting = edits.propose(EMPTY, DRAWN.polylines)
+    waiting = edits.add_unconfirmed(EMPTY, DRAWN.polylines)
     copied = new_origins(EMPTY, waiting, OriginKind.COPIED, "ann", 5.0, unseen={(0.1, 0.1)})
     confirmed = edits.confirm_all(waiting)
     found = new_origins(waiting, confirmed, OriginKind.MOVED, "ann", 6.0, known=copied)

@@ -20,7 +20,7 @@ from procc_annotator.session.runs.click_spreads import pairs_under_clicks, sprea
 from procc_annotator.session.runs.clusters import NONE, SHOT, clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.frame_sums import SPARSE_TAUS, FrameSums, SourceSums
-from procc_annotator.session.runs.strata import strata, values_of
+from procc_annotator.session.runs.strata import strata, values_of_frames
 
 FIELD = load_field("soccer")
 TAUS = (2.0, 5.0)
@@ -234,7 +234,7 @@ def test_strata_are_corrected_together_and_say_where_sources_differ() -> None:
     sources = source("a", jacs), source("b", worse)
     tags = {name: "day" if n < 40 else "night" for n, name in enumerate(sources[0].names)}
     found = certain(sources)
-    parts = strata(found, "light", values_of("light", sources, FIELD, tags))
+    parts = strata(found, "light", values_of_frames("light", sources, FIELD, tags))
     day, night = (part.differences["mean_jac", 5.0][0, 1] for part in parts)
     assert [part.value for part in parts] == ["day", "night"]
     assert not day.beyond_chance
@@ -247,7 +247,7 @@ def test_strata_are_corrected_together_and_say_where_sources_differ() -> None:
         if len(shares) == 2:
             assert shares[0].corrected == pytest.approx(min(1.0, 2 * shares[0].p))
     with pytest.raises(UsageError, match="known of no frame"):
-        values_of("weather", sources, FIELD, {})
+        values_of_frames("weather", sources, FIELD, {})
 
 
 def test_strata_by_what_cameras_and_annotations_are_like() -> None:
@@ -257,11 +257,11 @@ def test_strata_by_what_cameras_and_annotations_are_like() -> None:
     poses = [pose(1000, 60), pose(2000, 60), pose(3000, -60), pose(3000, 2.0, 80.0)]
     frames = [frame(str(n), 0.5, pose=p, elements=n + 3) for n, p in enumerate((*poses, None))]
     sources = (SourceSums("a", TAUS, tuple(frames)),)
-    assert values_of("zoom", sources, FIELD, {})[0] == "focal 1000 to 2000 px"
-    assert values_of("zoom", sources, FIELD, {})[-1] is None
+    assert values_of_frames("zoom", sources, FIELD, {})[0] == "focal 1000 to 2000 px"
+    assert values_of_frames("zoom", sources, FIELD, {})[-1] is None
     main, opposite, behind = "main camera's side", "opposite side", "behind the end at x > 0"
-    assert values_of("side", sources, FIELD, {}) == [main, main, opposite, behind, None]
-    assert values_of("elements", sources, FIELD, {})[0] == "3 to 4 elements"
+    assert values_of_frames("side", sources, FIELD, {}) == [main, main, opposite, behind, None]
+    assert values_of_frames("elements", sources, FIELD, {})[0] == "3 to 4 elements"
 
 
 def test_what_clicks_make_of_figures_and_differences(three) -> None:
