@@ -81,7 +81,7 @@ class ShotMarks:
             first += frames
 
     def _put(self, steps: list[Stepped]) -> None:
-        # At least one, of no trust: no rows could be read again that are of no bytes.
+        # One at least, which counts nothing: frames without any would have no length in the file.
         most = max([1, *(len(step.marks) for step in steps if step.marks is not None)])
         rows = np.zeros(len(steps), _kind(most))
         for row, step in zip(rows, steps, strict=True):
