@@ -19,6 +19,7 @@ from rich.progress import (
 from rich.table import Table
 
 from procc_annotator.cli.table_widths import fit_columns
+from procc_annotator.report.sheet.as_plain import plain_table
 from procc_annotator.report.sheet.as_terminal import terminal_table
 from procc_annotator.report.sheet.sheet import Sheet
 
@@ -31,6 +32,10 @@ PIPE_WIDTH = 132
 class _Console(Console):
     def print(self, *objects: Any, **options: Any) -> None:
         """Sheets become tables, which fit the width; in a file or a pipe no line ends in blanks."""
+        plain = self._plain(objects) if not options else None
+        if plain is not None:
+            self._write(plain)
+            return
         objects = tuple(terminal_table(o) if isinstance(o, Sheet) else o for o in objects)
         for table in objects:
             if isinstance(table, Table):
@@ -40,9 +45,18 @@ class _Console(Console):
             return
         with self.capture() as captured:
             super().print(*objects, **options)
-        lines = captured.get().split("\n")
+        self._write("\n".join(line.rstrip() for line in captured.get().split("\n")))
+
+    def _plain(self, objects: tuple[Any, ...]) -> str | None:
+        # Colours, and letters that a box cannot be drawn with, are left to the library, which takes
+        # twenty times as long.
+        if len(objects) != 1 or not isinstance(objects[0], Sheet) or self.is_terminal:
+            return None
+        return None if self.options.ascii_only else plain_table(objects[0], self.width)
+
+    def _write(self, text: str) -> None:
         try:
-            self.file.write("\n".join(line.rstrip() for line in lines))
+            self.file.write(text)
             self.file.flush()
         except BrokenPipeError:
             self.on_broken_pipe()
