@@ -17,6 +17,7 @@ from procc_annotator.fit.solving.observations import (
     IntArray,
     PictureFrame,
 )
+from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.image.paint_map import paint_map
 from procc_annotator.image.pixels import PixelArray
 
@@ -24,6 +25,7 @@ DIRECTIONS = 12
 LIKE_RAD = np.radians(20.0)  # directions that may be those of one line
 _FAR_PX = 1e3
 _CELL_PX = 2
+_LARGEST_FLOOR_M = 30.0  # half a length: what is larger is of grass, and that has one colour
 HALF_WIDTH = REFERENCE_WIDTH / 2
 
 
@@ -67,7 +69,8 @@ def see_paint(picture: PixelArray, field: Field) -> SeenPaint:
     """The paint of a picture (H, W, 4) BGRA, of the tones a field's lines have."""
     tones = {e.appearance.tone for e in field.elements if e.appearance.kind == LINE}
     light, dark = bool(tones & {LIGHTER, ANY}), bool(tones & {DARKER, ANY})
-    found = paint_map(picture, light=light, dark=dark)
+    floor = surroundings_of(field).half_length <= _LARGEST_FLOOR_M
+    found = paint_map(picture, light=light, dark=dark, floor=floor)
     frame = PictureFrame(found.size)
     points = (found.points - np.array(frame.centre_px)[:, None]) * frame.scale
     return SeenPaint(frame, points, found.along, np.flatnonzero(found.on_ground), found.ground)
