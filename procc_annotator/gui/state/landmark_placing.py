@@ -10,10 +10,11 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.landmarks import by_name, is_moving
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.language import tr
 from procc_annotator.session.landmarks.landmark_clicks import (

@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 
 from procc_annotator.errors import ProccError
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.editing import Editing
@@ -17,7 +18,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.sources import Sources
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.file_stamps import Stamp
