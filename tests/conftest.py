@@ -43,8 +43,12 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 # One long test alone at the end would be waited for: these begin first, the many short files last.
+# So does what takes much memory for a moment, and would take it on top of what was loaded before.
 LONG = (
     "tests/unit/io/test_kill.py",  # forks, which takes ten times as long in a process grown large
+    "tests/unit/image/test_decode.py",
+    "tests/test_sample_data.py",
+    "tests/fuzz/test_fuzz_containers.py",
     "tests/gui/test_random_use.py",
     "tests/unit/fit/together/test_stadium.py",
     "tests/data/",

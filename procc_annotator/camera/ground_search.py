@@ -12,6 +12,7 @@ _ROUNDS = 25
 _HALVINGS = 6
 _BIN = 24  # bins along the longer side of the pixels asked for
 _ROW = _BIN + 3
+_AT_ONCE = 16  # pixels compared with all of the grid; more take a hundred megabytes
 _SETTLED_M = 1e-9
 _EXACT_PX = 1e-5
 # Where to start, and how far the ground counts: dense about the field, then coarser. Farther out
@@ -143,11 +144,13 @@ class _Bins:
 
 def _nearest(nodes_px: FloatArray, points_px: FloatArray) -> np.ndarray:
     found = np.empty(len(points_px), dtype=np.intp)
-    for start in range(0, len(points_px), 256):
-        part = points_px[start : start + 256]
+    for start in range(0, len(points_px), _AT_ONCE):
+        part = points_px[start : start + _AT_ONCE]
         offset_x = part[:, :1] - nodes_px[:, 0]
         offset_y = part[:, 1:] - nodes_px[:, 1]
-        found[start : start + 256] = np.argmin(offset_x * offset_x + offset_y * offset_y, axis=1)
+        found[start : start + _AT_ONCE] = np.argmin(
+            offset_x * offset_x + offset_y * offset_y, axis=1
+        )
     return found
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +22,7 @@ _LIKE_SHARE, _LIKE_BRIGHT = 0.08, 0.8
 _COLOURS = 3  # a court has others than what surrounds it
 _ENOUGH, _LEAST_MORE = 0.4, 0.04  # of the picture: no other colour is looked for; another one's
 _TOUCHING = 0.02
-_PLAYER_PX = 25
+_PLAYER_PX, _ABOUT_PX = 25, 25
 
 
 def ground_of(picture: PixelArray) -> Mask:
@@ -35,29 +37,49 @@ def ground_of(picture: PixelArray) -> Mask:
     Returns:
         (h, 320) 1 where the ground is; nothing but 0 if nothing is smooth.
     """
-    height, width = picture.shape[:2]
-    size = (_WIDTH_PX, max(round(height * _WIDTH_PX / width), 1))
-    small = np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
-    red, blue, bright = _colour(small)
-    smooth = _smooth(small)
+    small = reduced(picture)
     ground = np.zeros(small.shape[:2], dtype=np.uint8)
     top = 0.0
-    for _ in range(_COLOURS):
-        if smooth.mean() < 2 * _LEAST_MORE or ground.mean() > _ENOUGH:
+    for piece in pieces_of(small, _COLOURS):
+        rows = np.nonzero(piece)[0]
+        if not ground.any():
+            ground, top = piece, float(np.percentile(rows, 5))
+        elif belongs(piece, ground, top):
+            ground |= piece
+        if ground.mean() > _ENOUGH:
             break
+    return filled(ground)
+
+
+def reduced(picture: PixelArray) -> PixelArray:
+    """A picture (H, W, 3) made so small that a ground shows, and little else: (h, 320, 3)."""
+    height, width = picture.shape[:2]
+    size = (_WIDTH_PX, max(round(height * _WIDTH_PX / width), 1))
+    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
+
+
+def pieces_of(small: PixelArray, colours: int, calm: float = 0.0) -> Iterator[Mask]:
+    """The largest piece of each of the most frequent colours of what is smooth.
+
+    Args:
+        small: (h, 320, 3) BGR.
+        colours: so many at most.
+        calm: share of what is about a place that must be flat; in a crowd less is.
+    """
+    red, blue, bright = _colour(small)
+    flat = _flat(small)
+    smooth = (cv2.blur(flat, (9, 9)) > _FLAT_SHARE) & (small.max(axis=2) > _DARKEST)
+    quiet = cv2.blur(flat, (_ABOUT_PX, _ABOUT_PX)) >= calm
+    for _ in range(colours):
+        if smooth.mean() < 2 * _LEAST_MORE:
+            return
         centre = _most_frequent(red[smooth], blue[smooth], bright[smooth], np.nonzero(smooth)[0])
         alike = np.hypot(red - centre[0], blue - centre[1]) < _LIKE_SHARE
         alike &= np.abs(bright - centre[2]) < _LIKE_BRIGHT
-        piece = _largest_piece(alike)
+        piece = _largest_piece(alike & quiet)
         smooth &= ~alike
-        rows = np.nonzero(piece)[0]
-        if not len(rows):
-            continue
-        if not ground.any():
-            ground, top = piece, float(np.percentile(rows, 5))
-        elif _belongs(piece, ground, float(np.percentile(rows, 30)), top):
-            ground |= piece
-    return _filled(ground)
+        if piece.any():
+            yield piece
 
 
 def _colour(small: PixelArray) -> tuple[Values, Values, Values]:
@@ -66,11 +88,11 @@ def _colour(small: PixelArray) -> tuple[Values, Values, Values]:
     return values[..., 2] / total, values[..., 0] / total, np.log(values.max(axis=2))
 
 
-def _smooth(small: PixelArray) -> NDArray[np.bool_]:
+def _flat(small: PixelArray) -> Values:
+    """(h, 320) 1 where there is no edge."""
     grey = cv2.cvtColor(small, cv2.COLOR_BGR2GRAY)
     edges = cv2.morphologyEx(grey, cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
-    flat = cv2.blur((edges < _MOST_EDGE).astype(np.float32), (9, 9)) > _FLAT_SHARE
-    return np.asarray(flat & (small.max(axis=2) > _DARKEST))
+    return np.asarray(edges < _MOST_EDGE, dtype=np.float32)
 
 
 def _most_frequent(
@@ -107,16 +129,16 @@ def _largest_piece(alike: NDArray[np.bool_]) -> Mask:
     return np.asarray(labels == largest, dtype=np.uint8)
 
 
-def _belongs(piece: Mask, ground: Mask, row: float, top: float) -> bool:
-    """Whether another colour is of the ground: it touches it, and is no wall above it."""
-    if piece.mean() < _LEAST_MORE or row < top:
+def belongs(piece: Mask, ground: Mask, top: float) -> bool:
+    """Whether another colour is of the ground: it touches it, and is no wall above its top row."""
+    if piece.mean() < _LEAST_MORE or float(np.percentile(np.nonzero(piece)[0], 30)) < top:
         return False
     beside = (cv2.dilate(piece, np.ones((9, 9), np.uint8)) > 0) & (ground > 0)
     return bool(beside.sum() >= _TOUCHING * piece.sum())
 
 
-def _filled(ground: Mask) -> Mask:
-    """With what is enclosed, and what players cut out of its edge."""
+def filled(ground: Mask) -> Mask:
+    """A ground with what is enclosed, and what players cut out of its edge."""
     closed = cv2.morphologyEx(ground, cv2.MORPH_CLOSE, _disc(9))
     outlines, _ = cv2.findContours(closed, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     filled = np.zeros_like(ground)

@@ -7,13 +7,15 @@ ground tells where to look, and a ridge counts only where others of its directio
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.image.floor import floor_of, floor_pieces
 from procc_annotator.image.ground import ground_of
 from procc_annotator.image.pixels import PixelArray
 
@@ -31,6 +33,8 @@ _SIDES_PX, _LEAST_CONTRAST, _CONTRAST_SHARE = (4, 7), 2.0, 0.3
 _ON_PX, _STEP_PX, _BENDS, _LEAST_SHARE = 36, 4, (-0.006, 0.0, 0.006), 0.7
 _LIKE = np.cos(2 * np.radians(14.0))
 _BESIDE_PX, _WITHIN_PX, _BORDER_PX = 12, 4, 4
+_GRAIN_PX, _STANDS_OUT = 96, 12.0  # a ridge is so many times as strong as usual about it
+_SMALLER = 3
 _FILTERS_PX = 16  # farther from a place nothing changes what is found there
 
 
@@ -54,12 +58,22 @@ class PaintMap:
     ground: NDArray[np.uint8]
 
 
-def paint_map(picture: PixelArray, *, light: bool = True, dark: bool = False) -> PaintMap:
+def paint_map(
+    picture: PixelArray,
+    *,
+    light: bool = True,
+    dark: bool = False,
+    floor: bool = False,
+    wide: bool = False,
+) -> PaintMap:
     """Find what looks like the paint of lines in a picture.
 
     Args:
         picture: (H, W, 3 or 4) BGR or BGRA.
         light, dark: whether paint is lighter, or darker, than what lies beside it.
+        floor: whether the ground is the floor of a hall, of several colours and with a grain;
+            otherwise it is of one.
+        wide: whether some lines may be many px wide.
     """
     height, width = picture.shape[:2]
     shrink = max(width / _WIDTH_PX, 1.0)
@@ -68,26 +82,80 @@ def paint_map(picture: PixelArray, *, light: bool = True, dark: bool = False) ->
         size = (_WIDTH_PX, max(round(height / shrink), 1))
         small = np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
     small = np.ascontiguousarray(small[:, :, :3])
-    ground = ground_of(small)
+    pieces = floor_pieces(small) if floor else [ground_of(small)]
+    if not pieces:
+        return _no_paint((width, height))
+    beside = _beside(np.bitwise_or.reduce(pieces), small.shape)
+    signs = [sign for sign, wanted in ((1, light), (-1, dark)) if wanted]
     # White paint is light in all colours, coloured paint dark in one of them.
     blue, green, red = cv2.split(small)
     grey = cv2.min(cv2.min(blue, green), red).astype(np.float32)
-    wide = cv2.resize(ground, small.shape[1::-1], interpolation=cv2.INTER_NEAREST)
-    beside = cv2.dilate(wide, np.ones((2 * _BESIDE_PX + 1,) * 2, np.uint8)) > 0
-    beside[:_BORDER_PX] = beside[-_BORDER_PX:] = False
-    beside[:, :_BORDER_PX] = beside[:, -_BORDER_PX:] = False
-    signs = [sign for sign, wanted in ((1, light), (-1, dark)) if wanted]
-    part, corner = _around(beside)
-    found = [_ridges(grey[part] * np.float32(sign), beside[part]) for sign in signs]
-    places, along = (np.concatenate(one, axis=-1) for one in zip(*found, strict=True))
-    places = places + corner
-    kept = _goes_on(places, along, grey.shape)
-    places, along = places[:, kept], along[kept]
-    inner = cv2.erode(wide, np.ones((2 * _WITHIN_PX + 1,) * 2, np.uint8)) > 0
+    places, along = _going_on(grey, beside, signs)
+    if wide:
+        more = _wide(grey, beside, signs)
+        places = np.concatenate([places, more[0]], axis=1)
+        along = np.concatenate([along, more[1]])
+    ground = pieces[0]
+    if floor:
+        ground = floor_of(pieces, _counted(places, ground.shape, small.shape))
+        column, row = np.rint(places).astype(np.intp)
+        kept = _beside(ground, small.shape)[row, column]
+        places, along = places[:, kept], along[kept]
+    whole = cv2.resize(ground, small.shape[1::-1], interpolation=cv2.INTER_NEAREST)
+    inner = cv2.erode(whole, np.ones((2 * _WITHIN_PX + 1,) * 2, np.uint8)) > 0
     column, row = np.rint(places).astype(np.intp)
     return PaintMap(
         (width, height), (places + 0.5) * shrink - 0.5, along, inner[row, column], ground
     )
+
+
+def _going_on(
+    grey: Values, where: BoolArray, signs: Sequence[int]
+) -> tuple[FloatArray, FloatArray]:
+    """(2, n) px on the middle of ridges that go on, and (n,) rad their directions."""
+    part, corner = _around(where)
+    grained = len(signs) > 1
+    found = [_ridges(grey[part] * np.float32(sign), where[part], grained) for sign in signs]
+    places, along = (np.concatenate(one, axis=-1) for one in zip(*found, strict=True))
+    places = places + corner
+    kept = _goes_on(places, along, grey.shape)
+    return places[:, kept], along[kept]
+
+
+def _wide(grey: Values, where: BoolArray, signs: Sequence[int]) -> tuple[FloatArray, FloatArray]:
+    """The same of ridges so wide that they show in a smaller picture only."""
+    size = (grey.shape[1] // _SMALLER, grey.shape[0] // _SMALLER)
+    small = np.asarray(cv2.resize(grey, size, interpolation=cv2.INTER_AREA), dtype=np.float32)
+    there = cv2.resize(where.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
+    there[:_BORDER_PX] = there[-_BORDER_PX:] = False
+    there[:, :_BORDER_PX] = there[:, -_BORDER_PX:] = False
+    places, along = _going_on(small, there, signs)
+    scale = np.array([[grey.shape[1] / size[0]], [grey.shape[0] / size[1]]])
+    return (places + 0.5) * scale - 0.5, along
+
+
+def _no_paint(size: tuple[int, int]) -> PaintMap:
+    nothing = np.zeros(0)
+    ground = np.zeros((1, 1), dtype=np.uint8)
+    return PaintMap(size, np.zeros((2, 0)), nothing, nothing > 0, ground)
+
+
+def _beside(ground: NDArray[np.uint8], shape: tuple[int, ...]) -> BoolArray:
+    """Where paint is looked for: on the ground and at its rim, not at the picture's border."""
+    wide = cv2.resize(ground, shape[1::-1], interpolation=cv2.INTER_NEAREST)
+    beside = cv2.dilate(wide, np.ones((2 * _BESIDE_PX + 1,) * 2, np.uint8)) > 0
+    beside[:_BORDER_PX] = beside[-_BORDER_PX:] = False
+    beside[:, :_BORDER_PX] = beside[:, -_BORDER_PX:] = False
+    return np.asarray(beside)
+
+
+def _counted(places: FloatArray, cells: tuple[int, ...], shape: tuple[int, ...]) -> IntArray:
+    """(h, 320) how many places (2, n) lie in each cell."""
+    column, row = (
+        (places[axis] * cells[1 - axis] / shape[1 - axis]).astype(np.intp) for axis in (0, 1)
+    )
+    counts = np.bincount(row * cells[1] + column, minlength=cells[0] * cells[1])
+    return counts.reshape(cells)
 
 
 def _around(where: BoolArray) -> tuple[tuple[slice, slice], FloatArray]:
@@ -102,10 +170,15 @@ def _around(where: BoolArray) -> tuple[tuple[slice, slice], FloatArray]:
     return part, np.array([[begins[1]], [begins[0]]], dtype=np.float64)
 
 
-def _ridges(grey: Values, where: BoolArray) -> tuple[FloatArray, FloatArray]:
-    """(2, n) px on the middle of light ridges, and (n,) rad their directions."""
+def _ridges(grey: Values, where: BoolArray, grained: bool) -> tuple[FloatArray, FloatArray]:
+    """(2, n) px on the middle of light ridges, and (n,) rad their directions; those that stand out
+    of what is around them, where there may be a grain."""
     strength, directed = _curvature(grey)
-    rows, columns = np.nonzero((strength > _LEAST_RIDGE) & where)
+    least: Any = _LEAST_RIDGE
+    if grained:
+        usual = cv2.blur(np.sqrt(np.maximum(strength, 0)), (_GRAIN_PX, _GRAIN_PX)) ** 2
+        least = np.maximum(_STANDS_OUT * usual, _LEAST_RIDGE)
+    rows, columns = np.nonzero((strength > least) & where)
     apart, mixed = directed(rows, columns)
     along = 0.5 * np.arctan2(mixed, apart)
     across = np.stack([-np.sin(along), np.cos(along)])

@@ -81,7 +81,8 @@ class ShotMarks:
             first += frames
 
     def _put(self, steps: list[Stepped]) -> None:
-        most = max((len(step.marks) for step in steps if step.marks is not None), default=0)
+        # One at least, which counts nothing: frames without any would have no length in the file.
+        most = max([1, *(len(step.marks) for step in steps if step.marks is not None)])
         rows = np.zeros(len(steps), _kind(most))
         for row, step in zip(rows, steps, strict=True):
             marks = step.marks

@@ -197,8 +197,7 @@ class CameraHand(QObject):
         self._fresh = self._fresh and self._document.corrections.here is not None
         if self.dragging:
             self._put_back()
-        self._hold(False)
-        self._show()
+        self._hold(False)  # where it was not held, the canvas paints what there is
 
     def _age(self) -> None:
         self._fresh = False
@@ -207,8 +206,9 @@ class CameraHand(QObject):
     def _pegs(self) -> tuple[Peg, ...]:
         document = self._document
         found = document.corrections.here
-        counts = document.corrections.rules or document.foresight.stands_in
-        return found.pegs if found is not None and counts else ()
+        if found is None:
+            return ()
+        return found.pegs if document.corrections.rules or document.foresight.stands_in else ()
 
     def _camera(self) -> PinholeCamera | None:
         """The camera in view: the corrected one, that of ghosts, that of the chosen source."""

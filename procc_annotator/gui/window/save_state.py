@@ -35,9 +35,11 @@ class SaveState(PaintedText):
 
     def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
         """Show some words, with all of it in the tip."""
-        before, self._alarm = self.sizeHint(), alarm
         if tip != self.toolTip():
             self.setToolTip(tip)
+        if (text, alarm) == (self.text(), self._alarm):
+            return
+        before, self._alarm = self.sizeHint(), alarm
         self.set_text(text)
         if self.sizeHint() != before:
             self.updateGeometry()
@@ -70,8 +72,9 @@ class SaveState(PaintedText):
         return _ALARM_PAD if self._alarm else _PAD
 
     def _metrics(self) -> QFontMetrics:
-        bold = QFontMetrics(fixed_width(self.font(), bold=True))
-        return bold if self._alarm else self.fontMetrics()
+        if not self._alarm:
+            return self.fontMetrics()
+        return QFontMetrics(fixed_width(self.font(), bold=True))
 
     def _show(self, *_: object) -> None:
         saver = self._document.saver

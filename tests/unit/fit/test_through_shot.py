@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -42,6 +42,13 @@ UNLIKE = np.random.default_rng(1).integers(0, 255, (SIZE[1], SIZE[0], 4), dtype=
 @lru_cache(maxsize=64)
 def _picture(number: int, lines: bool = True) -> PixelArray:
     return draw(CAMERAS[number], lines=lines, seed=number)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def pictures_go_afterwards() -> Iterator[None]:
+    """They take a hundred megabytes."""
+    yield
+    _picture.cache_clear()
 
 
 def _nothing(_picture: PixelArray, _field: object, _known: tuple[KnownPosition, ...]) -> Proposal:

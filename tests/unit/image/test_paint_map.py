@@ -80,3 +80,68 @@ def test_the_ground_is_what_is_smooth_and_large_with_players_on_it() -> None:
 def test_noise_has_no_ground() -> None:
     crowd = np.random.default_rng(2).integers(0, 255, (540, 960, 3))
     assert not ground_of(crowd.astype(np.uint8)).any()
+
+
+def _court() -> np.ndarray:
+    """A court in a larger floor of another colour, with a lighter line between them; a dark hall
+    above and below."""
+    picture = np.full((SIZE[1], SIZE[0], 3), (40, 36, 34), dtype=np.uint8)
+    picture[60:500] = (122, 112, 34)
+    cv2.rectangle(picture, (300, 150), (1000, 420), (52, 108, 204), -1)
+    cv2.rectangle(picture, (300, 150), (1000, 420), PAINT, 3, cv2.LINE_AA)
+    cv2.line(picture, (600, 150), (600, 420), PAINT, 3, cv2.LINE_AA)
+    return picture
+
+
+def test_a_floor_has_the_colours_that_lines_part_and_no_others() -> None:
+    ground = paint_map(_court(), floor=True).ground > 0
+    assert ground[24:160].mean() > 0.97  # court and what is around it
+    assert not ground[:15].any()
+    assert not ground[172:].any()
+
+
+def test_a_line_between_two_colours_of_a_floor_lies_on_it() -> None:
+    found = paint_map(_court(), floor=True)
+    side = np.abs(found.points[1] - 150) < 2
+    assert side.sum() > 400
+    assert found.on_ground[side].all()
+
+
+def test_a_floor_begins_where_paint_is() -> None:
+    picture = np.full((SIZE[1], SIZE[0], 3), (60, 58, 56), dtype=np.uint8)
+    cv2.rectangle(picture, (0, 100), (960, 330), (236, 234, 230), -1)  # ice, less than half
+    for x in (200, 400, 600):
+        cv2.line(picture, (x, 100), (x, 330), (60, 60, 200), 3, cv2.LINE_AA)
+    ground = paint_map(picture, light=False, dark=True, floor=True).ground > 0
+    assert ground[38:105].mean() > 0.95
+    assert not ground[120:].any()
+
+
+def test_most_of_a_woods_grain_is_no_paint_where_paint_may_be_lighter_or_darker() -> None:
+    random = np.random.default_rng(3)
+    picture = np.full((SIZE[1], SIZE[0], 3), (88, 138, 182), dtype=np.uint8)
+    for x, y, long in random.uniform((0, 0, 40), (*SIZE, 120), (2500, 3)).astype(int):
+        cv2.line(picture, (x, y), (x + long, y + long // 9), (96, 146, 190), 2, cv2.LINE_AA)
+    cv2.line(picture, (100, 200), (800, 480), PAINT, 3, cv2.LINE_AA)
+
+    def on_line(light: bool, dark: bool) -> np.ndarray:
+        found = paint_map(picture, light=light, dark=dark, floor=True)
+        return _beside(found, (100, 200), (800, 480)) < 2
+
+    grain = (~on_line(light=True, dark=False)).sum() + (~on_line(light=False, dark=True)).sum()
+    both = on_line(light=True, dark=True)
+    assert both.sum() > 400
+    assert (~both).sum() < 0.6 * grain
+
+
+def test_a_wide_line_is_found_at_its_middle_where_lines_may_be_wide() -> None:
+    picture = np.full((SIZE[1], SIZE[0], 3), 220, dtype=np.uint8)
+    cv2.line(picture, (100, 200), (800, 480), (160, 85, 35), 15, cv2.LINE_AA)
+    cv2.line(picture, (100, 400), (600, 500), (60, 60, 200), 3, cv2.LINE_AA)
+
+    def middle(wide: bool) -> int:
+        found = paint_map(picture, light=False, dark=True, floor=True, wide=wide)
+        return int((_beside(found, (100, 200), (800, 480)) < 1).sum())
+
+    assert middle(wide=False) < 20
+    assert middle(wide=True) > 150
