@@ -81,6 +81,8 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     if document.workspace is not None and document.review.database is None:
         return False  # the document alone was closed
     document.camera_sources.clear_sources()
+    window.cameras.list.refresh()  # or its rows stay until the panel is seen, and are found by name
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
     document.set_noise_floor(None)
     document.set_author(new["state"][-1])
     document.set_mode("draw")
@@ -114,6 +116,7 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     if _layout_of(window) != new["layout"]:
         window.panels.reset_layout()
     window.message_bar.hide()
+    window.message_bar.label.clear()
     window.status.forget(just_told=True)
     now = _settings_of(window)
     return {name: now.get(name) for name in new} == new  # rows come and go with what they are of
