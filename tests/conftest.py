@@ -47,6 +47,7 @@ ROOT = Path(__file__).resolve().parent.parent
 LONG = (
     "tests/unit/io/test_kill.py",  # forks, which takes ten times as long in a process grown large
     "tests/unit/image/test_decode.py",
+    "tests/test_sample_data.py",
     "tests/fuzz/test_fuzz_containers.py",
     "tests/gui/test_random_use.py",
     "tests/unit/fit/together/test_stadium.py",

@@ -116,8 +116,7 @@ class RecipeFor:
             InputError: an input cannot be read any more.
             SaveError: it cannot be written.
         """
-        further = further or Further()
-        own_file = self.field.file
+        further, own_file = further or Further(), self.field.file
         maps = {m.path for m in (map_of(one.annotations) for one in asked) if m is not None}
         stadiums = {p for one in asked if (p := stadiums_of(one)) is not None}
         more = [

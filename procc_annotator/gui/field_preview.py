@@ -16,6 +16,7 @@ from procc_annotator.field.checks import Remark, RemarkSeverity, check_field
 from procc_annotator.field.load import load_field, resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.languages import take_up
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
@@ -23,7 +24,6 @@ from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.settings import LANGUAGE, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.file_watch import FileWatch
-from procc_annotator.gui.worker import Latest
 from procc_annotator.language import tr, tr_count
 
 _SIZE = (980, 620)

@@ -7,7 +7,7 @@ ground tells where to look, and a ridge counts only where others of its directio
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -34,6 +34,7 @@ _ON_PX, _STEP_PX, _BENDS, _LEAST_SHARE = 36, 4, (-0.006, 0.0, 0.006), 0.7
 _LIKE = np.cos(2 * np.radians(14.0))
 _BESIDE_PX, _WITHIN_PX, _BORDER_PX = 12, 4, 4
 _GRAIN_PX, _STANDS_OUT = 96, 12.0  # a ridge is so many times as strong as usual about it
+_SMALLER = 3
 _FILTERS_PX = 16  # farther from a place nothing changes what is found there
 
 
@@ -58,7 +59,12 @@ class PaintMap:
 
 
 def paint_map(
-    picture: PixelArray, *, light: bool = True, dark: bool = False, floor: bool = False
+    picture: PixelArray,
+    *,
+    light: bool = True,
+    dark: bool = False,
+    floor: bool = False,
+    wide: bool = False,
 ) -> PaintMap:
     """Find what looks like the paint of lines in a picture.
 
@@ -67,6 +73,7 @@ def paint_map(
         light, dark: whether paint is lighter, or darker, than what lies beside it.
         floor: whether the ground is the floor of a hall, of several colours and with a grain;
             otherwise it is of one.
+        wide: whether some lines may be many px wide.
     """
     height, width = picture.shape[:2]
     shrink = max(width / _WIDTH_PX, 1.0)
@@ -80,27 +87,51 @@ def paint_map(
         return _no_paint((width, height))
     beside = _beside(np.bitwise_or.reduce(pieces), small.shape)
     signs = [sign for sign, wanted in ((1, light), (-1, dark)) if wanted]
-    part, corner = _around(beside)
     # White paint is light in all colours, coloured paint dark in one of them.
     blue, green, red = cv2.split(small)
     grey = cv2.min(cv2.min(blue, green), red).astype(np.float32)
-    found = [_ridges(grey[part] * np.float32(sign), beside[part], light and dark) for sign in signs]
-    places, along = (np.concatenate(one, axis=-1) for one in zip(*found, strict=True))
-    places = places + corner
-    kept = _goes_on(places, along, grey.shape)
-    places, along = places[:, kept], along[kept]
+    places, along = _going_on(grey, beside, signs)
+    if wide:
+        more = _wide(grey, beside, signs)
+        places = np.concatenate([places, more[0]], axis=1)
+        along = np.concatenate([along, more[1]])
     ground = pieces[0]
     if floor:
         ground = floor_of(pieces, _counted(places, ground.shape, small.shape))
         column, row = np.rint(places).astype(np.intp)
         kept = _beside(ground, small.shape)[row, column]
         places, along = places[:, kept], along[kept]
-    wide = cv2.resize(ground, small.shape[1::-1], interpolation=cv2.INTER_NEAREST)
-    inner = cv2.erode(wide, np.ones((2 * _WITHIN_PX + 1,) * 2, np.uint8)) > 0
+    whole = cv2.resize(ground, small.shape[1::-1], interpolation=cv2.INTER_NEAREST)
+    inner = cv2.erode(whole, np.ones((2 * _WITHIN_PX + 1,) * 2, np.uint8)) > 0
     column, row = np.rint(places).astype(np.intp)
     return PaintMap(
         (width, height), (places + 0.5) * shrink - 0.5, along, inner[row, column], ground
     )
+
+
+def _going_on(
+    grey: Values, where: BoolArray, signs: Sequence[int]
+) -> tuple[FloatArray, FloatArray]:
+    """(2, n) px on the middle of ridges that go on, and (n,) rad their directions."""
+    part, corner = _around(where)
+    grained = len(signs) > 1
+    found = [_ridges(grey[part] * np.float32(sign), where[part], grained) for sign in signs]
+    places, along = (np.concatenate(one, axis=-1) for one in zip(*found, strict=True))
+    places = places + corner
+    kept = _goes_on(places, along, grey.shape)
+    return places[:, kept], along[kept]
+
+
+def _wide(grey: Values, where: BoolArray, signs: Sequence[int]) -> tuple[FloatArray, FloatArray]:
+    """The same of ridges so wide that they show in a smaller picture only."""
+    size = (grey.shape[1] // _SMALLER, grey.shape[0] // _SMALLER)
+    small = np.asarray(cv2.resize(grey, size, interpolation=cv2.INTER_AREA), dtype=np.float32)
+    there = cv2.resize(where.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
+    there[:_BORDER_PX] = there[-_BORDER_PX:] = False
+    there[:, :_BORDER_PX] = there[:, -_BORDER_PX:] = False
+    places, along = _going_on(small, there, signs)
+    scale = np.array([[grey.shape[1] / size[0]], [grey.shape[0] / size[1]]])
+    return (places + 0.5) * scale - 0.5, along
 
 
 def _no_paint(size: tuple[int, int]) -> PaintMap:

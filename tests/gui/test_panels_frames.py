@@ -16,6 +16,7 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.gui.panels.frames.delegate import row_words
 from procc_annotator.gui.panels.frames.model import RowInfo
 from procc_annotator.gui.panels.frames.panel import FramesPanel
+from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
 from procc_annotator.gui.state.document import Document
 from procc_annotator.session.facts.origins import Status
 
@@ -76,16 +77,16 @@ def test_rows_fill_in_behind(qtbot: QtBot, panel: FramesPanel) -> None:
     assert thumbnail.pixelColor(3, 3).red() == 50
 
 
-def test_pictures_come_from_the_top_down(qtbot: QtBot, panel: FramesPanel) -> None:
-    came: list[list[int]] = []
-
-    def note(first: QModelIndex, *_: Any) -> None:
-        came.append([row for row in range(12) if _info(panel, row).thumbnail is not None])
-
-    panel.model.dataChanged.connect(note)
-    qtbot.waitUntil(lambda: all(_known(panel, row) for row in range(8)))
-    first = next(rows for rows in came if rows)
-    assert first == [0, 1, 2, 3]
+def test_pictures_come_from_the_top_down(qtbot: QtBot, document: Document, frames: Path) -> None:
+    """As far as they are painted together, which is not for a test to say of a whole list."""
+    thumbnails = Thumbnails(document.cache, document)
+    rows = [frames / f"match {i}.png" for i in range(1, 9)]
+    came: list[list[Path]] = []
+    thumbnails.arrived.connect(came.append)
+    for path in rows:
+        assert thumbnails.image(path) is None
+    qtbot.waitUntil(lambda: sum(map(len, came)) == len(rows))
+    assert [path for batch in came for path in batch] == rows
 
 
 def test_a_click_goes_to_the_frame_and_the_list_follows(

@@ -14,13 +14,8 @@ from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
-from procc_annotator.gui.worker import (
-    JobControl,
-    Latest,
-    hold_back,
-    let_go,
-    run_in_background,
-)
+from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.worker import JobControl, hold_back, let_go, run_in_background
 
 
 class Heard:

@@ -26,6 +26,7 @@ LIKE_RAD = np.radians(20.0)  # directions that may be those of one line
 _FAR_PX = 1e3
 _CELL_PX = 2
 _LARGEST_FLOOR_M = 30.0  # half a length: what is larger is of grass, and that has one colour
+_WIDE_M = 0.25  # of lines such as the blue ones of ice hockey
 HALF_WIDTH = REFERENCE_WIDTH / 2
 
 
@@ -67,10 +68,12 @@ class SeenPaint:
 
 def see_paint(picture: PixelArray, field: Field) -> SeenPaint:
     """The paint of a picture (H, W, 4) BGRA, of the tones a field's lines have."""
-    tones = {e.appearance.tone for e in field.elements if e.appearance.kind == LINE}
+    lines = [e.appearance for e in field.elements if e.appearance.kind == LINE]
+    tones = {line.tone for line in lines}
+    wide = any(line.width_m >= _WIDE_M for line in lines)
     light, dark = bool(tones & {LIGHTER, ANY}), bool(tones & {DARKER, ANY})
     floor = surroundings_of(field).half_length <= _LARGEST_FLOOR_M
-    found = paint_map(picture, light=light, dark=dark, floor=floor)
+    found = paint_map(picture, light=light, dark=dark, floor=floor, wide=wide)
     frame = PictureFrame(found.size)
     points = (found.points - np.array(frame.centre_px)[:, None]) * frame.scale
     return SeenPaint(frame, points, found.along, np.flatnonzero(found.on_ground), found.ground)

@@ -18,12 +18,13 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTable, Index
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.language import tr, tr_count, word
 from procc_annotator.metric.agreement import (
     AgreementSummary,

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import titles_of_all_frames
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.parts import choice, empty_state
 from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.plots.base import PlotPage
@@ -29,7 +30,7 @@ from procc_annotator.gui.plots.request import PlotRequest
 from procc_annotator.gui.plots.sources import PlotSources, Restrict
 from procc_annotator.gui.plots.taking import TakingAlong
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.language import tr, word
 
 _INTERVAL_MS = 60

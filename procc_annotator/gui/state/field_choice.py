@@ -14,7 +14,7 @@ from procc_annotator.field.load import load_field, resized, with_lines
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
 from procc_annotator.gui.state.field_files import (
-    file_of,
+    field_file_of,
     mismatch_among,
     own_source,
     read_for_dataset,
@@ -97,7 +97,7 @@ class FieldChoice(QObject):
             found = field_of_settings(folder, settings)
         except FieldError as error:
             self._chosen = True
-            self._watch.watch(file_of(folder, settings))
+            self._watch.watch(field_file_of(folder, settings))
             self.problem = str(error)
             return DatasetField(self._default, True)
         self._chosen = found.chosen

@@ -53,7 +53,7 @@ def own_source(field: Field) -> Path | None:
     return field.source if field.source is not None and not is_shipped(field.source) else None
 
 
-def file_of(folder: Path, settings: Mapping[str, str]) -> Path | None:
+def field_file_of(folder: Path, settings: Mapping[str, str]) -> Path | None:
     """The file of the user's own that a dataset names, be it as it may."""
     try:
         source = kept_source(folder, settings)

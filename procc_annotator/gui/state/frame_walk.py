@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.editing import Editing, held
 from procc_annotator.gui.state.outside_changes import OutsideChanges
@@ -17,7 +18,6 @@ from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import Latest
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray, decode_half
 from procc_annotator.language import tr

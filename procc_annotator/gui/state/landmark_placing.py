@@ -10,10 +10,11 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.landmarks import by_name, is_moving
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.language import tr
 from procc_annotator.session.landmarks.landmark_clicks import (
@@ -65,14 +66,14 @@ class LandmarkPlacing(QObject):
         super().__init__(store)
         self._store, self._live_fit = store, live_fit
         self._landmarks = landmarks
-        self._job: Job | None = None
+        self._placing = Latest(self, self._not_located, urgent=True)
         self.working = ""
 
     def stop(self, name: str | None = None) -> None:
         """Triangulate no more; with a name: not that landmark."""
-        if self._job is not None and name in (None, self.working):
-            self._job.cancel()
-            self._job, self.working = None, ""
+        if self.working and name in (None, self.working):
+            self._placing.cancel()
+            self.working = ""
             self.changed.emit()
 
     def why_kept(self, name: str) -> str:
@@ -87,7 +88,7 @@ class LandmarkPlacing(QObject):
         state, landmarks = self._store.state, self._landmarks
         workspace = state.workspace
         frames = landmarks.frames_with(name)
-        if workspace is None or frames is None or self._job is not None:
+        if workspace is None or frames is None or self.working:
             return
         if why_not := landmarks.problem or self.why_kept(name):
             say(self._store, why_not, "warning")
@@ -110,14 +111,12 @@ class LandmarkPlacing(QObject):
             return locate_in_dataset(read, field, place, search, control.progress_or_stop)
 
         self.working = name
-        self._job = run_in_background(
-            work, on_result=self._located, on_error=self._not_located, owner=self, urgent=True
-        )
+        self._placing.start(work, self._located)
         self.changed.emit()
 
     def _located(self, outcome: FoundInDataset) -> None:
         name, landmarks, store = self.working, self._landmarks, self._store
-        self._job, self.working = None, ""
+        self.working = ""
         located = outcome.located
         for problem in outcome.problems:
             say(store, problem, "warning")
@@ -146,7 +145,7 @@ class LandmarkPlacing(QObject):
                 say(store, _words(one), "info" if one in found else "warning")
 
     def _not_located(self, text: str) -> None:
-        self._job, self.working = None, ""
+        self.working = ""
         say(self._store, text, "warning")
         self.changed.emit()
 

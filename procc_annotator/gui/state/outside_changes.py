@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 
 from procc_annotator.errors import ProccError
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.editing import Editing
@@ -17,7 +18,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.sources import Sources
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.file_stamps import Stamp
@@ -43,7 +44,7 @@ class OutsideChanges(QObject):
         super().__init__(store)
         self._store, self._signals = store, signals
         self._editing, self._sources, self._auditing = editing, sources, auditing
-        self._job: Job | None = None
+        self._looking = Latest(self, self._say_failed)
         self._again = False
         self._watch = FileWatch(self)
         self._watch.changed.connect(editing.look_at_frame)
@@ -56,7 +57,7 @@ class OutsideChanges(QObject):
         """See which files were written since they were read, in the background, and follow them;
         where cameras are written, read them anew."""
         self._editing.look_at_frame()
-        if self._job is not None:
+        if self._looking.running:
             self._again = True
             return
         workspace = self._store.state.workspace
@@ -70,28 +71,24 @@ class OutsideChanges(QObject):
             return workspace.changed_outside(stopped), [found for found in looked if found]
 
         def done(found: tuple[dict[int, Stamp], list[_Newer]]) -> None:
-            self._job = None
             if workspace is self._store.state.workspace:
                 for newer in found[1]:
                     self._take_cameras(newer)
                 self._take(found[0])
             self._look_again()
 
-        def failed(text: str) -> None:
-            self._job = None
-            say(self._store, text, "error")
-
-        self._job = run_in_background(work, on_result=done, on_error=failed, owner=self)
+        self._looking.start(work, done)
 
     def close(self) -> None:
         """Look no more."""
         self._watch.watch(None)
         self._again = False
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
+        self._looking.cancel()
 
     # --- inside ---
+
+    def _say_failed(self, text: str) -> None:
+        say(self._store, text, "error")
 
     def _look_again(self) -> None:
         again, self._again = self._again, False

@@ -10,10 +10,11 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.collections import AnnotationFiles, list_annotations
 from procc_annotator.io.json_text import printable

@@ -7,8 +7,8 @@ from typing import Protocol
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Latest
 
 
 class TaskDialog(Protocol):

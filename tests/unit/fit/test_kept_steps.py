@@ -89,3 +89,11 @@ def test_frames_solved_some_at_a_time_have_the_same_cameras(
         np.testing.assert_allclose(other.fit.vector, one.fit.vector, atol=1e-9)
         np.testing.assert_allclose(other.fit.covariance, one.fit.covariance, rtol=1e-6)
         assert (one.state, one.coverage) == (other.state, other.coverage)
+
+
+def test_frames_without_any_mark_are_gone_through_like_others() -> None:
+    marks = shot_marks.ShotMarks([STEPS[1], STEPS[3]])
+    ((rows, some),) = marks.parts()
+    assert rows == slice(0, 2)
+    assert not some.trust.any()
+    assert not marks.elements.size

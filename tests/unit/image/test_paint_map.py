@@ -132,3 +132,16 @@ def test_most_of_a_woods_grain_is_no_paint_where_paint_may_be_lighter_or_darker(
     both = on_line(light=True, dark=True)
     assert both.sum() > 400
     assert (~both).sum() < 0.6 * grain
+
+
+def test_a_wide_line_is_found_at_its_middle_where_lines_may_be_wide() -> None:
+    picture = np.full((SIZE[1], SIZE[0], 3), 220, dtype=np.uint8)
+    cv2.line(picture, (100, 200), (800, 480), (160, 85, 35), 15, cv2.LINE_AA)
+    cv2.line(picture, (100, 400), (600, 500), (60, 60, 200), 3, cv2.LINE_AA)
+
+    def middle(wide: bool) -> int:
+        found = paint_map(picture, light=False, dark=True, floor=True, wide=wide)
+        return int((_beside(found, (100, 200), (800, 480)) < 1).sum())
+
+    assert middle(wide=False) < 20
+    assert middle(wide=True) > 150

@@ -10,8 +10,9 @@ from PySide6.QtCore import QObject
 from procc_annotator.annotation import Polyline
 from procc_annotator.field.appearance import BAR
 from procc_annotator.field.geometry import Arc, Circle, Line
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.image.paint import snap_all
 from procc_annotator.language import said, said_count, tr, tr_count, word

@@ -14,11 +14,11 @@ from procc_annotator.camera.base import FloatArray
 from procc_annotator.fit.predict.likely_names import likely_names
 from procc_annotator.fit.predict.sight import stretches_in_sight
 from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.states import class_swatch
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
-from procc_annotator.gui.worker import Latest
 from procc_annotator.interact.naming import likeliest
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.language import tr

@@ -6,11 +6,11 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.errors import UsageError
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.messages import as_sentence, ask_to_replace
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.tasks.field.view_dialog import Preview, ViewDialog
-from procc_annotator.gui.worker import Latest
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE

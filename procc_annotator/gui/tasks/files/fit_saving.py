@@ -10,9 +10,10 @@ from PySide6.QtCore import QObject
 
 from procc_annotator.errors import ProccError
 from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet

@@ -10,9 +10,10 @@ from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.overview.dialog import OverviewWindow
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.language import tr, tr_count

@@ -20,8 +20,9 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.decimal_box import DecimalBox
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import write
 from procc_annotator.image.video import Video, frames_at_interval, scene_cuts
 from procc_annotator.language import tr, tr_count

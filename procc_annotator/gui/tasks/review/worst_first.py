@@ -8,9 +8,10 @@ from typing import Literal
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.language import tr, word
 from procc_annotator.session.runs.audit import FrameAudit
 from procc_annotator.session.runs.triage import (

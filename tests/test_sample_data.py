@@ -24,7 +24,7 @@ from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.workspace import Workspace
 
-GOLDEN = Path(__file__).with_name("golden_sample_scores.json")
+GOLDEN = Path(__file__).with_name("unit") / "golden_sample_scores.json"
 
 
 @pytest.fixture(scope="module")
