@@ -16,16 +16,25 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window
-from tests.gui.conftest import let_work_end
+from procc_annotator.gui.window.docks import DESKS
+from tests.gui.conftest import all_done, let_work_end
 
 
 def open_and_close(qtbot: QtBot, path: Path) -> list[weakref.ref[QObject]]:
-    """What there is to be gone: a window and its document."""
+    """What there is to be gone: a window and its document, after a look at every panel."""
     window = build_window(path)
+    window.resize(1280, 720)
     window.show()
     QApplication.processEvents()
-    window.document.next_frame()
-    QApplication.processEvents()
+    assert window.document.load_cameras(path / "cameras" / "true")
+    window.document.set_active_camera(0)
+    window.document.go_to(1)
+    for desk in DESKS:
+        window.panels.turn_to(desk)
+        QApplication.processEvents()
+    window.panels.show("plots")
+    all_done(qtbot)
+    assert not window.plots.page.is_empty
     left: list[weakref.ref[QObject]] = [weakref.ref(window), weakref.ref(window.document)]
     window.close()
     window.deleteLater()
@@ -53,10 +62,10 @@ def open_files() -> int:
 
 @pytest.mark.new_window
 @pytest.mark.parametrize("windows", [6, pytest.param(20, marks=pytest.mark.soak)])
-def test_windows_leave_nothing_behind(qtbot: QtBot, dataset: Path, windows: int) -> None:
-    open_and_close(qtbot, dataset)  # what is made once and kept (threads, icons) is there then
+def test_windows_leave_nothing_behind(qtbot: QtBot, annotated: Path, windows: int) -> None:
+    open_and_close(qtbot, annotated)  # what is made once and kept (threads, icons) is there then
     before, files, running = alive(), open_files(), threads()
-    left = [ref for _ in range(windows) for ref in open_and_close(qtbot, dataset)]
+    left = [ref for _ in range(windows) for ref in open_and_close(qtbot, annotated)]
     after = alive()
     assert not [ref() for ref in left if ref() is not None]
     assert {name: n for name, n in after.items() if n > before[name]} == {}
