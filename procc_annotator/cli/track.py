@@ -143,7 +143,8 @@ def track(
         with make_executor(workers) as executor:
             new = [shot for shot in shots if shot not in kept]
             _follow(new, shown, executor, out, table, "following")
-            again = _worth_another_look(new, out, table)
+            # Of a run that goes on, also those that it lost before it was stopped.
+            again = _worth_another_look(shots if new else [], out, table)
             for shot in again:  # until it was followed again, nothing is known of it
                 table.forget(shot.frames)
             _follow(again, shown, executor, out, table, "looking where other shots stand")
