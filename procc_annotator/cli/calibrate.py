@@ -152,6 +152,7 @@ def calibrate(given: AskedToCalibrate) -> None:
             source,
             overwrite=given.overwrite or going_on,
             positions=given.shared_position,
+            resume=given.resume,
         )
         datasets.report_mismatch(source, setup.field)
         datasets.report_like_cameras(source)
@@ -262,12 +263,15 @@ def _share(
     return _report_problems(report, out)
 
 
-def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: bool) -> None:
+def _check_out(
+    out: Path, source: FileSource, *, overwrite: bool, positions: bool, resume: bool
+) -> None:
     """Fail before the work: nothing may be written over what is read or among it, or over cameras
     nobody asked to replace.
 
     Args:
         positions: a table of positions is to be written too.
+        resume: a run is to go on, of which nothing is left.
 
     Raises:
         UsageError: OUT cannot be what is asked for.
@@ -292,9 +296,10 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
     if (there or out.is_file()) and not overwrite:
         stopped = "" if TABLE_FILE in there or out.is_file() else f" but no {TABLE_FILE}"
         why = ", as an interrupted run leaves them" if stopped else ""
+        nothing = "; no run was stopped here, --resume has nothing to go on with" if resume else ""
         raise UsageError(
-            f"{out}: holds cameras or their tables already{stopped}{why}; choose another place, or"
-            " --overwrite to replace them"
+            f"{out}: holds cameras or their tables already{stopped}{why}{nothing}; choose another"
+            " place, or --overwrite to replace them"
         )
 
 

@@ -31,15 +31,22 @@ PIPE_WIDTH = 132
 
 class _Console(Console):
     def print(self, *objects: Any, **options: Any) -> None:
-        """Sheets become tables, which fit the width; in a file or a pipe no line ends in blanks."""
+        """Sheets become tables, which fit the width if their figures can be kept whole; in a file
+        or a pipe no line ends in blanks."""
         plain = self._plain(objects) if not options else None
         if plain is not None:
             self._write(plain)
             return
         objects = tuple(terminal_table(o) if isinstance(o, Sheet) else o for o in objects)
-        for table in objects:
-            if isinstance(table, Table):
-                fit_columns(table, self.width)
+        wide = max((fit_columns(o, self.width) for o in objects if isinstance(o, Table)), default=0)
+        room = self.width
+        self.width = max(room, wide)  # a terminal breaks long lines; figures cut off would be wrong
+        try:
+            self._print_fitting(objects, options)
+        finally:
+            self.width = room
+
+    def _print_fitting(self, objects: tuple[Any, ...], options: dict[str, Any]) -> None:
         if self.is_terminal:
             super().print(*objects, **options)
             return

@@ -82,7 +82,7 @@ Output = Annotated[
         "--output",
         "-o",
         metavar="FILE",
-        help="A .html, .csv, .json or .tex file; repeat for several.",
+        help="A .html, .csv, .json or .tex file; repeat for several.  [default: report.html]",
     ),
 ]
 Thresholds = Annotated[

@@ -12,7 +12,7 @@ from rich.text import Text
 _LONGEST_WORD = 24
 
 
-def fit_columns(table: Table, width: int) -> None:
+def fit_columns(table: Table, width: int) -> int:
     """Give the columns of a table widths with which it fits, if it does not anyway.
 
     Words are broken only where nothing else helps; figures of several words ("74.1 ± 0.1") keep to
@@ -21,20 +21,25 @@ def fit_columns(table: Table, width: int) -> None:
     Args:
         table: one line a row or more; changed in place.
         width: columns of the terminal.
+
+    Returns:
+        Columns that the table takes: more than there are where its figures would be cut else.
     """
     columns = table.columns
     widest = [_longest(column, str.splitlines) for column in columns]
     borders = len(columns) + 1
     if sum(widest) + 2 * len(columns) + borders <= width:
-        return
+        return width
     table.collapse_padding = True
     room = width - borders - len(columns) - 1  # one blank between columns, one at each edge
-    for least in ([_unbroken(c) for c in columns], [_longest(c, str.split) for c in columns]):
-        if sum(least) <= room:
-            for column, wide in zip(columns, _shrunk(widest, least, room), strict=True):
-                column.width = wide
-            columns[0].width = (columns[0].width or 0) + 1  # rich forgets its left blank
-            return
+    by_words = [_longest(column, str.split) for column in columns]
+    unbroken = [_unbroken(column) for column in columns]
+    least = unbroken if sum(unbroken) <= room else by_words
+    room = max(room, sum(least))
+    for column, wide in zip(columns, _shrunk(widest, least, room), strict=True):
+        column.width = wide
+    columns[0].width = (columns[0].width or 0) + 1  # rich forgets its left blank
+    return room + borders + len(columns) + 1
 
 
 def _shrunk(widest: Sequence[int], least: Sequence[int], room: int) -> list[int]:

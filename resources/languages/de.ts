@@ -5901,6 +5901,11 @@ Verliert {loses}.</translation>
    <translation>{element} und {other}</translation>
   </message>
   <message>
+   <source>the label check is still looking at this frame</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>die Klassenprüfung sieht sich dieses Bild noch an</translation>
+  </message>
+  <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>die Klassenprüfung hat nichts gefunden; prüfen Sie den ganzen Satz, um alle Bilder anzusehen</translation>
@@ -5957,11 +5962,6 @@ Verliert {loses}.</translation>
    <translation>die Klassenprüfung hat nichts gefunden</translation>
   </message>
   <message>
-   <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>die Klassenprüfung hat in diesem Bild nichts gefunden</translation>
-  </message>
-  <message>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>die Elemente haben sich seither geändert: neu geprüft</translation>
@@ -5982,14 +5982,19 @@ Verliert {loses}.</translation>
    <translation>die Prüfung des Satzes ist angehalten; was gefunden ist, bleibt</translation>
   </message>
   <message>
-   <source>no remedy is known: {reason}</source>
+   <source>the label check has found nothing in this frame</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>keine Abhilfe bekannt: {reason}</translation>
+   <translation>die Klassenprüfung hat in diesem Bild nichts gefunden</translation>
   </message>
   <message>
    <source>nothing found</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>nichts gefunden</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>keine Abhilfe bekannt: {reason}</translation>
   </message>
   <message>
    <source>no other frame is rejected</source>

@@ -5901,6 +5901,11 @@ Pierde {loses}.</translation>
    <translation>{element} y {other}</translation>
   </message>
   <message>
+   <source>the label check is still looking at this frame</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>la revisión de clases aún examina esta imagen</translation>
+  </message>
+  <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>la revisión de clases no ha hallado nada; revise todo el conjunto para mirar todas las imágenes</translation>
@@ -5957,11 +5962,6 @@ Pierde {loses}.</translation>
    <translation>la revisión de clases no ha hallado nada</translation>
   </message>
   <message>
-   <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la revisión de clases no ha hallado nada en esta imagen</translation>
-  </message>
-  <message>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>los elementos han cambiado desde entonces: revisados de nuevo</translation>
@@ -5982,14 +5982,19 @@ Pierde {loses}.</translation>
    <translation>revisión del conjunto detenida; lo hallado queda</translation>
   </message>
   <message>
-   <source>no remedy is known: {reason}</source>
+   <source>the label check has found nothing in this frame</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>no se conoce remedio: {reason}</translation>
+   <translation>la revisión de clases no ha hallado nada en esta imagen</translation>
   </message>
   <message>
    <source>nothing found</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>nada hallado</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>no se conoce remedio: {reason}</translation>
   </message>
   <message>
    <source>no other frame is rejected</source>

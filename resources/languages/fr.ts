@@ -5901,6 +5901,11 @@ Perd {loses}.</translation>
    <translation>{element} et {other}</translation>
   </message>
   <message>
+   <source>the label check is still looking at this frame</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>la vérification des classes examine encore cette image</translation>
+  </message>
+  <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>la vérification des classes n’a rien trouvé ; vérifiez tout le jeu pour voir toutes les images</translation>
@@ -5957,11 +5962,6 @@ Perd {loses}.</translation>
    <translation>la vérification des classes n’a rien trouvé</translation>
   </message>
   <message>
-   <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>la vérification des classes n’a rien trouvé sur cette image</translation>
-  </message>
-  <message>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>les éléments ont changé depuis : vérifiés à nouveau</translation>
@@ -5982,14 +5982,19 @@ Perd {loses}.</translation>
    <translation>vérification du jeu arrêtée ; ce qui a été trouvé reste</translation>
   </message>
   <message>
-   <source>no remedy is known: {reason}</source>
+   <source>the label check has found nothing in this frame</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>aucun remède connu : {reason}</translation>
+   <translation>la vérification des classes n’a rien trouvé sur cette image</translation>
   </message>
   <message>
    <source>nothing found</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>rien trouvé</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>aucun remède connu : {reason}</translation>
   </message>
   <message>
    <source>no other frame is rejected</source>

@@ -5808,6 +5808,11 @@ Loses {loses}.</source>
    <translation>{element} と {other}</translation>
   </message>
   <message>
+   <source>the label check is still looking at this frame</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>クラス検査はこのフレームをまだ調べています</translation>
+  </message>
+  <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>クラス検査の指摘はありません。すべてのフレームを調べるにはセット全体を検査してください</translation>
@@ -5862,11 +5867,6 @@ Loses {loses}.</source>
    <translation>クラス検査の指摘はありません</translation>
   </message>
   <message>
-   <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>このフレームにクラス検査の指摘はありません</translation>
-  </message>
-  <message>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>その後要素が変わったため、検査し直しました</translation>
@@ -5887,14 +5887,19 @@ Loses {loses}.</source>
    <translation>セットの検査を止めました。これまでの指摘は残ります</translation>
   </message>
   <message>
-   <source>no remedy is known: {reason}</source>
+   <source>the label check has found nothing in this frame</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>対処法がありません：{reason}</translation>
+   <translation>このフレームにクラス検査の指摘はありません</translation>
   </message>
   <message>
    <source>nothing found</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>指摘なし</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>対処法がありません：{reason}</translation>
   </message>
   <message>
    <source>no other frame is rejected</source>

@@ -5808,6 +5808,11 @@ Loses {loses}.</source>
    <translation>{element} 和 {other}</translation>
   </message>
   <message>
+   <source>the label check is still looking at this frame</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>类别检查仍在检查本帧</translation>
+  </message>
+  <message>
    <source>the label check has found nothing; check the whole set to look at all frames</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>类别检查未发现问题；检查整个数据集以查看所有帧</translation>
@@ -5862,11 +5867,6 @@ Loses {loses}.</source>
    <translation>类别检查未发现问题</translation>
   </message>
   <message>
-   <source>the label check has found nothing in this frame</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>类别检查在本帧未发现问题</translation>
-  </message>
-  <message>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>元素此后已更改：已重新检查</translation>
@@ -5887,14 +5887,19 @@ Loses {loses}.</source>
    <translation>已停止检查数据集；已发现的结果保留</translation>
   </message>
   <message>
-   <source>no remedy is known: {reason}</source>
+   <source>the label check has found nothing in this frame</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>没有已知的修复：{reason}</translation>
+   <translation>类别检查在本帧未发现问题</translation>
   </message>
   <message>
    <source>nothing found</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>未发现问题</translation>
+  </message>
+  <message>
+   <source>no remedy is known: {reason}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>没有已知的修复：{reason}</translation>
   </message>
   <message>
    <source>no other frame is rejected</source>

@@ -327,6 +327,17 @@ def test_progress_shows_on_a_terminal_only(dataset) -> None:
     assert "scoring" in shown
 
 
+def test_figures_are_never_cut(cli, dataset, monkeypatch) -> None:
+    monkeypatch.setenv("COLUMNS", "200")
+    wide = cli("evaluate", *dataset.set_arguments).stdout
+    figures = sorted(re.findall(r"\d+\.\d+", wide))
+    assert figures
+    for columns in ("60", "20"):
+        monkeypatch.setenv("COLUMNS", columns)
+        narrow = cli("evaluate", *dataset.set_arguments).stdout
+        assert sorted(re.findall(r"\d+\.\d+", narrow)) == figures
+
+
 def test_an_output_never_replaces_what_is_read(cli, dataset, tmp_path) -> None:
     annotation = dataset.annotations / "1.json"
     before = annotation.read_bytes()

@@ -295,6 +295,20 @@ def test_mending_goes_on_with_the_next_frame(mistaken: MainWindow, qtbot: QtBot)
     assert "Nothing found in 3 frames" in window.findings.empty.text()
 
 
+def test_nothing_is_called_clean_that_is_still_looked_at(window: MainWindow, qtbot: QtBot) -> None:
+    document = window.document
+    assert not document.label_check.shown
+    document.commit_edit("swap", edits.swap_classes(document.annotation, FRONT, SMALL_FRONT))
+    for key in (Qt.Key.Key_F10, Qt.Key.Key_F12):
+        document.say("")
+        press(window, key)
+        said = window.status.hint.text()
+        assert said.startswith("the label check is still looking at this frame")
+    wholly_checked(window, qtbot)
+    press(window, Qt.Key.Key_F10)
+    assert "finding 1 of" in window.status.hint.text()
+
+
 def test_frames_with_errors_bear_a_sign_and_are_found_by_the_filter(
     mistaken: MainWindow, qtbot: QtBot
 ) -> None:

@@ -119,6 +119,13 @@ class LabelCheck(QObject):
         kept = self.known.check_of(name) if name is not None else None
         return kept if kept is not None and kept.content == self._content.value else None
 
+    @property
+    def working(self) -> bool:
+        """Whether the frame on screen is still looked at, as it is now: more may be found."""
+        if self._store.state.frame_name is None:
+            return False
+        return (self.fit_shown and self._live_fit.working) or self._without_fit.working
+
     def _annotation(self) -> Inputs:
         return (self._store.state.annotation,)
 

@@ -133,6 +133,8 @@ class LabelCheckCommands(QObject):
 
     def _why_nothing(self) -> str:
         check = self._check
+        if check.working:
+            return tr("the label check is still looking at this frame")
         if not check.known.in_set():
             if check.known.count > 1:
                 return tr("the label check has found nothing")
@@ -179,7 +181,9 @@ class LabelCheckCommands(QObject):
         chosen = self._check.severities
         listed = [f for f in self._check.shown if f.finding.severity in chosen]
         found = self._check.current or next(iter(listed), None)
-        if found is None:
+        if found is None and self._check.working:
+            document.say(tr("the label check is still looking at this frame"))
+        elif found is None:
             document.say(tr("the label check has found nothing in this frame"))
         elif not found.finding.remedies:
             document.say(tr("no remedy is known: {reason}", reason=found.finding.reason))
