@@ -51,6 +51,7 @@ class OneWindow:
             window = self._window = build_window()
             window.show()
             QApplication.processEvents()
+            window.cameras.list.refresh()  # as it is between tests, when its panel is not seen
             self._new = _settings_of(window)
         return window
 
@@ -156,7 +157,9 @@ def _switches(window: MainWindow) -> dict[str, bool]:
     return {name: action.isChecked() for name, action in actions.items() if action.isCheckable()}
 
 
-def _layout_of(window: MainWindow) -> dict[str, tuple[bool, bool]]:
-    """Which panels are hidden, and which are in sight."""
+def _layout_of(window: MainWindow) -> tuple[object, ...]:
+    """Which panels are hidden, which are in sight, and which another kind of work will show."""
     docks = window.findChildren(QDockWidget)
-    return {d.objectName(): (d.isHidden(), not d.visibleRegion().isEmpty()) for d in docks}
+    shown = {d.objectName(): (d.isHidden(), not d.visibleRegion().isEmpty()) for d in docks}
+    left = {name: (look.open, look.front) for name, look in window.panels._docks._looks.items()}
+    return shown, left

@@ -150,6 +150,20 @@ def test_a_new_dataset_is_asked_about_by_its_classes(
     assert window.document.field.name == "basketball_fiba"  # at once: it is remembered
 
 
+def test_a_no_holds_for_a_frame_that_is_still_looked_at(
+    make_window, dataset: Path, qtbot: QtBot
+) -> None:
+    names = [e.name for e in load_field("basketball_fiba").elements[:4]]
+    annotate(dataset, "frame_0", names)
+    annotate(dataset, "frame_1", names[:3])
+    window = make_window(dataset)
+    qtbot.waitUntil(lambda: asked(window), timeout=20_000)
+    window.document.next_frame()
+    window.field_bar.no_button.click()
+    let_work_end(qtbot)
+    assert window.field_bar.isHidden()
+
+
 def test_a_no_is_remembered(make_window, dataset: Path, qtbot: QtBot) -> None:
     names = [e.name for e in load_field("basketball_fiba").elements[:4]]
     annotate(dataset, "frame_0", names)

@@ -200,14 +200,12 @@ class FieldChoice(QObject):
     def leave(self) -> None:
         """It is not the field that is asked about, and that is kept; or say nothing more of these
         classes."""
+        if self.question is None and self.mismatch is None:
+            return
+        self._left.add(self._unknown())  # also where it is not worked out yet what they are
+        self._look()
         if self.question is not None:
-            if self.mismatch is not None:
-                self._left.add(frozenset(self.mismatch.unknown))
-                self._tell(None)
             self.take(self._store.state.field)
-        elif self.mismatch is not None:
-            self._left.add(frozenset(self.mismatch.unknown))
-            self._tell(None)
 
     def close(self) -> None:
         """Watch and work out nothing any more; what is under way has ended then."""
@@ -329,7 +327,7 @@ class FieldChoice(QObject):
         """The frame on screen may hold classes that the field does not know."""
         field = self._store.state.field
         classes = frozenset(self._store.state.annotation.annotated)
-        unknown = frozenset(name.strip() for name in classes if not field.knows(name))
+        unknown = self._unknown()
         if not unknown or unknown in self._left:
             self._asked = None
             self._tell(None)
@@ -345,6 +343,12 @@ class FieldChoice(QObject):
                 self._tell(found if found is not None and found.is_telling else None)
 
         self._start("match", lambda _: mismatch_among(classes, field, own), take)
+
+    def _unknown(self) -> frozenset[str]:
+        """Classes of the frame on screen that the field does not know."""
+        state = self._store.state
+        names = state.annotation.annotated
+        return frozenset(name.strip() for name in names if not state.field.knows(name))
 
     def _tell(self, mismatch: Mismatch | None) -> None:
         if mismatch != self.mismatch:
