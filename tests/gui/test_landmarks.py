@@ -15,6 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.landmark_file import load_landmarks
 from procc_annotator.session.landmarks.view_groups import save_views
 from procc_annotator.session.landmarks.view_names import groups_by_name
@@ -208,7 +209,8 @@ def test_a_place_surveyed_while_it_is_triangulated_stays(
     press(seen.landmarks.triangulate)
     assert seen.document.landmarks.working == "Clock"
     entry = {"name": "Clock", "position": [14.5, -60.0, -11.0]}
-    (match / "landmarks.json").write_text(json.dumps({"landmarks": [entry]}))
+    # Whole at once, as programs save: the window may read it at any moment.
+    write_atomic(match / "landmarks.json", json.dumps({"landmarks": [entry]}).encode())
     qtbot.waitUntil(lambda: not seen.document.landmarks.working, timeout=20_000)
     assert "Clock was surveyed" in seen.message_bar.label.text()
     assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": [entry]}
@@ -227,7 +229,7 @@ def test_a_landmark_deleted_while_it_is_triangulated_stays_deleted(
         press(seen.landmarks.remove)
         assert not seen.document.landmarks.working
     else:
-        path.write_text('{"landmarks": []}')
+        write_atomic(path, b'{"landmarks": []}')
     let_work_end(qtbot)
     assert load_landmarks(path).landmarks == ()
     assert ("deleted meanwhile" in seen.message_bar.label.text()) is not by_hand
