@@ -288,15 +288,21 @@ def _around_ellipse(points: FloatArray, *, is_circle: bool) -> Trace | None:
     closed = is_circle and gap <= _CLOSED_GAP
     if closed:
         angles, radii = np.append(angles, angles[0] + 2 * np.pi), np.append(radii, radii[0])
-    at = np.union1d(_fine(angles[0], angles[-1], ellipse), angles)
-    vertices = ellipse.places(at, np.interp(at, angles, radii))
+    between = _fine(angles[0], angles[-1], ellipse)[1:-1]
+    at = np.concatenate((between, angles))
+    order = at.argsort(kind="stable")
+    at = at[order]
+    # Clicks at one angle keep their own radii: interpolating would leave all but one of them out.
+    out = np.concatenate((np.interp(between, angles, radii), radii))[order]
+    vertices = ellipse.places(at, out)
     if not closed:
         length = float(np.hypot(*np.diff(vertices, axis=0).T).sum())
         before, after = np.minimum(_reach(length) / ellipse.speeds(at[[0, -1]]), gap / 2)
         first = _fine(at[0] - before, at[0], ellipse)[:-1]
         last = _fine(at[-1], at[-1] + after, ellipse)[1:]
+        out = np.concatenate((np.full(len(first), radii[0]), out, np.full(len(last), radii[-1])))
         at = np.concatenate((first, at, last))
-        vertices = _without_repetitions(ellipse.places(at, np.interp(at, angles, radii)))
+        vertices = _without_repetitions(ellipse.places(at, out))
         return Trace(vertices, ellipse=ellipse, angles=(float(at[0]), float(at[-1])))
     return Trace(_without_repetitions(vertices), closed=True)
 

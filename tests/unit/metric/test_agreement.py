@@ -272,6 +272,14 @@ def test_clicks_on_no_ellipse_still_agree_with_themselves(soccer) -> None:
         assert found.largest < 1e-9
 
 
+def test_clicks_in_one_direction_from_the_middle_are_all_met(soccer) -> None:
+    # Of the ellipse of these, five lie on one axis: three exactly at one angle, two at another.
+    clicks = [(450, 0), (90, 100), (120, 100), (420, 100), (450, 100), (480, 100), (170, 200)]
+    found = agreement(soccer, "Circle central", clicks, clicks)
+    assert found.left_out == 0
+    assert found.largest < 1e-9
+
+
 def test_noise_comes_out_as_it_went_in(soccer) -> None:
     rng = np.random.default_rng(7)
     sums = AgreementSums([5.0])
