@@ -101,16 +101,17 @@ def test_a_part_that_grows_without_end_is_refused() -> None:
         matlab_content(header + struct.pack("<II", 15, len(bomb)) + bomb, "1.mat")
 
 
-def test_damaged_bytes_are_an_error_or_another_value(shared_data: Path) -> None:
+@pytest.mark.laps
+def test_damaged_bytes_are_an_error_or_another_value(shared_data: Path, lap: int) -> None:
     """Uncompressed, so that a changed byte is a changed type, length or number."""
-    rng = np.random.default_rng(3)
+    rng = np.random.default_rng(3 + lap)
     seeds = [written(CONTENT)]
     for file in sorted((shared_data / "foreign").glob("*.mat")):
         theirs = scipy.io.loadmat(file)
         seeds.append(written({k: v for k, v in theirs.items() if not k.startswith("__")}))
     assert len(seeds) > 1
     refused = 0
-    for i in range(600):
+    for i in range(200):
         seed = seeds[i % len(seeds)]
         data = bytearray(seed)
         for _ in range(rng.integers(1, 4)):
@@ -121,4 +122,4 @@ def test_damaged_bytes_are_an_error_or_another_value(shared_data: Path) -> None:
         except CameraError as error:
             refused += 1
             assert "\n" not in str(error)  # noqa: PT017
-    assert refused > 100
+    assert refused > 33
