@@ -317,6 +317,20 @@ def read_file(
         ) from problem
 
 
+def read_if_there(path: Path | str, error: type[InputError] = InputError) -> bytes | None:
+    """As `read_file`; None where there is no such file.
+
+    Raises:
+        error: there is something else, or it cannot be read.
+    """
+    try:
+        return read_file(path, error)
+    except error as problem:
+        if isinstance(problem.__cause__, FileNotFoundError):
+            return None
+        raise
+
+
 _NOT_REGULAR = "is a pipe or a device, expected a file"
 _NOT_REGULAR_ADVICE = "move it elsewhere"
 
