@@ -12,7 +12,7 @@ import struct
 import zipfile
 import zlib
 from collections.abc import Callable
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Protocol, Self
 
@@ -127,6 +127,12 @@ class _Opened:
         return None
 
 
+@lru_cache(maxsize=4)
+def _in_order(names: tuple[str, ...]) -> tuple[str, ...]:
+    """In natural order; a command lists the same folders several times."""
+    return tuple(natsorted(names))
+
+
 class FolderSource(_Opened):
     """Files of a folder."""
 
@@ -140,7 +146,7 @@ class FolderSource(_Opened):
         if not names and len(folders) == 1:
             inner, _ = entries(Path(self._place, folders[0]))
             names = [f"{folders[0]}/{name}" for name in inner]
-        return natsorted(names)
+        return list(_in_order(tuple(names)))
 
     def tree(self) -> list[str]:
         found: list[str] = []
