@@ -244,7 +244,8 @@ def _chance(
     for other in others:
         names = a, other.marked_names[1]
         clusters = alike([frame.name for frame in other.frames])
-        sheets.append(comparison_intervals_sheet(other.frames, clusters, draws, names, described, _THIRD))
+        given = clusters, draws, names, described, _THIRD
+        sheets.append(comparison_intervals_sheet(other.frames, *given))
         of_other = {frame.name: frame for frame in other.frames}
         own = [frame for frame in compared.frames if frame.name in of_other]
         if not own:

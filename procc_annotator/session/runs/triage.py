@@ -143,7 +143,7 @@ def judge_verdict(
 
     Args:
         cameras: of the verdict's source, by its place; None when it is not loaded.
-        read: the annotation of a frame by its name, None when it has none or there is no such frame.
+        read: the annotation of a frame by its name, None when it has none or is gone.
         setup, tau: as the table says.
     """
     if cameras is None:
