@@ -56,6 +56,7 @@ LONG = (
     "tests/gui/test_random_use.py",
     "tests/unit/fit/together/test_stadium.py",
     "tests/data/",
+    "tests/cli/test_track.py",
 )
 # `make soak`: how often properties, and tests marked `laps`, are repeated, each time with other
 # random choices.
