@@ -13,7 +13,7 @@ from procc_annotator.fit.from_picture.climbing import (
     agreement_with_paint,
     climb,
 )
-from procc_annotator.fit.from_picture.hypotheses import CELL_PX, Hypotheses
+from procc_annotator.fit.from_picture.hypotheses import Hypotheses
 from procc_annotator.fit.from_picture.in_view import apart_px
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
@@ -48,8 +48,8 @@ class Stage:
 
 _GO_ON = 4  # of so many at most one goes on
 STAGES = (
-    Stage((30, 24, 16), 48, 0, 8.0, (80, 150), 0.02, 150),
-    Stage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 25, 6.0),
+    Stage((30, 24, 16, 14), 48, 0, 8.0, (80, 150), 0.02, 150),
+    Stage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 40, 6.0, rounds=2),
     Stage((7, 6, 5, 4), 120, 150, 3.0, (240, 800), 0.005, 12, 12.0, "R", 4),
 )
 # Where the position is known, few cameras are left that differ.
@@ -87,13 +87,7 @@ def search_picture(
     stages: Sequence[Stage] = STAGES,
 ) -> Found:
     """The best cameras of all hypotheses, led to the paint; so many of each kind climb."""
-    near = scene.paint.near.coarser(CELL_PX // scene.paint.near.cell)
-    chosen = []
-    for some, most in hypotheses:
-        scores = some.scores(near, scene.paint)
-        count = min(most, len(scores))
-        chosen.append(some.vectors[np.argpartition(-scores, count - 1)[:count]])
-    vectors = np.concatenate(chosen)
+    vectors = np.concatenate([some.best(scene.paint, most) for some, most in hypotheses])
     for stage in stages:
         go_on()
         found = _round(scene, vectors, stage)
