@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import ctypes
 import gc
 import os
 import shutil
 import sys
+import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -59,13 +62,23 @@ SOAK = int(os.environ.get("SOAK", "1"))
 BUDGET_OVER = "the time for this run is used up"
 _USED = pytest.StashKey[list[tuple[int, float]]]()  # of each process: peak memory, MB; CPU, s
 _ENDS = pytest.StashKey[float | None]()
+# Files of tests lie in memory where there is room: most of what a window waits for else is a disk
+# that is asked to have everything written.
+_IN_MEMORY, _FILES_BYTES = Path("/dev/shm"), 2**31
+_FOLDERS = "procc-tests-"
+_FOLDER = pytest.StashKey[str | None]()
+_FAILED = pytest.StashKey[bool]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--budget", type=float, help="seconds after which no further test begins")
 
 
+@pytest.hookimpl(tryfirst=True)  # before pytest chooses a folder itself
 def pytest_configure(config: pytest.Config) -> None:
+    config.stash[_FOLDER], config.stash[_FAILED] = None, False
+    if config.option.basetemp is None and _has_room(_IN_MEMORY):
+        config.stash[_FOLDER] = config.option.basetemp = _folder_in_memory()
     # pytest-xdist puts the files with the fewest tests last; those are the long ones here.
     if hasattr(config.option, "loadscopereorder"):
         config.option.loadscopereorder = False
@@ -73,6 +86,25 @@ def pytest_configure(config: pytest.Config) -> None:
     budget = config.getoption("budget")
     started = getattr(config, "workerinput", {}).get("started", time.time())
     config.stash[_ENDS] = None if budget is None else started + budget
+
+
+def _has_room(folder: Path) -> bool:
+    return os.access(folder, os.W_OK) and shutil.disk_usage(folder).free > _FILES_BYTES
+
+
+def _folder_in_memory() -> str:
+    """A new folder for this process; those that earlier runs left there go."""
+    for left in _IN_MEMORY.glob(f"{_FOLDERS}*"):
+        if not Path("/proc", left.name.removeprefix(_FOLDERS).partition("-")[0]).exists():
+            shutil.rmtree(left, ignore_errors=True)
+    return tempfile.mkdtemp(prefix=f"{_FOLDERS}{os.getpid()}-", dir=_IN_MEMORY)
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """Files of tests that failed can be looked at until the next run."""
+    folder = config.stash[_FOLDER]
+    if folder is not None and not config.stash[_FAILED]:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -104,6 +136,7 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
+    session.config.stash[_FAILED] = session.testsfailed > 0
     if sys.platform == "win32":
         return
     import resource
@@ -149,16 +182,31 @@ def lap(request: pytest.FixtureRequest) -> int:
     return number
 
 
+def pytest_collection_finish() -> None:
+    """The tests themselves are no garbage: nobody looks through thousands of them again."""
+    gc.collect()
+    gc.freeze()
+
+
 @pytest.fixture(scope="module", autouse=True)
-def garbage_goes_between_tests(request: pytest.FixtureRequest) -> Iterator[None]:
-    """As in the program, no thread but the interface's ends what Qt owns: looked for here only."""
-    if "gui" not in request.path.parts and "interaction" not in request.path.parts:
-        yield
-        return
-    gc.disable()
+def garbage_goes_between_modules(request: pytest.FixtureRequest) -> Iterator[None]:
+    """What a module leaves goes, back to the system too.
+
+    As in the program, no thread but the interface's ends what Qt owns: garbage is looked for here
+    only, where there are windows.
+    """
+    has_windows = "gui" in request.path.parts or "interaction" in request.path.parts
+    if has_windows:
+        gc.disable()
     yield
     gc.collect()
     gc.enable()
+    _give_memory_back()
+
+
+def _give_memory_back() -> None:
+    with suppress(OSError, AttributeError, TypeError):  # another C library than glibc
+        ctypes.CDLL(None).malloc_trim(0)
 
 
 @pytest.fixture(scope="session")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
@@ -12,9 +13,12 @@ import typer
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.field_option import chosen_field
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.field.stadiums import field_of_stadium, stadium_of
+from procc_annotator.fit.from_picture.proposing import prepare
 from procc_annotator.fit.through_shot.following_shot import track as follow_shot
+from procc_annotator.image.decode import read_size
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.report.targets import Interrupted, is_archive
@@ -132,7 +136,13 @@ def track(
     places = [str(given) for given in (annotations, cameras) if given is not None]
     if places and not anchors.cameras:
         typer.echo(f"note: no frame here has a camera in {' and '.join(places)}", err=True)
-    shots = _shots(pictures, anchors, start)
+    with ThreadPoolExecutor(1, thread_name_prefix="preparing") as aside:
+        prepared = None
+        if workers == 1 and not anchors.cameras and (overwrite or not table.rows):
+            prepared = aside.submit(_prepare, pictures, shown)
+        shots = _shots(pictures, anchors, start)
+    if prepared is not None:
+        prepared.result()
     if overwrite:
         for shot in shots:
             table.forget(shot.frames)
@@ -256,6 +266,16 @@ def _anchors(
             found.add_cameras(pictures.frames, collection, camera_size)
     datasets.report_remarks(found.remarks)
     return found
+
+
+def _prepare(pictures: PictureSource, shown: Field) -> None:
+    """Work out what the search for a first camera looks up."""
+    first = pictures.frames[0]
+    try:
+        size = read_size(first.image_path)
+    except ImageError:  # told when its shot is followed
+        return
+    prepare(field_of_stadium(shown, stadium_of(shown, first.name)), size)
 
 
 def _shots(pictures: PictureSource, anchors: Anchors, start: int | None) -> list[ShotToFollow]:

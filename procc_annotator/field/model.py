@@ -207,14 +207,14 @@ class Field:
         """Its name, with its file where a shipped field has the same: ``tennis (field.toml)``."""
         return f"{self.name} ({self.own_file})" if self.own_file else self.name
 
-    @property
+    @cached_property
     def described(self) -> str:
         """Its full name with what is its own: ``futsal 39.8 x 20 m, lines at their middle``."""
         if not self.own_terms:
             return self.full_name
         return f"{self.full_name}{',' if self.is_nominal else ''} {self.own_terms}"
 
-    @property
+    @cached_property
     def own_terms(self) -> str:
         """The dimensions that are not nominal, both sides if one of them is, and where its lines
         are if that is not where the rules measure, and whether stadiums have their own; empty for a

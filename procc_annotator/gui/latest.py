@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from PySide6.QtCore import QObject
 
@@ -18,7 +18,7 @@ class Latest:
     def __init__(
         self,
         owner: QObject,
-        failed: Callable[[str], None],
+        failed: Callable[[str], None] | None,
         *,
         urgent: bool = False,
         at_once: bool = False,
@@ -28,7 +28,8 @@ class Latest:
 
         Args:
             owner, urgent, at_once, wait_ms: as for `run_in_background`.
-            failed: hears why it came to nothing, unless a piece of work has somebody else told.
+            failed: hears why it came to nothing, unless a piece of work has somebody else told;
+                None: it cannot fail in a way that a person could be told.
         """
         self._owner = owner
         self._failed = failed
@@ -47,14 +48,17 @@ class Latest:
         *,
         failed: Callable[[str], None] | None = None,
         progress: Callable[[int, int], None] | None = None,
+        parts: Callable[[list[Any]], None] | None = None,
     ) -> None:
-        """Begin; what is under way is cancelled. ``then`` receives the outcome."""
+        """Begin; what is under way is cancelled. ``then`` receives the outcome, ``parts`` what the
+        work handed over until then."""
         self.cancel()
         self._job = run_in_background(
             work,
             on_result=then,
             on_error=failed or self._failed,
             on_progress=progress,
+            on_parts=parts,
             owner=self._owner,
             urgent=self._urgent,
             at_once=self._at_once,
@@ -68,6 +72,12 @@ class Latest:
             self._job.cancel()
             self._job = None
         return under_way
+
+    def cut_short(self) -> bool:
+        """Take what was handed over so far and forget the rest; False if nothing is under way."""
+        if self._job is not None:
+            self._job.deliver_parts()
+        return self.cancel()
 
     def finish(self, most_s: float | None = None) -> bool:
         """Wait for the outcome, as `Job.finish`."""

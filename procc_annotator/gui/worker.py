@@ -44,6 +44,7 @@ class JobControl:
         self._stop = threading.Event()
         self._lock = threading.Lock()
         self._latest: tuple[int, int] | None = None
+        self._parts: list[Any] = []
 
     @property
     def cancelled(self) -> bool:
@@ -57,6 +58,11 @@ class JobControl:
             self._latest = (done, total)
         if not announced and not self.cancelled:
             self._announce()
+
+    def hand_over(self, part: Any) -> None:
+        """Give a part of what is found away; it arrives with the next progress, or the outcome."""
+        with self._lock:
+            self._parts.append(part)
 
     def progress_or_stop(self, done: int, total: int) -> None:
         """As `progress`, for work that knows nothing of jobs.
@@ -73,6 +79,11 @@ class JobControl:
             latest, self._latest = self._latest, None
         return latest
 
+    def _take_parts(self) -> list[Any]:
+        with self._lock:
+            parts, self._parts = self._parts, []
+        return parts
+
     def _cancel(self) -> None:
         self._stop.set()
 
@@ -88,6 +99,7 @@ class Job:
         on_result: Callable[[Any], object],
         on_error: Callable[[str], None] | None,
         on_progress: Callable[[int, int], None] | None,
+        on_parts: Callable[[list[Any]], None] | None,
         owner: QObject | None,
     ) -> None:
         self._control = control
@@ -98,6 +110,7 @@ class Job:
         self._on_result = on_result
         self._on_error = on_error
         self._on_progress = on_progress
+        self._on_parts = on_parts
         self._owner = None if owner is None else weakref.ref(owner)
         self._delivered = False
 
@@ -162,7 +175,13 @@ class Job:
                 self.cancel()
         return self.running
 
+    def deliver_parts(self) -> None:
+        """Deliver now what was handed over so far."""
+        if self._on_parts is not None and self._wanted() and (parts := self._control._take_parts()):
+            self._on_parts(parts)
+
     def _deliver_progress(self) -> None:
+        self.deliver_parts()
         latest = self._control._take_progress()
         if latest is not None and self._on_progress is not None and self._wanted():
             self._on_progress(*latest)
@@ -235,6 +254,7 @@ def run_in_background(
     on_result: Callable[[T], object],
     on_error: Callable[[str], None] | None,
     on_progress: Callable[[int, int], None] | None = None,
+    on_parts: Callable[[list[Any]], None] | None = None,
     owner: QObject | None = None,
     urgent: bool = False,
     at_once: bool = False,
@@ -251,6 +271,7 @@ def run_in_background(
             ``on_error`` receives a line that says so. None: the work raises nothing that a person
             could be told, so that every exception of it is a bug.
         on_progress: receives (done, total).
+        on_parts: receives what the work handed over since, before progress and outcome.
         owner: nothing is delivered any more once this object is gone, and what has not begun by
             then never does.
         urgent: a hand waits for it, and it takes a second at most.
@@ -276,7 +297,7 @@ def run_in_background(
         return future
 
     drop = partial(desk.jobs.pop, number, None)
-    job = Job(control, submit, drop, on_result, on_error, on_progress, owner)
+    job = Job(control, submit, drop, on_result, on_error, on_progress, on_parts, owner)
     desk.take(number, job, owner)
     if desk.held is not None and threads in (desk.urgent, desk.patient):
         desk.held.append((job, wait_ms))

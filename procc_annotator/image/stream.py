@@ -156,7 +156,9 @@ def check_decodes(path: Path) -> tuple[int, int]:
         raise ImageError(path, "none of its frames can be decoded", advice=_CONVERT)
     height, width = pixels.shape[:2]
     for part in (0.0, 0.5):  # black frames at the start say nothing
-        if not _stands_still(path, part):
+        if part:
+            capture, pixels = _at_part(path, part, packets=False), None
+        if not _stands_still(capture, pixels):
             return width, height
         if _packets_carry_change(path, part, width * height):
             raise ImageError(
@@ -165,9 +167,8 @@ def check_decodes(path: Path) -> tuple[int, int]:
     return width, height
 
 
-def _stands_still(path: Path, part: float) -> bool:
-    capture = _at_part(path, part, packets=False)
-    before: PixelArray | None = None
+def _stands_still(capture: cv2.VideoCapture, before: PixelArray | None) -> bool:
+    """Whether the next frames show the same as the one before them."""
     for _ in range(_COMPARED):
         if not grab(capture):
             break

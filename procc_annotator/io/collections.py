@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import PurePosixPath
+from posixpath import splitext
 
 from procc_annotator.errors import InputError
 from procc_annotator.io.camera_files.registry import suffixes_of
@@ -17,6 +18,7 @@ from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import stray_notices, strays_among
 
 CAMERA_PREFIX = "camera_"
+_ENDING = ".json"
 _JSON = frozenset({".json", ".jsonl"})
 _STORAGE = frozenset({".yml", ".yaml", ".xml"})
 _HOMOGRAPHY_ENDING = "_homography"
@@ -107,15 +109,16 @@ def _frame_files(source: FileSource, names: Sequence[str], in_tree: bool) -> Ann
     found.in_tree = in_tree
     found.only_folder = "" if in_tree else _only_folder(names)
     for name in names:
-        path = PurePosixPath(name)
-        if _is_frame_file(path.name):
-            frame = frame_in_tree(name, ANNOTATIONS_FOLDER) if in_tree else path.stem
+        file = name.rpartition("/")[2]
+        if _is_frame_file(file):
+            frame = frame_in_tree(name, ANNOTATIONS_FOLDER) if in_tree else splitext(file)[0]
             _add(found, frame, name, source)
     return found
 
 
 def _is_frame_file(name: str) -> bool:
-    return PurePosixPath(name).suffix.lower() == ".json" and may_be_annotation(name)
+    is_json = len(name) > len(_ENDING) and name.lower().endswith(_ENDING)
+    return is_json and may_be_annotation(name)
 
 
 def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
@@ -131,7 +134,7 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     suffixes = suffixes_of(fmt)
 
     def wanted(name: str) -> bool:
-        return PurePosixPath(name).suffix.lower() in suffixes and name not in OWN_FILES
+        return splitext(name)[1].lower() in suffixes and name not in OWN_FILES
 
     names, in_tree = files_of(source, wanted)
     frame_of = _frame_of_camera_in_tree if in_tree else _frame_of_camera
@@ -186,7 +189,7 @@ def _only_folder(names: Sequence[str]) -> str:
 
 def camera_frame(file_name: str) -> str:
     """The frame a camera file belongs to: its stem without ``camera_`` and ``_homography``."""
-    stem = PurePosixPath(file_name).stem
+    stem, _ = splitext(file_name.rpartition("/")[2])
     return stem.removeprefix(CAMERA_PREFIX).removesuffix(_HOMOGRAPHY_ENDING)
 
 

@@ -12,7 +12,7 @@ import struct
 import zipfile
 import zlib
 from collections.abc import Callable
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Protocol, Self
 
@@ -127,6 +127,12 @@ class _Opened:
         return None
 
 
+@lru_cache(maxsize=4)
+def _in_order(names: tuple[str, ...]) -> tuple[str, ...]:
+    """In natural order; a command lists the same folders several times."""
+    return tuple(natsorted(names))
+
+
 class FolderSource(_Opened):
     """Files of a folder."""
 
@@ -140,7 +146,7 @@ class FolderSource(_Opened):
         if not names and len(folders) == 1:
             inner, _ = entries(Path(self._place, folders[0]))
             names = [f"{folders[0]}/{name}" for name in inner]
-        return natsorted(names)
+        return list(_in_order(tuple(names)))
 
     def tree(self) -> list[str]:
         found: list[str] = []
@@ -315,6 +321,20 @@ def read_file(
             f"cannot be read: {problem.strerror or problem}",
             advice="check its name" if missing else "check its permissions",
         ) from problem
+
+
+def read_if_there(path: Path | str, error: type[InputError] = InputError) -> bytes | None:
+    """As `read_file`; None where there is no such file.
+
+    Raises:
+        error: there is something else, or it cannot be read.
+    """
+    try:
+        return read_file(path, error)
+    except error as problem:
+        if isinstance(problem.__cause__, FileNotFoundError):
+            return None
+        raise
 
 
 _NOT_REGULAR = "is a pipe or a device, expected a file"

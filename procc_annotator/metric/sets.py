@@ -5,6 +5,7 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from statistics import median
 
 import numpy as np
 from numpy.typing import NDArray
@@ -198,7 +199,7 @@ class SetAccumulator:
             evaluated=evaluated,
             mean_jac=mean,
             sd_jac=float(jacs.std()) if evaluated else None,
-            median_jac=float(np.median(jacs)) if evaluated else None,
+            median_jac=median(gathered.jacs) if evaluated else None,
             completeness=completeness,
             final_score=None if mean is None or completeness is None else completeness * mean,
             mean_precision=_ratio(gathered.precision_sum, gathered.precision_count),

@@ -260,36 +260,37 @@ def _share(
         away = np.hypot(ground[..., 0] - part.position[0], ground[..., 1] - part.position[1])
         return np.asarray(np.clip((stroke.width_m / 2 - away) * 12, 0, 1), dtype=np.float32)
     share = np.zeros(ground.shape[:2], dtype=np.float32)
-    distance, normal = _distance(ground, part, _middle(stroke, part), longer)
-    near = distance < _NEAR_M
-    direction = normal[near] if normal.ndim == 3 else normal
-    per_pixel = np.hypot(
-        (across[near] * direction).sum(axis=-1), (down[near] * direction).sum(axis=-1)
-    )
-    covered = (stroke.width_m / 2 - distance[near]) / np.maximum(per_pixel, 1e-5) + 0.5
-    share[near] = np.clip(covered, 0, 1)
+    near, distance, normal = _near(ground, part, _middle(stroke, part), longer)
+    per_pixel = np.hypot((across[near] * normal).sum(axis=-1), (down[near] * normal).sum(axis=-1))
+    covered = (stroke.width_m / 2 - distance) / np.maximum(per_pixel, 1e-5) + 0.5
+    share[near] = np.where(distance < _NEAR_M, np.clip(covered, 0, 1), 0)
     return share
 
 
-def _distance(
+def _near(
     ground: FloatArray, part: Line | Arc | Circle, middle: float, longer: tuple[float, float]
-) -> tuple[FloatArray, FloatArray]:
-    """(H, W) metres to the middle of a part's paint; the direction across, maybe by pixel."""
+) -> tuple[NDArray[np.bool_], FloatArray, FloatArray]:
+    """(H, W) which pixels may show ground near the middle of a part's paint: few; of these the
+    metres to it, (N,), and the direction across, (2,) or (N, 2)."""
     x, y = ground[..., 0], ground[..., 1]
     if isinstance(part, Line):
         ax, ay = part.start[:2]
         bx, by = part.end[:2]
         along = np.hypot(bx - ax, by - ay)
         ux, uy = (bx - ax) / along, (by - ay) / along
-        t = (x - ax) * ux + (y - ay) * uy
+        aside = (x - ax) * uy - (y - ay) * ux - middle
+        near = np.abs(aside) < _NEAR_M
+        t = (x[near] - ax) * ux + (y[near] - ay) * uy
         beyond = np.maximum(np.maximum(-t - longer[0], t - along - longer[1]), 0)
-        return np.hypot((x - ax) * uy - (y - ay) * ux - middle, beyond), _line_normal(part)
+        return near, np.hypot(aside[near], beyond), _line_normal(part)
     offset = ground - np.array(part.centre[:2], dtype=np.float32)
     away = np.maximum(np.hypot(offset[..., 0], offset[..., 1]), 1e-3)
     distance = np.abs(away - (part.radius + middle))
+    near = distance < _NEAR_M
+    offset, away, distance = offset[near], away[near], distance[near]
     if not isinstance(part, Circle):
         middle_rad = (part.start_rad + part.end_rad) / 2
         half = (part.end_rad - part.start_rad) / 2
         axis = np.cos(middle_rad) * np.array(part.ahead) + np.sin(middle_rad) * np.array(part.aside)
         distance[(offset @ axis[:2].astype(np.float32)) / away < np.cos(half)] = 10.0
-    return distance, offset / away[..., None]
+    return near, distance, offset / away[..., None]

@@ -22,7 +22,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.camera_files.fitted_on import annotation_digest
 from procc_annotator.session.runs import calibration_run, together_run
-from procc_annotator.session.runs.held_out import held_out_elements
+from procc_annotator.session.runs.leaving_out import held_out_elements
 from tests.bench.sports.views import Views
 
 

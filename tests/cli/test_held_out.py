@@ -50,6 +50,7 @@ def passed(found: list[dict[str, str]], column: str, tau: float) -> float:
     return sum(bool(row[column]) and float(row[column]) < tau for row in found) / len(found)
 
 
+@pytest.mark.usefixtures("no_charts")
 def test_the_report_tells_them_beside_the_fit(cli, clicked, fits, tmp_path) -> None:
     report = tmp_path / "r"
     outputs = [arg for kind in ("html", "csv", "json", "tex") for arg in ("-o", f"{report}.{kind}")]

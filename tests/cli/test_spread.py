@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.spatial import ConvexHull
+import scipy
 
 FEW = ("--draws", 200, "--seed", 1, "--workers", 1)
 
@@ -38,7 +38,7 @@ def test_every_frame_has_number_and_spread_of_its_elements(cli, dataset, tmp_pat
             assert row["spread"] == ""
             assert image["spread"] is None
             continue
-        hull = 0.0 if len(content) == 1 else ConvexHull(points.clip(0, 1)).volume
+        hull = 0.0 if len(content) == 1 else scipy.spatial.ConvexHull(points.clip(0, 1)).volume
         assert float(row["spread"]) == pytest.approx(hull, abs=1e-5)
         assert image["spread"] == pytest.approx(hull, abs=1e-5)
     models = {name: row["model"] for name, row in by_csv.items()}

@@ -65,6 +65,22 @@ def cameras(shot: DrawnShot, tmp_path: Path) -> Path:
     return write_cameras(shot, tmp_path / "cameras")
 
 
+@pytest.fixture(scope="module")
+def whole(cli, shot: DrawnShot, video: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The whole track of the video from both anchors, which no test changes."""
+    folder = tmp_path_factory.mktemp("whole")
+    given = write_cameras(shot, folder / "cameras")
+    done = cli("track", video, folder / "out", "--cameras", given)
+    assert done.exit_code == 0, done.output
+    return folder / "out"
+
+
+@pytest.fixture
+def followed(whole: Path, tmp_path: Path) -> Path:
+    """The same, to be changed at will."""
+    return shutil.copytree(whole, tmp_path / "out")
+
+
 def table(out: Path) -> list[dict[str, str]]:
     with (out / "track.csv").open(newline="") as stream:
         return list(csv.DictReader(stream))
@@ -181,39 +197,32 @@ def test_a_shot_without_a_camera_is_looked_at_where_the_other_one_stands(
     assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(FRAMES)]
 
 
-def test_a_shot_is_followed_again_and_the_other_one_kept(cli, video, cameras, tmp_path) -> None:
-    out = tmp_path / "out"
-    assert cli("track", video, out, "--cameras", cameras).exit_code == 0
-    before = table(out)
-    done = cli("track", video, out, "--cameras", cameras, "--from", "14", "--overwrite")
+def test_a_shot_is_followed_again_and_the_other_one_kept(cli, video, cameras, followed) -> None:
+    before = table(followed)
+    done = cli("track", video, followed, "--cameras", cameras, "--from", "14", "--overwrite")
     assert done.exit_code == 0, done.output
-    assert table(out) == before
+    assert table(followed) == before
 
 
 def test_a_shot_that_is_replaced_does_not_count_as_done_meanwhile(
-    cli, video, cameras, monkeypatch, tmp_path
+    cli, video, cameras, monkeypatch, followed
 ) -> None:
-    out = tmp_path / "out"
-    assert cli("track", video, out, "--cameras", cameras).exit_code == 0
-
     def stopped(*_, **__) -> Track:
         raise KeyboardInterrupt
 
     monkeypatch.setattr(command, "follow_shot", stopped)
-    done = cli("track", video, out, "--cameras", cameras, "--from", "14", "--overwrite")
+    done = cli("track", video, followed, "--cameras", cameras, "--from", "14", "--overwrite")
     assert done.exit_code == 130
-    assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(CUT)]
+    assert [row["frame"] for row in table(followed)] == [name_of(n) for n in range(CUT)]
 
 
-def test_the_track_of_something_else_is_not_replaced(cli, video, cameras, tmp_path) -> None:
-    out = tmp_path / "out"
-    assert cli("track", video, out, "--cameras", cameras).exit_code == 0
-    before = files(out)
+def test_the_track_of_something_else_is_not_replaced(cli, video, followed, tmp_path) -> None:
+    before = files(followed)
     other = shutil.copyfile(video, tmp_path / "other.mp4")
-    done = cli("track", other, out)
+    done = cli("track", other, followed)
     assert done.exit_code == 2
     assert f"is of other frames, such as {name_of(0)}" in done.stderr
-    assert files(out) == before
+    assert files(followed) == before
 
 
 def lost(number: int, reason: str) -> TrackedFrame:
@@ -273,15 +282,14 @@ def test_not_among_the_pictures(cli, pictures, cameras) -> None:
 
 @pytest.mark.parametrize("stopped_in", [0, CUT])
 def test_a_run_that_was_stopped_goes_on(
-    cli, video, cameras, monkeypatch, tmp_path, stopped_in
+    cli, video, cameras, whole, monkeypatch, tmp_path, stopped_in
 ) -> None:
-    whole, out = tmp_path / "whole", tmp_path / "out"
+    out = tmp_path / "out"
     arguments = ("--cameras", cameras)
-    assert cli("track", video, whole, *arguments).exit_code == 0
-    followed = command.follow_shot
+    real = command.follow_shot
 
     def stopped(frame, numbers, *rest, **options) -> Track:
-        found = followed(frame, numbers, *rest, **options)
+        found = real(frame, numbers, *rest, **options)
         if numbers[0] == stopped_in:
             raise KeyboardInterrupt  # its cameras are written, those of frames
         return found

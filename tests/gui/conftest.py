@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import json
 import shutil
+import time
 import zlib
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -28,8 +29,12 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window, collect_now_and_then, start_lean
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.frames import folder_figures, panel, thumbnails
+from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.state import check_queue, live_fit, paint_watch, proposals, review_state
 from procc_annotator.gui.state.paint_watch import Evidence
+from procc_annotator.gui.tasks.field import field_dimensions, view_grouping
 from procc_annotator.session.strokes.paint_evidence import paint_evidence
 from tests.gui.known_already import hand_out
 from tests.gui.one_window import OneWindow
@@ -45,13 +50,64 @@ MakeWindow = Callable[..., MainWindow]
 
 @pytest.fixture
 def qtbot(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> QtBot:
-    """What a test waits for may take its time on a machine that is busy with other things."""
-    for name in ("waitUntil", "waitActive", "waitSignal"):
+    """What a test waits for may take its time on a machine that is busy with other things, and is
+    seen soon after it is so."""
+    for name in ("waitActive", "waitSignal"):
         monkeypatch.setattr(qtbot, name, partial(getattr(qtbot, name), timeout=_PATIENCE_MS))
+    monkeypatch.setattr(qtbot, "waitUntil", partial(_wait_until, qtbot))
     return qtbot
 
 
 _PATIENCE_MS = 60_000
+_SELDOM_MS = 10  # between two looks at something that takes long
+
+
+def _wait_until(
+    qtbot: QtBot, there: Callable[[], bool | None], *, timeout: int = _PATIENCE_MS
+) -> None:
+    """As that of `QtBot`, which first looks again after 10 ms."""
+    began, pause_ms = time.monotonic(), 1
+    while True:
+        try:
+            if there() in (None, True):
+                return
+            said = None
+        except AssertionError as error:
+            said = error
+        if time.monotonic() - began > timeout / 1000:
+            raise TimeoutError(f"waitUntil timed out in {timeout} milliseconds") from said
+        qtbot.wait(pause_ms)
+        pause_ms = min(pause_ms + 1, _SELDOM_MS)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def hurried(lean: None) -> Iterator[None]:
+    """The window waits a tenth as long for a hand that may go on typing, walking or dragging."""
+    with pytest.MonkeyPatch.context() as patch:
+        for module, name in _WAITS_FOR_A_HAND:
+            patch.setattr(module, name, getattr(module, name) // 10)
+        made = Refresher.__init__
+
+        def make(self: Refresher, widget: QWidget, update: Any, interval_ms: int = 0) -> None:
+            made(self, widget, update, interval_ms // 10)
+
+        patch.setattr(Refresher, "__init__", make)
+        yield
+
+
+_WAITS_FOR_A_HAND = (
+    (check_queue, "_PATIENCE_MS"),
+    (field_dimensions, "_SETTLED_MS"),
+    (folder_figures, "_SOON_MS"),
+    (live_fit, "_STAYED_MS"),
+    (paint_watch, "_STAYED_MS"),
+    (panel, "_TYPED_MS"),
+    (proposals, "_STAYED_MS"),
+    (review_state, "_COLLECT_MS"),
+    (thumbnails, "_SOON_MS"),
+    (thumbnails, "_HAND_MS"),
+    (view_grouping, "_SETTLED_MS"),
+)
 
 
 @pytest.fixture(scope="session")

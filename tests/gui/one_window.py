@@ -20,6 +20,7 @@ from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.state import DEFAULT_TAU
+from procc_annotator.gui.tasks.dialog_task import DialogTask
 
 
 @dataclass
@@ -81,9 +82,12 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     document = window.document
     if document.workspace is not None and document.review.database is None:
         return False  # the document alone was closed
+    for task in window.findChildren(DialogTask):
+        task._leave()  # as another dataset has them do
     document.camera_sources.clear_sources()
     window.cameras.list.refresh()  # or its rows stay until the panel is seen, and are found by name
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+    document.terms.take_field(new["field"])
     document.set_noise_floor(None)
     document.set_author(new["state"][-1])
     document.set_mode("draw")

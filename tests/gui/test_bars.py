@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.theme import set_text_size
+from procc_annotator.gui.window.status import Readout, SteadyLabel
 from tests.gui.conftest import Hand, all_done
 
 
@@ -52,3 +55,31 @@ def test_a_warning_is_shown_though_something_else_is_said_at_once(window: MainWi
     assert window.message_bar.isVisible()
     assert "a colleague has this frame" in window.message_bar.label.text()
     assert "the frame is in progress again" in window.status.hint.text()
+
+
+def test_words_of_the_bars_have_room_when_texts_become_larger(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    all_done(qtbot)
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    desks = window.desk_switch.findChildren(QToolButton)
+    labels = [label for label in window.top_bar.findChildren(SteadyLabel) if label.text()]
+    readouts = window.findChildren(Readout)
+    assert desks
+    assert len(labels) >= 2
+    assert readouts
+    usual = [readout.width() for readout in readouts]
+    try:
+        set_text_size(application, 150)
+        QApplication.processEvents()
+        for desk in desks:
+            assert desk.maximumHeight() > desk.fontMetrics().height()
+        for label in labels:
+            assert label.width() >= label.fontMetrics().horizontalAdvance(label.text())
+            assert label.height() >= label.fontMetrics().height()
+        assert all(r.width() > 1.3 * w for r, w in zip(readouts, usual, strict=True))
+    finally:
+        set_text_size(application, 100)
+    QApplication.processEvents()
+    assert [readout.width() for readout in readouts] == usual

@@ -114,6 +114,47 @@ def test_a_cancelled_job_is_asked_to_stop_and_says_nothing(qtbot: QtBot) -> None
     assert heard.results == [2]
 
 
+def test_parts_come_before_the_outcome_in_their_order(qtbot: QtBot) -> None:
+    heard, owner, told = Heard(), QObject(), list[object]()
+    latest = Latest(owner, heard.on_error)
+
+    def work(control: JobControl) -> str:
+        for part in range(100):
+            control.hand_over(part)
+            control.progress(part, 100)
+        return "outcome"
+
+    latest.start(work, told.append, parts=told.extend)
+    qtbot.waitUntil(lambda: not latest.running)
+    assert told == [*range(100), "outcome"]
+    assert latest.finish()
+
+
+@pytest.mark.parametrize("kept", [True, False])
+def test_what_was_handed_over_is_taken_by_cutting_short_not_by_cancelling(
+    qtbot: QtBot, kept: bool
+) -> None:
+    heard, owner, told = Heard(), QObject(), list[int]()
+    latest = Latest(owner, heard.on_error)
+    handed, ended = threading.Event(), threading.Event()
+
+    def until_left(control: JobControl) -> int:
+        control.hand_over(1)
+        handed.set()
+        ended.wait(60)
+        control.hand_over(2)  # too late
+        return 3
+
+    latest.start(until_left, heard.on_result, parts=told.extend)
+    assert handed.wait(60)
+    assert latest.cut_short() if kept else latest.cancel()
+    ended.set()
+    latest.start(lambda control: 4, heard.on_result)
+    qtbot.waitUntil(lambda: bool(heard.results))
+    assert told == ([1] if kept else [])
+    assert heard.results == [4]
+
+
 def test_of_work_begun_one_after_another_only_the_latest_is_heard_of(qtbot: QtBot) -> None:
     heard, owner = Heard(), QObject()
     latest = Latest(owner, heard.on_error)

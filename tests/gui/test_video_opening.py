@@ -94,6 +94,24 @@ def test_a_frame_every_second_is_annotated_beside_the_video(
     assert list(saved.parent.glob("*.png")) == []  # nothing is extracted
 
 
+def test_the_interface_opens_no_video_itself(
+    make_window: MakeWindow, qtbot: QtBot, match: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened_by: list[threading.Thread] = []
+    open_video = Video.open
+
+    def noted(path: Path) -> Video:
+        opened_by.append(threading.current_thread())
+        return open_video(path)
+
+    monkeypatch.setattr(Video, "open", noted)
+    window = make_window()
+    accept(window, asked(window, qtbot, match), qtbot)
+    assert window.document.picture is not None
+    assert opened_by
+    assert threading.main_thread() not in opened_by
+
+
 def test_a_kept_frame_joins_its_annotation_as_a_dataset_of_its_own(
     make_window: MakeWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot, match: Path
 ) -> None:

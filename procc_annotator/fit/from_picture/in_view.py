@@ -13,7 +13,7 @@ from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
 _NEAREST_M, _BORDER_PX, _LONGEST_PX = 1.0, 6.0, 120.0
-_AT_ONCE = 64  # cameras
+_AT_ONCE = 512  # cameras: more at once take more memory, fewer more calls
 _COMPARED = 40  # places
 
 

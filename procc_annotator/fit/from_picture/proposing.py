@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -83,6 +84,18 @@ def propose_camera(
     if not found:
         return _none(size, "no camera has its lines on the paint of this picture")
     return max(found, key=lambda best: best.score).proposal(picture, field, paint.frame)
+
+
+def prepare(field: Field, size: tuple[int, int]) -> None:
+    """Work out what searches of pictures (width, height) px with nothing known all look up: once
+    for a field and a shape of picture, in some seconds, unless somebody did."""
+    lines = lines_of(field)
+    if lines is None:
+        return
+    frame, sides = PictureFrame(size), _sides(field)
+    half_height = float(round(frame.size[1] * frame.scale / 2))
+    with ThreadPoolExecutor(len(sides), thread_name_prefix="preparing") as pool:
+        list(pool.map(lambda side: on_side(lines, half_height, side), sides))
 
 
 @dataclass(frozen=True, eq=False)

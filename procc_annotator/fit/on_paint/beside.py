@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.fit.on_paint.belief import COUNTS, weights_of
 from procc_annotator.fit.on_paint.expected import Expected, expect, projected_px
@@ -18,10 +19,10 @@ from procc_annotator.fit.on_paint.looking import (
     SPACING_PX,
     PaintLook,
     look,
-    look_at,
     shares_on_paint,
 )
 from procc_annotator.fit.on_paint.marks import Marks
+from procc_annotator.fit.on_paint.offsets import nearest_offsets
 from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
@@ -99,17 +100,15 @@ def look_beside(
         return None
     expected = expected.chosen(np.flatnonzero(sought))
     usual = float(np.median(seen.offsets.contrast[seen.offsets.found]))
-    near = look_at(picture, expected, painted, frame, _BESIDE_PX)
-    far = look_at(picture, expected, painted, frame, _REACH_PX)
-    return _steady(expected, near, far, painted, _FAINTEST * usual)
+    offsets, near = nearest_offsets(picture, expected, painted, frame, _BESIDE_PX, _REACH_PX)
+    found = offsets.found & (near | (offsets.contrast >= _FAINTEST * usual))
+    return _steady(expected, offsets.px, found, painted)
 
 
 def _steady(
-    expected: Expected, near: PaintLook, far: PaintLook, painted: Painted, least_contrast: float
+    expected: Expected, px: FloatArray, found: NDArray[np.bool_], painted: Painted
 ) -> FoundAround | None:
-    """What was found near, else farther out, where it goes on as its neighbour does."""
-    px = np.where(near.offsets.found, near.offsets.px, far.offsets.px)
-    found = near.offsets.found | (far.offsets.found & (far.offsets.contrast >= least_contrast))
+    """What was found so far off (n,), where it goes on as its neighbour does."""
     goes_on = found[1:] & found[:-1] & (np.abs(np.diff(px)) < _STEADY_PX)
     goes_on &= np.diff(expected.run) == 0
     rows = np.flatnonzero(np.append(goes_on, False) | np.append(False, goes_on))[::_THIN]

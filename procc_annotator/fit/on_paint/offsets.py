@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Self
 
 import cv2
 import numpy as np
@@ -67,28 +68,94 @@ def offsets_of(
         frame: the picture.
         reach_px: (n,) or one for all: how far off paint may be, solver px.
     """
-    count = len(expected.rows)
-    if not count:
-        return Offsets(np.zeros(0), np.zeros(0, dtype=bool), np.zeros(0))
-    reach = np.broadcast_to(np.asarray(reach_px, dtype=np.float64), (count,)) / frame.scale
-    step = np.maximum(expected.width_px / frame.scale / _WIDTH_STEPS, _LEAST_STEP_PX)
-    half = int(np.ceil((reach / step).max()))
-    cuts = _cuts(picture, expected, frame, step, half + _BEYOND)
-    tone = painted.tone[expected.rows]
-    values = _values(cuts, tone, painted.element[expected.rows])
-    response = _averaged(_standing_out(values), expected.run)
-    within = np.abs(np.arange(-half, half + 1)) * step[:, None] <= reach[:, None]
-    at, contrast, found = _best(response, within)
-    px = (at - half) * step
-    narrow = np.flatnonzero(found & (step == _LEAST_STEP_PX))
-    column = _BEYOND + np.rint(at[narrow]).astype(np.intp)
-    unlike = _between_unlike(values, narrow, column, contrast[narrow])
-    if unlike.any():
-        narrow, column = narrow[unlike], column[unlike]
-        cut = _mean_rows(cuts, narrow, column[:, None] + np.arange(-AROUND, AROUND + 1), expected)
-        shift = middles(cut, expected.width_px[narrow] / frame.scale)
-        px[narrow] = (column - _BEYOND - half) * _LEAST_STEP_PX + shift
-    return Offsets(px * frame.scale, found, contrast)
+    if not len(expected.rows):
+        return _NONE
+    cut = _CutAcross.of(picture, expected, painted, frame, reach_px)
+    return cut.offsets(*cut.best(reach_px))
+
+
+def nearest_offsets(
+    picture: PixelArray,
+    expected: Expected,
+    painted: Painted,
+    frame: PictureFrame,
+    near_px: float,
+    far_px: float,
+) -> tuple[Offsets, NDArray[np.bool_]]:
+    """Look for paint near every expected place, and where there is none farther off, as
+    `offsets_of`; also says (n,) where it was found near."""
+    if not len(expected.rows):
+        return _NONE, _NONE.found
+    cut = _CutAcross.of(picture, expected, painted, frame, far_px)
+    near, far = cut.best(near_px), cut.best(far_px)
+    is_near = near[2]
+    return cut.offsets(*(np.where(is_near, *both) for both in zip(near, far, strict=True))), is_near
+
+
+_NONE = Offsets(np.zeros(0), np.zeros(0, dtype=bool), np.zeros(0))
+
+
+@dataclass(frozen=True, eq=False)
+class _CutAcross:
+    """A picture cut across n places.
+
+    Attributes:
+        expected: the places.
+        scale: solver px a px.
+        step: (n,) px between the samples of a cut.
+        half: samples to either side at which a band's middle may lie.
+        cuts: (n, 2 (half + beyond) + 1, 3) BGR.
+        values: the same in one tone, in which paint is lighter than what is beside it.
+        response: (n, 2 half + 1) how much a band there stands out.
+    """
+
+    expected: Expected
+    scale: float
+    step: FloatArray
+    half: int
+    cuts: PixelArray
+    values: Values
+    response: Values
+
+    @classmethod
+    def of(
+        cls,
+        picture: PixelArray,
+        expected: Expected,
+        painted: Painted,
+        frame: PictureFrame,
+        reach_px: float | FloatArray,
+    ) -> Self:
+        """As far as paint may be off, solver px."""
+        step = np.maximum(expected.width_px / frame.scale / _WIDTH_STEPS, _LEAST_STEP_PX)
+        half = int(np.ceil((reach_px / frame.scale / step).max()))
+        cuts = _cuts(picture, expected, frame, step, half + _BEYOND)
+        tone = painted.tone[expected.rows]
+        values = _values(cuts, tone, painted.element[expected.rows])
+        response = _averaged(_standing_out(values), expected.run)
+        return cls(expected, frame.scale, step, half, cuts, values, response)
+
+    def best(
+        self, reach_px: float | FloatArray
+    ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+        """See `_best`, no farther off than so many solver px."""
+        reach = np.broadcast_to(np.asarray(reach_px) / self.scale, self.step.shape)
+        away = np.abs(np.arange(-self.half, self.half + 1)) * self.step[:, None]
+        return _best(self.response, away <= reach[:, None])
+
+    def offsets(self, at: FloatArray, contrast: FloatArray, found: NDArray[np.bool_]) -> Offsets:
+        """What lies at columns (n,), in the middle of the paint."""
+        px = (at - self.half) * self.step
+        narrow = np.flatnonzero(found & (self.step == _LEAST_STEP_PX))
+        column = _BEYOND + np.rint(at[narrow]).astype(np.intp)
+        unlike = _between_unlike(self.values, narrow, column, contrast[narrow])
+        if unlike.any():
+            narrow, column = narrow[unlike], column[unlike]
+            around = column[:, None] + np.arange(-AROUND, AROUND + 1)
+            cut = _mean_rows(self.cuts, narrow, around, self.expected)
+            shift = middles(cut, self.expected.width_px[narrow] / self.scale)
+            px[narrow] = (column - _BEYOND - self.half) * _LEAST_STEP_PX + shift
+        return Offsets(px * self.scale, found, contrast)
 
 
 def _cuts(

@@ -76,7 +76,7 @@ def follow(
     before: Glimpse | None = None
     unlike: deque[float] = deque(maxlen=_BEFORE)
     cut, broken = False, 0  # for certain; frames since it seemed so, without paint
-    for now in glimpses(frame, numbers):
+    for now in glimpses(frame, numbers, to_follow=True):
         go_on()
         step = _next(last, before, now, start, painted, picture_frame, stand)
         if now.begins and (step.marks is None or step.coverage < _SAME_CAMERA):
@@ -127,6 +127,6 @@ def _next(
     expected = np.zeros(len(OWN))
     if len(done) > 1:
         expected = last.belief.vector[OWN] - done[-2].belief.vector[OWN]
-    turn: Turn | None = turn_between(before.grey, now.grey, last.belief.vector, expected, frame)
+    turn: Turn | None = turn_between(before.small, now.small, last.belief.vector, expected, frame)
     believed = foretold(last.belief, turn, expected, stand)
     return stepped(now.picture, believed, turn, painted, frame, last.worth)

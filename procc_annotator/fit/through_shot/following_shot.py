@@ -54,6 +54,14 @@ def _tell_nobody(_: TrackedFrame) -> None:
     """Nobody asks."""
 
 
+def _watch_nothing(_: int, __: Stepped) -> None:
+    """Nobody minds."""
+
+
+class _TooMuchMissing(Exception):
+    """What is being followed cannot count any more."""
+
+
 def track(
     frame: ReadFrame,
     numbers: range,
@@ -177,12 +185,21 @@ class _Work:
         return forwards, self._follow(range(other, last, -1), near)
 
     def _follow(
-        self, numbers: Sequence[int], given: Mapping[int, Belief], stand: ShotStand = TRIPOD
+        self,
+        numbers: Sequence[int],
+        given: Mapping[int, Belief],
+        stand: ShotStand = TRIPOD,
+        watch: Callable[[int, Stepped], None] = _watch_nothing,
     ) -> Followed:
-        """Follow frames from the first of them, whose camera was given."""
+        """Follow frames from the first of them, whose camera was given.
+
+        Args:
+            watch: shown every frame; what it raises ends it.
+        """
         begin, places = numbers[0], np.array(list(given))
 
         def told(number: int, step: Stepped) -> None:
+            watch(number, step)
             if number not in given:
                 distance = int(np.abs(places - number).min())
                 self.on_frame(self._tracked(number, step, distance))
@@ -213,9 +230,8 @@ class _Work:
             second = smoothed(chain_of(again, given), self.field, self.picture)
             found = max(found, second, key=lambda one: one.explained)
         if _may_move(found, asked):
-            again = [self._follow(run.asked, start, MOVING) for run in runs]
-            moving = smoothed(chain_of(again, given), self.field, self.picture, MOVING)
-            if _missing(moving, asked) < _LEFT * _missing(found, asked):
+            moving = self._moving(runs, given, start, _LEFT * _missing(found, asked) * asked)
+            if moving is not None and _missing(moving, asked) < _LEFT * _missing(found, asked):
                 found = moving
         chain = found.chain
         places = np.array(list(given))
@@ -224,6 +240,28 @@ class _Work:
             self.found[number] = self._tracked(number, step, distance)
         # What looked like a cut and could be followed across is none: a banner that slid in.
         self.begins -= set(chain.numbers[1:])
+
+    def _moving(
+        self,
+        runs: Sequence[Followed],
+        given: Mapping[int, Belief],
+        start: Mapping[int, Belief],
+        most_missing: float,
+    ) -> Smoothed | None:
+        """The same runs with a camera that moves; None as soon as more of the model is missing than
+        may be, in frames' worth: solved all together, frames find no more than when followed."""
+        found = dict[int, float]()
+
+        def watch(number: int, step: Stepped) -> None:
+            found[number] = max(found.get(number, 0.0), step.coverage)
+            if len(found) - sum(found.values()) > most_missing:
+                raise _TooMuchMissing
+
+        try:
+            again = [self._follow(run.asked, start, MOVING, watch) for run in runs]
+        except _TooMuchMissing:
+            return None
+        return smoothed(chain_of(again, given), self.field, self.picture, MOVING)
 
     def _tracked(self, number: int, step: Stepped, distance: int) -> TrackedFrame:
         return tracked(number, step, distance, self.painted, self.picture)

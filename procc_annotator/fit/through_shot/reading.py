@@ -10,14 +10,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.through_shot.turning import small_grey
+from procc_annotator.fit.through_shot.turning import NOTHING_SEEN, SmallPicture, small_of
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.scenes import SceneLook, cuts_among, look_difference, look_of
 
 ReadFrame = Callable[[int], PixelArray]
 
 _DECODED_AHEAD = 3
-_BACK_AT_ONCE = 24  # frames read forwards, to be handed out backwards
+# Pictures read forwards, to be handed out backwards: at first so many, then as many as fit, for a
+# video is decoded from the key frame before them each time.
+_BACK_FIRST, _BACK_BYTES, _BACK_LEAST, _BACK_MOST = 24, 256 << 20, 12, 96
 _AROUND = 6  # frames to either side that a cut stands out of, see `image.scenes`
 
 
@@ -28,14 +30,14 @@ class Glimpse:
     Attributes:
         number: of the frame.
         picture: (H, W, 4) BGRA.
-        grey: the picture much reduced.
+        small: the picture much reduced; nothing of it if it is not to be followed.
         begins: whether it comes from another camera than the one handed out before it.
         unlike: how different it looks from that one, see `image.scenes.look_difference`.
     """
 
     number: int
     picture: PixelArray
-    grey: PixelArray
+    small: SmallPicture
     begins: bool = False
     unlike: float = 0.0
 
@@ -46,30 +48,33 @@ class _Held:
 
     number: int
     picture: PixelArray
-    grey: PixelArray
+    small: SmallPicture
     look: SceneLook
     step: float
     lasting: float
 
 
-def glimpses(frame: ReadFrame, numbers: Sequence[int]) -> Iterator[Glimpse]:
+def glimpses(
+    frame: ReadFrame, numbers: Sequence[int], *, to_follow: bool = False
+) -> Iterator[Glimpse]:
     """Frames in the order of their numbers, ascending or descending, decoded by a thread.
 
     Args:
         frame: number -> (H, W, 4) BGRA; may raise, which is passed on.
         numbers: of consecutive frames.
+        to_follow: whether a camera is to be followed through them.
     """
     held: deque[_Held] = deque()
     done: deque[tuple[float, float]] = deque(maxlen=_AROUND)
     looks: deque[SceneLook] = deque(maxlen=4)
-    for number, picture, grey, look in _decoded(frame, numbers):
+    for number, picture, small, look in _decoded(frame, numbers, to_follow):
         step = look_difference(looks[-1], look) if looks else 0.0
         past = list(looks)[-3:-1]
         looks.append(look)
         lasting = min((look_difference(old, look) for old in past), default=1.0)
         if len(looks) == 4 and len(held) >= 2:  # small also where a flash begins
             held[-2].lasting = min(held[-2].lasting, look_difference(looks[0], look))
-        held.append(_Held(number, picture, grey, look, step, lasting))
+        held.append(_Held(number, picture, small, look, step, lasting))
         if len(held) > _AROUND:
             yield _handed_out(held, done)
     while held:
@@ -82,12 +87,12 @@ def _handed_out(held: deque[_Held], done: deque[tuple[float, float]]) -> Glimpse
     begins = bool(done) and len(done) in cuts_among(steps, lasting)
     first = held.popleft()
     done.append((first.step, first.lasting))
-    return Glimpse(first.number, first.picture, first.grey, begins, first.step)
+    return Glimpse(first.number, first.picture, first.small, begins, first.step)
 
 
 def _decoded(
-    frame: ReadFrame, numbers: Sequence[int]
-) -> Iterator[tuple[int, PixelArray, PixelArray, SceneLook]]:
+    frame: ReadFrame, numbers: Sequence[int], to_follow: bool
+) -> Iterator[tuple[int, PixelArray, SmallPicture, SceneLook]]:
     """What a thread has read ahead, in the order asked for."""
     ready: queue.Queue[object] = queue.Queue(maxsize=_DECODED_AHEAD)
     stopped = threading.Event()
@@ -105,7 +110,8 @@ def _decoded(
         try:
             for number, picture in _in_order(frame, numbers, stopped):
                 look = look_of(picture[:, :, :3])
-                if not hand((number, picture, small_grey(picture), look)):
+                small = small_of(picture) if to_follow else NOTHING_SEEN
+                if not hand((number, picture, small, look)):
                     return
         except BaseException as failure:  # noqa: BLE001  # raised again by who waits for frames
             hand(failure)
@@ -134,12 +140,14 @@ def _in_order(
                 return
             yield number, frame(number)
         return
-    for begin in range(0, len(numbers), _BACK_AT_ONCE):
-        chunk = numbers[begin : begin + _BACK_AT_ONCE]
+    begin, count = 0, _BACK_FIRST
+    while begin < len(numbers):
         read = []
-        for number in reversed(chunk):
+        for number in reversed(numbers[begin : begin + count]):
             if stopped.is_set():
                 return
             read.append((number, frame(number)))
+        begin += count
+        count = min(max(_BACK_BYTES // read[0][1].nbytes, _BACK_LEAST), _BACK_MOST)
         while read:
             yield read.pop()

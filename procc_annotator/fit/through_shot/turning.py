@@ -54,16 +54,35 @@ class Turn:
         return Turn(-self.step, self.covariance)
 
 
-def small_grey(picture: PixelArray) -> PixelArray:
-    """(H, W, 4) BGRA -> (h, `WIDTH`) grey, for `turn_between`."""
+@dataclass(frozen=True, eq=False)
+class SmallPicture:
+    """What is looked at of a picture.
+
+    Attributes:
+        grey: (h, `WIDTH`) the picture much reduced.
+        corners: (n, 2) px of it, what can be followed.
+    """
+
+    grey: PixelArray
+    corners: NDArray[np.float32]
+
+
+NOTHING_SEEN = SmallPicture(np.zeros((1, 1), np.uint8), np.zeros((0, 2), np.float32))
+
+
+def small_of(picture: PixelArray) -> SmallPicture:
+    """What `turn_between` looks at of a picture (H, W, 4) BGRA."""
     height = max(1, round(picture.shape[0] * WIDTH / picture.shape[1]))
     small = cv2.resize(picture, (WIDTH, height), interpolation=cv2.INTER_AREA)
-    return np.asarray(cv2.cvtColor(small, cv2.COLOR_BGRA2GRAY), dtype=np.uint8)
+    grey = np.asarray(cv2.cvtColor(small, cv2.COLOR_BGRA2GRAY), dtype=np.uint8)
+    corners = cv2.goodFeaturesToTrack(grey, _CORNERS, _QUALITY, _APART_PX)
+    found = NOTHING_SEEN.corners if corners is None else np.asarray(corners, dtype=np.float32)
+    return SmallPicture(grey, found.reshape(-1, 2))
 
 
 def turn_between(
-    before: PixelArray,
-    now: PixelArray,
+    before: SmallPicture,
+    now: SmallPicture,
     vector: FloatArray,
     expected: FloatArray,
     frame: PictureFrame,
@@ -71,7 +90,7 @@ def turn_between(
     """How the camera moved from one frame to the next.
 
     Args:
-        before, now: both frames, see `small_grey`.
+        before, now: both frames.
         vector: (11,) of the camera before.
         expected: (4,) change of `OWN` that is likely, as in the step before.
         frame: the picture.
@@ -79,17 +98,16 @@ def turn_between(
     Returns:
         None where too few corners agree on a motion.
     """
-    corners = cv2.goodFeaturesToTrack(before, _CORNERS, _QUALITY, _APART_PX)
-    if corners is None or len(corners) < _FEWEST:
+    if len(before.corners) < _FEWEST:
         return None
-    start = np.asarray(corners, dtype=np.float64).reshape(-1, 2)
+    start = before.corners.astype(np.float64)
     rays = _rays(_to_solver(start, frame), vector, frame)
     likely, _ = _shown(rays, vector, expected, frame)
     guess = np.array(_from_solver(likely, frame), dtype=np.float32, order="C")
     after, done, _ = cv2.calcOpticalFlowPyrLK(
-        before,
-        now,
-        start.astype(np.float32),
+        before.grey,
+        now.grey,
+        before.corners,
         guess,
         winSize=_WINDOW,
         maxLevel=_LEVELS,
@@ -97,7 +115,7 @@ def turn_between(
     )
     followed = np.asarray(done).ravel() == 1
     after = np.asarray(after, dtype=np.float64).reshape(-1, 2)
-    followed &= ((after >= 0) & (after <= np.array(now.shape[::-1]) - 1)).all(axis=1)
+    followed &= ((after >= 0) & (after <= np.array(now.grey.shape[::-1]) - 1)).all(axis=1)
     followed &= ~_laid_over(np.hypot(*(after - start).T), followed)
     if followed.sum() < _FEWEST:
         return None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing, contextmanager
 from time import monotonic
@@ -11,7 +10,8 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import ImageError, InputError
 from procc_annotator.field.model import Field
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.session.dataset.picture_sizes import picture_size
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.frame_check import FrameCheck
@@ -44,13 +44,12 @@ class BackgroundCheck(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._job: Job | None = None
-        self._waiting: deque[Checked] = deque()
+        self._work = Latest(self, self._fail)
 
     @property
     def running(self) -> bool:
         """Whether frames are being checked."""
-        return self._job is not None
+        return self._work.running
 
     def start(
         self,
@@ -71,12 +70,10 @@ class BackgroundCheck(QObject):
             together: whether to look at what only all of them tell.
         """
         self.stop()
-        waiting: deque[Checked] = deque()
-        self._waiting = waiting
 
         def work(control: JobControl) -> _Answer:
             few = len(frames) <= _FEW
-            walk = _Walk(workspace, frames, waiting, control)
+            walk = _Walk(workspace, frames, control)
             with _executor(few) as executor:
                 chunks = walk.chunks(1 if few else _CHUNK)
                 found = executor.map(CheckFrames(field, model), chunks, name=frames_in_words)
@@ -88,51 +85,27 @@ class BackgroundCheck(QObject):
             set_tells = together and not control.cancelled
             return walk.checked, walk.told_by_set(field) if set_tells else {}
 
-        self._job = run_in_background(
-            work,
-            on_result=self._finish,
-            on_error=self._fail,
-            on_progress=self._progress,
-            owner=self,
-        )
+        self._work.start(work, self._finish, progress=self.progressed.emit, parts=self.arrived.emit)
         self.progressed.emit(0, len(frames))
 
     def stop(self) -> None:
         """Check no more; what was found so far arrives."""
-        if self._job is not None:
-            self._job.cancel()
-            self._end()
+        if self._work.cut_short():
+            self.progressed.emit(0, 0)
 
     def close(self) -> None:
         """Check no more, and tell nothing."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
-        self._waiting.clear()
-
-    def _progress(self, done: int, total: int) -> None:
-        self._hand_over()
-        self.progressed.emit(done, total)
+        self._work.cancel()
 
     def _finish(self, answer: _Answer) -> None:
         checked, found = answer
-        self._end()
+        self.progressed.emit(0, 0)
         self.told.emit(found)
         self.finished.emit(checked)
 
     def _fail(self, text: str) -> None:
-        self._end()
-        self.failed.emit(text)
-
-    def _end(self) -> None:
-        self._job = None
-        self._hand_over()
         self.progressed.emit(0, 0)
-
-    def _hand_over(self) -> None:
-        found = [self._waiting.popleft() for _ in range(len(self._waiting))]
-        if found:
-            self.arrived.emit(found)
+        self.failed.emit(text)
 
 
 class _Walk:
@@ -142,12 +115,10 @@ class _Walk:
         self,
         workspace: Workspace,
         frames: Sequence[FrameToRead],
-        arrived: deque[Checked],
         control: JobControl,
     ) -> None:
         self._workspace = workspace
         self._frames = frames
-        self._arrived = arrived
         self._control = control
         self._passed = 0  # frames that nobody has to check, or that cannot be read
         self._answered = 0
@@ -180,12 +151,13 @@ class _Walk:
                 size = picture_size(frame.image_path)
                 return FrameToCheck(frame.name, annotation, size, fitted)
         except (InputError, ImageError) as error:
-            self._arrived.append((frame.name, str(error)))
+            self._control.hand_over((frame.name, str(error)))
         return None
 
     def take(self, results: list[Checked]) -> None:
         """Hand over what was found in a chunk, and say how far it is now and then."""
-        self._arrived.extend(results)
+        for result in results:
+            self._control.hand_over(result)
         self._answered += len(results)
         self._checks += results
         self.checked += sum(isinstance(outcome, FrameCheck) for _, outcome in results)

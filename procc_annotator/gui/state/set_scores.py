@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from time import monotonic
@@ -12,10 +11,11 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import CameraError, InputError
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.source_frames import SourceFrame
 from procc_annotator.gui.state.state import State
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.metric.measure import Measurement, measure_projected
@@ -86,33 +86,27 @@ class SetScores(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._job: Job | None = None
-        self._frame_jobs: dict[str, Job] = {}
+        self._set_work = Latest(self, self._fail)
+        self._frame_work: dict[str, Latest] = {}
         self._touched: set[tuple[CameraSource, str]] = set()  # judged anew since the start
-        self._arrived: deque[_Outcome] = deque()
         self._untold: dict[CameraSource, float] = {}  # since when
 
     @property
     def running(self) -> bool:
         """Whether the set is being audited."""
-        return self._job is not None
+        return self._set_work.running
 
     def cancel(self) -> None:
         """Stop auditing; what was found so far stays."""
-        if self._job is None:
-            return
-        self._job.cancel()
-        self._job = None
-        self._take_arrived()
-        self._tell_changed()
-        self.progressed.emit(0, 0)
+        if self._set_work.cut_short():
+            self._end()
 
     def close(self) -> None:
         """Stop everything that is under way."""
         self.cancel()
-        for job in self._frame_jobs.values():
-            job.cancel()
-        self._frame_jobs.clear()
+        for work in self._frame_work.values():
+            work.cancel()
+        self._frame_work.clear()
 
     def forget(self, sources: Sequence[CameraSource]) -> None:
         """Drop all that is known of these sources, and what is under way: the terms changed."""
@@ -139,9 +133,6 @@ class SetScores(QObject):
         """
         self.cancel()
         self._touched.clear()
-        # What an earlier job found belongs to other terms or was taken already.
-        arrived: deque[_Outcome] = deque()
-        self._arrived = arrived
         wanted = [(source, source.camera_set, source.to_look_at(readers)) for source in sources]
         total = sum(len(names) for _, _, names in wanted)
         if not total:
@@ -154,18 +145,14 @@ class SetScores(QObject):
                     if control.cancelled:
                         return
                     audit, problem = _audit(name, readers[name], cameras, setup, tau)
-                    arrived.append(_Outcome(source, name, audit, problem))
+                    control.hand_over(_Outcome(source, name, audit, problem))
                     done += 1
                     if monotonic() - told > _TELL_AFTER_S:
                         control.progress(done, total)
                         told = monotonic()
 
-        self._job = run_in_background(
-            work,
-            on_result=lambda _: self._finished(),
-            on_error=self._failed,
-            on_progress=self._progressed,
-            owner=self,
+        self._set_work.start(
+            work, lambda _: self._end(), progress=self._progressed, parts=self._take
         )
 
     def put(
@@ -202,7 +189,7 @@ class SetScores(QObject):
             shown: what the sources show of it, as far as known.
         """
         self._touched.update((source, frame) for source, _ in shown)
-        if (earlier := self._frame_jobs.pop(frame, None)) is not None:
+        if (earlier := self._frame_work.pop(frame, None)) is not None:
             earlier.cancel()
         if not shown:
             return
@@ -216,7 +203,7 @@ class SetScores(QObject):
             ]
 
         def done(outcomes: list[_Outcome]) -> None:
-            self._frame_jobs.pop(frame, None)
+            self._frame_work.pop(frame, None)
             now = {source for source, cameras, _ in asked if source.camera_set is cameras}
             for outcome in outcomes:
                 if outcome.source not in now:
@@ -224,23 +211,20 @@ class SetScores(QObject):
                 outcome.source.take(frame, outcome.audit, outcome.problem)
                 self.changed.emit(outcome.source, frame)
 
-        self._frame_jobs[frame] = run_in_background(
-            work, on_result=done, on_error=self.failed.emit, owner=self, urgent=True
-        )
+        self._frame_work[frame] = Latest(self, self.failed.emit, urgent=True)
+        self._frame_work[frame].start(work, done)
 
     # --- inside ---
 
     def _progressed(self, done: int, total: int) -> None:
-        self._take_arrived()
         now = monotonic()
         if any(now - since > _TELL_PLOTS_AFTER_S for since in self._untold.values()):
             self._tell_changed()
         self.progressed.emit(done, total)
 
-    def _take_arrived(self) -> None:
+    def _take(self, outcomes: list[_Outcome]) -> None:
         now = monotonic()
-        while self._arrived:
-            outcome = self._arrived.popleft()
+        for outcome in outcomes:
             if (outcome.source, outcome.frame) not in self._touched:
                 outcome.source.take(outcome.frame, outcome.audit, outcome.problem)
                 self._untold.setdefault(outcome.source, now)
@@ -250,17 +234,12 @@ class SetScores(QObject):
         for source in untold:
             self.changed.emit(source, "")
 
-    def _finished(self) -> None:
-        self._job = None
-        self._take_arrived()
+    def _end(self) -> None:
         self._tell_changed()
         self.progressed.emit(0, 0)
 
-    def _failed(self, text: str) -> None:
-        self._job = None
-        self._take_arrived()
-        self._tell_changed()
-        self.progressed.emit(0, 0)
+    def _fail(self, text: str) -> None:
+        self._end()
         self.failed.emit(text)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QToolButton, QWidget
 
 from procc_annotator.gui.window.docks import DESKS
@@ -34,11 +34,20 @@ class DeskSwitch(QWidget):
             button.setDefaultAction(action)
             button.setAutoRaise(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-            button.setMaximumHeight(button.fontMetrics().height() + _ROOM)
             row.addWidget(button)
+        self._lower_buttons()
         if window.menuBar().isNativeMenuBar():  # on macOS it has no corner
             bar = window.addToolBar(tr("Desks"))
             bar.setObjectName("desks")
             bar.addWidget(self)
         else:
             window.menuBar().setCornerWidget(self)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._lower_buttons()
+
+    def _lower_buttons(self) -> None:
+        for button in self.findChildren(QToolButton):
+            button.setMaximumHeight(self.fontMetrics().height() + _ROOM)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer
 from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWidget
 
@@ -131,9 +131,18 @@ class Readout(PaintedText):
     def __init__(self, name: str, widest: str) -> None:
         super().__init__()
         self.setObjectName(name)
+        self._widest = widest
         self.setFont(fixed_width(self.font()))
+        self._make_room()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._make_room()
+
+    def _make_room(self) -> None:
         metrics = self.fontMetrics()
-        self.setFixedSize(metrics.horizontalAdvance(widest), metrics.height() + 2)
+        self.setFixedSize(metrics.horizontalAdvance(self._widest), metrics.height() + 2)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -158,6 +167,15 @@ class SteadyLabel(QLabel):
         if text == self.text():
             return
         super().setText(text)
+        self._make_room()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and self.text():
+            self._make_room()
+
+    def _make_room(self) -> None:
+        text = self.text()
         metrics, margins = QFontMetrics(fixed_width(self.font(), bold=True)), self.contentsMargins()
         if (words := _TAG.sub("", text)) == text:
             metrics = self.fontMetrics()

@@ -21,8 +21,9 @@ def of_another_field(assumed: str, field: Field) -> str:
         assumed: as of `LoadedCamera`.
         field: what the pictures show.
     """
-    own = field.source is not None and not is_shipped(field.source)
-    if not assumed or own or field.name == assumed:
+    if not assumed or field.name == assumed:
+        return ""
+    if field.source is not None and not is_shipped(field.source):
         return ""
     titles = field_titles()
     return (

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import cached_property
 from pathlib import Path, PurePosixPath
 from typing import Self
 
@@ -14,7 +15,12 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.cameras import read_camera_file
-from procc_annotator.io.camera_files.fitted_on import BESIDE, TABLE_FILE, FittedOn
+from procc_annotator.io.camera_files.fitted_on import (
+    BESIDE,
+    TABLE_FILE,
+    FittedOn,
+    folders_of,
+)
 from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE, HeldOutTables
 from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
@@ -56,8 +62,8 @@ class CameraCollection:
         self.format = fmt
         self.field = field
         self._source = source
-        self._fitted_on = FittedOn(source)
-        self._held_out = HeldOutTables(self._fitted_on.beside)
+        self._fitted_on = FittedOn(self._read_beside)
+        self._held_out = HeldOutTables(self._read_beside)
         self._records: dict[str, CameraRecords] = {}
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
@@ -139,12 +145,27 @@ class CameraCollection:
 
     def beside(self) -> list[str]:
         """Files beside the cameras that tell what they were fitted to, as names in the source."""
-        folders = {p for file in self.frames.values() for p in PurePosixPath(file).parents}
-        names = {str(folder / name) for folder in folders for name in (TABLE_FILE, HELD_OUT_FILE)}
+        folders = {folder for file in self.frames.values() for folder in folders_of(file)}
+        names = {folder + name for folder in folders for name in (TABLE_FILE, HELD_OUT_FILE)}
         for frame, file in self.frames.items():
             own = self.frames.name_there(frame) or frame
-            names.add(str(PurePosixPath(file).parent / f"{own}{BESIDE}"))
-        return sorted(names.intersection(self._source.files()))
+            names.add(file[: file.rfind("/") + 1] + own.rpartition("/")[2] + BESIDE)
+        return sorted(names & self._all_files)
+
+    @cached_property
+    def _all_files(self) -> frozenset[str]:
+        """Those among which the cameras lie: at the top, or of the whole tree."""
+        top = frozenset(self._source.files())
+        return top if top.issuperset(self.frames.values()) else frozenset(self._source.tree())
+
+    def _read_beside(self, file: str) -> bytes | None:
+        """The content of a file of the source; None where there is none that can be read."""
+        if file not in self._all_files:
+            return None
+        try:
+            return self._source.read(file)
+        except InputError:  # gone, or damaged: it says nothing
+            return None
 
     def __enter__(self) -> Self:
         return self

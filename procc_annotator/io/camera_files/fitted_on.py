@@ -9,15 +9,12 @@ import csv
 import hashlib
 import io
 import json
-from collections.abc import Mapping
-from pathlib import PurePosixPath
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import InputError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.csv_text import formula_text
-from procc_annotator.io.source import FileSource
 from procc_annotator.language import word
 
 # The mark of cameras that explain the points they were made from, and predict none of them.
@@ -51,13 +48,26 @@ def fitted_words(fitted: int, with_camera: int) -> str:
     return FITTED if fitted == with_camera else f"{FITTED} in {fitted} of {with_camera} frames"
 
 
+def folders_of(file: str) -> Iterator[str]:
+    """The folders that a file of a source lies in, from its own up to the top, which is empty; the
+    others end in a slash."""
+    while file:
+        folder = file.rpartition("/")[0]
+        yield f"{folder}/" if folder else ""
+        file = folder
+
+
 class FittedOn:
     """What the cameras of a source were fitted to; files beside them are read once."""
 
-    def __init__(self, source: FileSource) -> None:
-        self._source = source
-        self._files: frozenset[str] | None = None
-        self._tables: dict[PurePosixPath, Mapping[str, str]] = {}
+    def __init__(self, read: Callable[[str], bytes | None]) -> None:
+        """As above.
+
+        Args:
+            read: the content of a file of the source; None where there is none.
+        """
+        self._read = read
+        self._tables: dict[str, Mapping[str, str]] = {}
 
     def of(self, frame: str, file: str, extra: Mapping[str, Any]) -> str | None:
         """The digest of the annotation that a camera was fitted to; None if nothing says so.
@@ -69,28 +79,16 @@ class FittedOn:
         own = _digest_in(extra.get(FIT_KEY))
         if own is not None:
             return own
-        folder = PurePosixPath(file).parent
-        name = PurePosixPath(frame).name
-        for place in (folder, *folder.parents):  # of a tree it lies at the top
-            if place not in self._tables:
-                self._tables[place] = _table(self.beside(place / TABLE_FILE))
-            table = self._tables[place]
-            beside = table.get(frame) or table.get(str(folder.relative_to(place) / name))
-            if beside is not None:
-                return beside
-        note = self.beside(folder / f"{frame}{BESIDE}")
+        name = frame.rpartition("/")[2]
+        beside = file[: file.rfind("/") + 1] + name
+        for folder in folders_of(file):  # of a tree it lies at the top
+            if folder not in self._tables:
+                self._tables[folder] = _table(self._read(folder + TABLE_FILE))
+            table = self._tables[folder]
+            if table and (found := table.get(frame) or table.get(beside[len(folder) :])):
+                return found
+        note = self._read(beside + BESIDE)
         return None if note is None else _digest_in(_object(note))
-
-    def beside(self, file: PurePosixPath) -> bytes | None:
-        """The content of a file of the source; None where there is none that can be read."""
-        if self._files is None:
-            self._files = frozenset(self._source.files())
-        if str(file) not in self._files:
-            return None
-        try:
-            return self._source.read(str(file))
-        except InputError:  # gone, or damaged: it says nothing
-            return None
 
 
 def _digest_in(found: object) -> str | None:

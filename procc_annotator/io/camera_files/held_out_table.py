@@ -11,8 +11,8 @@ import io
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from pathlib import PurePosixPath
 
+from procc_annotator.io.camera_files.fitted_on import folders_of
 from procc_annotator.io.csv_text import formula_text
 
 HELD_OUT_FILE = "held_out.csv"
@@ -70,14 +70,14 @@ def camera_hash(data: bytes) -> str:
 class HeldOutTables:
     """What such tables say of the cameras beside them; each is read once."""
 
-    def __init__(self, read: Callable[[PurePosixPath], bytes | None]) -> None:
+    def __init__(self, read: Callable[[str], bytes | None]) -> None:
         """As above.
 
         Args:
             read: the content of a file of the source; None where there is none.
         """
         self._read = read
-        self._tables: dict[PurePosixPath, tuple[Mapping[str, HeldOut], str]] = {}
+        self._tables: dict[str, tuple[Mapping[str, HeldOut], str]] = {}
 
     def of(self, file: str, data: bytes) -> tuple[HeldOut | None, str]:
         """What is known of a camera, and a remark on a table that cannot be read.
@@ -86,10 +86,10 @@ class HeldOutTables:
             file: of the camera, in the source. data: its content.
         """
         remarks = []
-        for place in PurePosixPath(file).parents:  # of a tree it lies at the top
-            if place not in self._tables:
-                self._tables[place] = _read_table(self._read(place / HELD_OUT_FILE))
-            table, remark = self._tables[place]
+        for folder in folders_of(file):  # of a tree it lies at the top
+            if folder not in self._tables:
+                self._tables[folder] = _read_table(self._read(folder + HELD_OUT_FILE))
+            table, remark = self._tables[folder]
             remarks.append(remark)
             if table and (found := table.get(camera_hash(data))) is not None:
                 return found, remark

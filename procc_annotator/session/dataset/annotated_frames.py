@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
-from procc_annotator.session.dataset.workspace import Workspace
+
+if TYPE_CHECKING:
+    from procc_annotator.session.dataset.workspace import Workspace
 
 
 class AnnotatedFrames(Protocol):

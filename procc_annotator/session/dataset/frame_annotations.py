@@ -6,12 +6,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import AnnotationError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.io.collections import AnnotationFiles, list_annotations
-from procc_annotator.io.source import FileSource
+from procc_annotator.io.source import FileSource, read_if_there
 from procc_annotator.session.dataset.annotation_source import (
     ReadSource,
     open_annotations,
@@ -19,7 +19,6 @@ from procc_annotator.session.dataset.annotation_source import (
 )
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.dataset.pending_save import bytes_of
 
 
 class FrameAnnotations:
@@ -81,7 +80,7 @@ class FrameAnnotations:
     def bytes_of(self, frame: Frame) -> bytes | None:
         """The same as a file of this program; errors as of `read`."""
         if self._source is None:
-            return bytes_of(frame.annotation_path)
+            return read_if_there(frame.annotation_path, AnnotationError)
         file = self._files.get(frame.name)
         return None if file is None else self._source.read(file)
 

@@ -10,11 +10,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import AnnotationError, InputError, UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.annotation_formats import PLAIN, json_format
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, OWN_FILES
 from procc_annotator.io.frame_names import ByFrame
+from procc_annotator.io.source import read_if_there
 from procc_annotator.session.dataset.dataset_folder import (
     annotation_folder,
     frames_folder,
@@ -22,7 +23,6 @@ from procc_annotator.session.dataset.dataset_folder import (
     json_stems,
     like_cameras,
 )
-from procc_annotator.session.dataset.pending_save import bytes_of
 from procc_annotator.session.dataset.picture_tree import PictureTree, find_pictures
 
 
@@ -165,7 +165,7 @@ def _taken_by_others(root: Path, found: PictureTree) -> bool:
         stems = {*json_stems(folder)} if annotation_folder(folder) == folder else set()
         if first := next((s for s, _ in map(os.path.splitext, names) if s in stems), None):
             try:
-                told = json_format(bytes_of(folder / f"{first}.json") or b"")
+                told = json_format(read_if_there(folder / f"{first}.json", AnnotationError) or b"")
             except InputError:  # is told where the frame is read
                 return False
             return told is not None and told.name != PLAIN
@@ -181,3 +181,9 @@ def _not_used(root: Path, only_folder: str, frames: Sequence[Frame]) -> Iterator
     names = {frame.name for frame in frames}
     if unused := sum(stem in names for stem in json_stems(beside)):
         yield f"annotations are those in {folder}; {unused} beside the pictures are not used"
+
+
+def video_frame(video: Path, number: int) -> Frame:
+    """A frame of a video as one of its dataset, whose annotation lies in `frames_folder`."""
+    name = f"{video.stem}_{number:06d}"
+    return Frame(name, f"{number:08d}", video, frames_folder(video))

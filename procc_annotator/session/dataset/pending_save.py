@@ -13,7 +13,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import AnnotationError, ChangedOnDiskError, InputError, SaveError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.atomic import remove, write_atomic
-from procc_annotator.io.source import read_file
+from procc_annotator.io.source import read_if_there
 from procc_annotator.session.dataset.file_stamps import Stamp, stamp_of
 
 _TOGETHER = 8  # most of a save is waiting for the disk, which takes several at a time
@@ -57,7 +57,7 @@ class PendingSave:
             SaveError: it cannot be read.
         """
         try:
-            return bytes_of(self.path)
+            return read_if_there(self.path, AnnotationError)
         except InputError as error:
             raise SaveError(f"{self.path}: could not be saved: {error.problem}") from error
 
@@ -169,20 +169,6 @@ def _after_failure(save: PendingSave, before: bytes | None, error: SaveError) ->
 
 def _look_at_nothing() -> None:
     """Somebody decided that the file is to be replaced."""
-
-
-def bytes_of(path: Path) -> bytes | None:
-    """The content of an annotation file, None when there is none.
-
-    Raises:
-        AnnotationError: it cannot be read.
-    """
-    try:
-        return read_file(path, AnnotationError)
-    except AnnotationError as error:
-        if isinstance(error.__cause__, FileNotFoundError):
-            return None
-        raise
 
 
 def digest(data: bytes | None) -> bytes | None:

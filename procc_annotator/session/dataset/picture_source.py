@@ -14,8 +14,7 @@ from procc_annotator.image.video import open_shared
 from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.session.dataset.dataset_folder import frames_folder
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
-from procc_annotator.session.dataset.frames import Frame, list_frames
-from procc_annotator.session.dataset.video_frames import video_frame
+from procc_annotator.session.dataset.frames import Frame, list_frames, video_frame
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.pixels import encode_png
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.session.dataset.dataset_folder import frames_folder
-from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.dataset.frames import Frame, video_frame
 from procc_annotator.session.dataset.workspace import Workspace
 
 
@@ -37,12 +37,6 @@ def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:
     except OSError as error:
         notices = (f"{folder}: cannot be made, nothing can be saved: {error.strerror}",)
     return Workspace(folder, frames, field, notices)
-
-
-def video_frame(video: Path, number: int) -> Frame:
-    """A frame of a video as one of its dataset, whose annotation lies in `frames_folder`."""
-    name = f"{video.stem}_{number:06d}"
-    return Frame(name, f"{number:08d}", video, frames_folder(video))
 
 
 def _worked_on(video: Path) -> list[int]:

@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import InputError, SaveError, UsageError
+from procc_annotator.errors import AnnotationError, InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
+from procc_annotator.io.source import read_if_there
 from procc_annotator.language import word
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp_of
@@ -21,7 +22,6 @@ from procc_annotator.session.dataset.history import History
 from procc_annotator.session.dataset.pending_save import (
     PendingSave,
     Written,
-    bytes_of,
     digest,
     write_one,
     write_together,
@@ -392,7 +392,7 @@ class Workspace:
         if self.given is not None:
             return self.given.bytes_of(frame)
         self._stamps.note(index, frame.annotation_path)
-        return bytes_of(frame.annotation_path)
+        return read_if_there(frame.annotation_path, AnnotationError)
 
     def _keep(self, written: Written) -> None:
         save = written.save

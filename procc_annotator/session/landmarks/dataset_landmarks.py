@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from procc_annotator.errors import FieldError, InputError
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field
 from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile, load_landmarks
 from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE, folder_of_dataset, json_stems
-from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.landmarks.view_groups import ViewGroups, load_views
+
+if TYPE_CHECKING:
+    from procc_annotator.session.dataset.workspace import Workspace
 
 
 def read_dataset_landmarks(dataset: Path) -> tuple[LandmarkFile, ViewGroups]:

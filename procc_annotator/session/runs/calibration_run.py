@@ -29,7 +29,8 @@ from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes, FrameSize, SizesUsed
-from procc_annotator.session.runs.held_out import held_out_elements, held_out_terms
+from procc_annotator.session.runs.held_out import held_out_terms
+from procc_annotator.session.runs.leaving_out import held_out_elements
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     FrameFile,

@@ -1,17 +1,12 @@
-"""Each annotated element left out in turn, and judged by the camera of the others."""
+"""How well cameras predict elements that were left out of their fits, of a whole set."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.fingerprint import field_fingerprint
-from procc_annotator.fit.determined import hardly_determined
-from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.result import FitResult
 from procc_annotator.io.camera_files.held_out_table import HeldOut, HeldOutElement, HeldOutTerms
-from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.setup import EvaluationSetup
 
 
@@ -74,40 +69,6 @@ def held_out_terms(setup: EvaluationSetup) -> HeldOutTerms:
     return HeldOutTerms(setup.protocol, setup.size, field_fingerprint(setup.field))
 
 
-def held_out_elements(
-    annotation: FrameAnnotation, fit: FitResult, setup: EvaluationSetup, model: str
-) -> tuple[HeldOutElement, ...]:
-    """The elements of a frame that the others predict, fitted without a start.
-
-    An element counts if the others determine a camera (`hardly_determined` says nothing of it).
-
-    Args:
-        annotation: what was fitted.
-        fit: to all of it.
-        setup: of the frame, at the size of the fit.
-        model: as it was asked for.
-    """
-    if fit.camera is None:
-        return ()
-    whole = measure(annotation, fit.camera, setup)
-    found = []
-    for name in whole.plain.annotated_names:
-        rest = fit_camera(annotation.without(name), setup.field, model=model, size=fit.size)
-        if rest.camera is None or hardly_determined(rest):
-            continue
-        predicted = _worst(measure(annotation, rest.camera, setup), name)
-        found.append(HeldOutElement(name, predicted, _worst(whole, name)))
-    return tuple(found)
-
-
 def passed(distances_px: Iterable[float | None], tau: float) -> int:
     """How many elements with such farthest points are correct at a threshold."""
     return sum(d is not None and d < tau for d in distances_px)
-
-
-def _worst(measurement: Measurement, name: str) -> float | None:
-    plain = measurement.plain
-    if name not in plain.annotated_names:
-        return None
-    distances = plain.distances[plain.annotated_names.index(name)]
-    return None if distances is None else float(distances.max())

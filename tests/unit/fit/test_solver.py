@@ -17,7 +17,7 @@ from procc_annotator.fit.solving.starts import (
 )
 from procc_annotator.fit.solving.surroundings import surroundings_of
 
-optimize = pytest.importorskip("scipy.optimize")
+scipy = pytest.importorskip("scipy")
 FRAME = PictureFrame((960, 540))
 
 
@@ -47,7 +47,7 @@ def test_squared_loss_as_scipy(views, field, seed, free, barrel) -> None:
         low[KAPPA] = LEAST_KAPPA if barrel else 0.0
     scale = np.r_[1e-3, 1e-3, 1e-3, 0.1, 0.1, 0.1, 1e-3, 1e-2, 1e-3, 1, 1][:free]
     inside = np.maximum(start[:free], low + 1e-6)
-    theirs = optimize.least_squares(
+    theirs = scipy.optimize.least_squares(
         rows, inside, bounds=(low, np.inf), x_scale=scale, xtol=1e-12, ftol=1e-12, gtol=1e-12
     )
     assert ours.costs[0] == pytest.approx(theirs.cost, rel=1e-3)

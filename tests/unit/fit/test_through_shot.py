@@ -27,7 +27,7 @@ from procc_annotator.fit.through_shot.smoothing import smoothed
 from procc_annotator.fit.through_shot.starting import belief_at, pinhole_near
 from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
-from procc_annotator.fit.through_shot.turning import OWN, small_grey, turn_between
+from procc_annotator.fit.through_shot.turning import OWN, small_of, turn_between
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.video import open_shared
 from tests.drawn_shots import Aim, DrawnShot, Look, course, stage_of
@@ -199,8 +199,8 @@ def test_frames_come_backwards_and_a_failure_is_passed_on() -> None:
 def test_the_motion_of_a_picture_is_that_of_its_camera() -> None:
     before, now = CAMERAS[3], CAMERAS[5]
     turn = turn_between(
-        small_grey(_picture(3)),
-        small_grey(_picture(5)),
+        small_of(_picture(3)),
+        small_of(_picture(5)),
         vector_from_camera(before, FRAME),
         np.zeros(4),
         FRAME,
@@ -209,9 +209,9 @@ def test_the_motion_of_a_picture_is_that_of_its_camera() -> None:
     true = (vector_from_camera(now, FRAME) - vector_from_camera(before, FRAME))[OWN]
     assert np.abs(turn.step - true)[:2].max() < 1.0 / 1500  # a solver px
     assert abs(turn.step[3] - true[3]) < 0.004
-    unlike = small_grey(UNLIKE)
+    unlike = small_of(UNLIKE)
     vector = vector_from_camera(before, FRAME)
-    assert turn_between(small_grey(_picture(3)), unlike, vector, np.zeros(4), FRAME) is None
+    assert turn_between(small_of(_picture(3)), unlike, vector, np.zeros(4), FRAME) is None
 
 
 def test_a_banner_laid_over_the_picture_does_not_hold_the_camera_back() -> None:
@@ -222,7 +222,7 @@ def test_a_banner_laid_over_the_picture_does_not_hold_the_camera_back() -> None:
     for picture in pictures:
         picture[-len(banner) :] = banner
     before, now = (vector_from_camera(one, FRAME) for one in cameras)
-    turn = turn_between(*map(small_grey, pictures), before, np.zeros(4), FRAME)
+    turn = turn_between(*map(small_of, pictures), before, np.zeros(4), FRAME)
     assert turn is not None
     assert np.abs(turn.step - (now - before)[OWN])[:2].max() < 0.5 / 1500  # half a solver px
 
@@ -295,11 +295,16 @@ def test_a_camera_that_moves_where_each_place_leaves_a_few_lines_behind() -> Non
 def test_a_tripod_beside_a_pitch_that_is_not_as_its_file_says_stays_one(shared_data: Path) -> None:
     """A position a frame explains such a shot a little better, by a camera that flies 19 m."""
     video = open_shared(shared_data / "clips" / "soccer_7_Psg-Angers_103_110.mp4")
-    found = track(video.frame, range(video.frame_count), FIELD)
+    told: list[int] = []
+    found = track(
+        video.frame, range(video.frame_count), FIELD, on_frame=lambda f: told.append(f.number)
+    )
     cameras = [f.fit.camera for f in found.frames if f.fit is not None]
     places = [c.position_world for c in cameras if isinstance(c, PinholeCamera)]
     assert len(places) == video.frame_count
     assert np.ptp(places, axis=0).max() < 0.1
+    # Followed twice, and once more only until it is clear that it does not move.
+    assert 2 * video.frame_count < len(told) < 3 * video.frame_count
 
 
 def test_coverage_is_that_of_the_camera_that_is_handed_back() -> None:

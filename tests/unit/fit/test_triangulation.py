@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
@@ -135,7 +135,7 @@ def test_the_least_squares_are_those_of_scipy() -> None:
             for root, v in zip(roots, views, strict=True)
         ])  # fmt: skip
 
-    second = least_squares(residuals, SEAT, xtol=1e-14, ftol=1e-14, gtol=1e-14)
+    second = scipy.optimize.least_squares(residuals, SEAT, xtol=1e-14, ftol=1e-14, gtol=1e-14)
     found = triangulate(views, estimate_noise=False)
     assert np.abs(_position(found) - second.x).max() < 1e-5
     expected = np.linalg.inv(second.jac.T @ second.jac)

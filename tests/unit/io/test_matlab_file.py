@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.io import loadmat, savemat
+import scipy
 
 from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.matlab_file import matlab_content
@@ -36,7 +36,7 @@ CONTENT: dict[str, Any] = {
 
 def written(content: dict[str, Any], *, compressed: bool = False) -> bytes:
     file = io.BytesIO()
-    savemat(file, content, do_compression=compressed)
+    scipy.io.savemat(file, content, do_compression=compressed)
     return file.getvalue()
 
 
@@ -53,7 +53,7 @@ def plain(value: Any) -> Any:
 def test_it_reads_what_scipy_reads(compressed: bool) -> None:
     data = written(CONTENT, compressed=compressed)
     found = matlab_content(data, "1.mat")
-    theirs = loadmat(io.BytesIO(data), simplify_cells=True)
+    theirs = scipy.io.loadmat(io.BytesIO(data), simplify_cells=True)
     assert found.keys() == CONTENT.keys()
     for name in found:
         assert found[name] == plain(theirs[name]), name
@@ -101,16 +101,17 @@ def test_a_part_that_grows_without_end_is_refused() -> None:
         matlab_content(header + struct.pack("<II", 15, len(bomb)) + bomb, "1.mat")
 
 
-def test_damaged_bytes_are_an_error_or_another_value(shared_data: Path) -> None:
+@pytest.mark.laps
+def test_damaged_bytes_are_an_error_or_another_value(shared_data: Path, lap: int) -> None:
     """Uncompressed, so that a changed byte is a changed type, length or number."""
-    rng = np.random.default_rng(3)
+    rng = np.random.default_rng(3 + lap)
     seeds = [written(CONTENT)]
     for file in sorted((shared_data / "foreign").glob("*.mat")):
-        theirs = loadmat(file)
+        theirs = scipy.io.loadmat(file)
         seeds.append(written({k: v for k, v in theirs.items() if not k.startswith("__")}))
     assert len(seeds) > 1
     refused = 0
-    for i in range(600):
+    for i in range(200):
         seed = seeds[i % len(seeds)]
         data = bytearray(seed)
         for _ in range(rng.integers(1, 4)):
@@ -121,4 +122,4 @@ def test_damaged_bytes_are_an_error_or_another_value(shared_data: Path) -> None:
         except CameraError as error:
             refused += 1
             assert "\n" not in str(error)  # noqa: PT017
-    assert refused > 100
+    assert refused > 33

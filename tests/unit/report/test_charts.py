@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
 
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.setup import EvaluationSetup
@@ -18,6 +17,9 @@ from procc_annotator.report.page.chart_svg import Chart, draw_chart
 from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit, Pose
 from procc_annotator.session.runs.frame_sums import FrameSums
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 COLOURS = ("#aa0000", "#0000aa")
 TAU = 5.0
 
@@ -25,6 +27,8 @@ TAU = 5.0
 @pytest.fixture
 def drawn(monkeypatch: pytest.MonkeyPatch) -> dict[str, Figure]:
     """The figures that were drawn, by title, as matplotlib has them."""
+    from matplotlib.figure import Figure  # only where charts are drawn: it is large
+
     figures: dict[str, Figure] = {}
 
     def kept(

@@ -153,10 +153,10 @@ def test_processes_lose_none_of_each_others_rows(path: Path) -> None:
         "for i in range(10):\n"
         "    append_rows(Path(sys.argv[1]), [(good[0], sys.argv[2], str(i), *good[3:])])\n"
     )
-    writers = [subprocess.Popen([sys.executable, "-c", program, path, m]) for m in "abc"]
-    assert [writer.wait(60) for writer in writers] == [0, 0, 0]
+    writers = [subprocess.Popen([sys.executable, "-c", program, path, m]) for m in "ab"]
+    assert [writer.wait(60) for writer in writers] == [0, 0]
     keys = {r[:KEYS] for r in read(path)}
-    assert keys == {row(str(i), method=m)[:KEYS] for m in "abc" for i in range(10)}
+    assert keys == {row(str(i), method=m)[:KEYS] for m in "ab" for i in range(10)}
     assert [p.name for p in path.parent.iterdir()] == [path.name]
 
 

@@ -28,6 +28,7 @@ from procc_annotator.language import tr, tr_count
 from procc_annotator.session.dataset.frame_folders import Folder
 from procc_annotator.session.filter.frame_query import QUERY_HELP
 
+_TYPED_MS = 150  # after a key, so that a word is not looked for letter by letter
 _FOLD_KEYS = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right})
 _TURN_KEYS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space})
 
@@ -48,7 +49,7 @@ class FramesPanel(QWidget):
         self.frame_filter = FrameFilter(document, self)
         self.frame_filter.found.connect(self._take_found)
         self.frame_filter.problem.connect(self._tell_problem)
-        self._search_soon = QTimer(self, singleShot=True, interval=150)
+        self._search_soon = QTimer(self, singleShot=True, interval=_TYPED_MS)
         self._search_soon.timeout.connect(self._search)
         self._build()
         document.datasetChanged.connect(self._take_dataset)

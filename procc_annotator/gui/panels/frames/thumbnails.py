@@ -16,7 +16,8 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.errors import ImageError
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray, decode_thumbnail, shrink
 
@@ -42,7 +43,7 @@ class Thumbnails(QObject):
         self._asked = itertools.count()
         self._looks = 0
         self._look_over = QTimer(self, singleShot=True, interval=0)
-        self._job: Job | None = None
+        self._work = Latest(self, None)  # unreadable pictures are part of the outcome
         self._start_soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._start_soon.timeout.connect(self._start)
 
@@ -58,20 +59,18 @@ class Thumbnails(QObject):
         if len(self._wanted) > _MOST_WANTED:
             del self._wanted[max(self._wanted, key=self._wanted.__getitem__)]
         # Whoever asks again and again, as rows do that are painted often, puts nothing off.
-        if not self._start_soon.isActive() and (self._job is None or not self._job.running):
+        if not self._start_soon.isActive() and not self._work.running:
             self._start_soon.start(_SOON_MS)
         return None
 
     def clear(self) -> None:
         """Forget everything; another dataset was opened."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
+        self._work.cancel()
         self._images.clear()
         self._wanted.clear()
 
     def _start(self) -> None:
-        if not self._wanted or (self._job is not None and self._job.running):
+        if not self._wanted or self._work.running:
             return
         if QApplication.mouseButtons() != Qt.MouseButton.NoButton:
             self._start_soon.start(_HAND_MS)  # whatever the mouse holds comes first
@@ -80,15 +79,9 @@ class Thumbnails(QObject):
         for path in batch:
             del self._wanted[path]
         cache = self._cache
-        self._job = run_in_background(
-            lambda control: _decode(batch, cache, control),
-            on_result=self._arrive,
-            on_error=None,  # unreadable pictures are part of the result
-            owner=self,
-        )
+        self._work.start(lambda control: _decode(batch, cache, control), self._arrive)
 
     def _arrive(self, decoded: Decoded) -> None:
-        self._job = None
         for path, pixels in decoded:
             self._images[path] = None if pixels is None else _to_image(pixels)
             self._wanted.pop(path, None)  # its row was painted again meanwhile

@@ -10,10 +10,11 @@ from PySide6.QtWidgets import QInputDialog, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.predict.ghosts import Ghost
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import Level
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.language import Said, said, said_count, tr, tr_count
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.facts.origins import OriginKind
@@ -62,8 +63,8 @@ class GhostAccepting(QObject):
         self._document = document
         self._window = window
         self._settings = settings
-        self._job: Job | None = None
-        self._asked: _Accepting | None = None  # what the job is for
+        self._looking = Latest(self, lambda text: self.drop(text, "warning"), urgent=True)
+        self._asked: _Accepting | None = None  # what is looked for
         self._where = ""  # the frame that is being left
         document.ghosts.changed.connect(self._look)
         document.aboutToLeave.connect(self.finish)
@@ -76,7 +77,7 @@ class GhostAccepting(QObject):
     @property
     def busy(self) -> bool:
         """Whether points are being looked for."""
-        return self._job is not None
+        return self._asked is not None
 
     def accept_one(self, made_for: Insight, found: GhostPoints) -> bool:
         """Make a ghost an element if the insight is still the one it was found for."""
@@ -266,33 +267,26 @@ class GhostAccepting(QObject):
                 self.accept_one(made_for, found[0])
 
         self._asked = _Accepting(ghosts, made_for, frame.name, everything, then)
-        self._job = run_in_background(
-            work,
-            on_result=take,
-            on_error=lambda text: self.drop(text, "warning"),
-            on_progress=self.progressed.emit,
-            owner=self,
-            urgent=True,
-        )
+        self._looking.start(work, take, progress=self.progressed.emit)
         return True
 
     def finish(self) -> None:
         """What was accepted is done before anything else is: wait for the points."""
-        job, asked = self._job, self._asked
-        if job is None or asked is None:
+        asked = self._asked
+        if asked is None:
             return
         self._where = asked.frame
-        if not job.finish(_MOST_WAIT_S):
+        if not self._looking.finish(_MOST_WAIT_S):
             why = tr("looking for the line on {frame} took too long", frame=asked.frame)
             self.drop(why, "warning")
         self._where = ""
 
     def drop(self, why: str = "", level: Level = "info") -> None:
         """Accept nothing of what is waited for, and say so."""
-        job, asked = self._job, self._asked
-        if job is None or asked is None:
+        asked = self._asked
+        if asked is None:
             return
-        job.cancel()
+        self._looking.cancel()
         self._end()
         if asked.all:
             none = tr("no ghost was accepted: {why}", why=why) if why else ""
@@ -308,7 +302,7 @@ class GhostAccepting(QObject):
             self.drop(outdated)
 
     def _end(self) -> None:
-        self._job = self._asked = None
+        self._asked = None
         self.progressed.emit(0, 0)
 
     # --- the setting ----------------------------------------------------------------------

@@ -24,7 +24,7 @@ from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import write
-from procc_annotator.image.video import Video, frames_at_interval, scene_cuts
+from procc_annotator.image.video import Video, frames_at_interval, open_shared, scene_cuts
 from procc_annotator.language import tr, tr_count
 from procc_annotator.session.dataset.video_frames import keep_frame, open_video
 
@@ -85,7 +85,7 @@ class VideoOpening:
         """Read how many frames a video has, then show the dialog."""
 
         def read(_: JobControl) -> Video:
-            video = Video.open(path)
+            video = open_shared(path)  # its first picture is shown by the same one
             video.read_index()  # reads through the file: here, not when the dialog asks
             return video
 
@@ -99,24 +99,16 @@ class VideoOpening:
     def _show_dialog(self, video: Video) -> None:
         dialog = VideoDialog(self._parent, video)
         dialog.accepted.connect(lambda: self._choose(dialog, video))
-        dialog.rejected.connect(video.close)
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
     def _choose(self, dialog: VideoDialog, video: Video) -> None:
         if not dialog.cuts.isChecked():
-            numbers = frames_at_interval(video, dialog.seconds.value())
-            video.close()
-            self._open(video.path, numbers)
+            self._open(video.path, frames_at_interval(video, dialog.seconds.value()))
             return
 
         def look(control: JobControl) -> list[int]:
-            try:
-                return scene_cuts(
-                    video, progress=control.progress, cancelled=lambda: control.cancelled
-                )
-            finally:
-                video.close()
+            return scene_cuts(video, progress=control.progress, cancelled=lambda: control.cancelled)
 
         self._run(
             tr("Looking for cuts in {file}", file=video.path.name),

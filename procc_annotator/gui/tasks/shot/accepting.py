@@ -15,10 +15,11 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.fit.through_shot.track import TrackedFrame
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.many_edits import EditedFrames, ManyEdits
 from procc_annotator.gui.state.set_edits import edit_frame
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.language import said, tr, tr_count, word
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
@@ -90,7 +91,7 @@ class StretchAccepting(QObject):
         super().__init__(parent)
         self._document, self._least_support = document, least_support
         self.marked: Callable[[], tuple[int, int] | None] = lambda: None
-        self._job: Job | None = None
+        self._looking = Latest(self, self._fail)
         self._far = (0, 0)
         self._found: dict[int, FrameAnnotation] = {}
         self._put: dict[int, FrameAnnotation] = {}  # what frames held once they were edited
@@ -109,11 +110,11 @@ class StretchAccepting(QObject):
     @property
     def running(self) -> bool:
         """Whether points are looked for, or edits are being made."""
-        return self._job is not None or self._edits.running
+        return self._looking.running or self._edits.running
 
     def words(self) -> str:
         """How far it is."""
-        if self._job is None:
+        if not self._looking.running:
             return ""
         done, total = self._far
         if not total:
@@ -136,13 +137,7 @@ class StretchAccepting(QObject):
             document.say(tr(_NONE_SURE))
             return
         self._far = (0, 0)
-        self._job = run_in_background(
-            partial(_look, stretch),
-            on_result=self._take,
-            on_error=self._fail,
-            on_progress=self._advance,
-            owner=self,
-        )
+        self._looking.start(partial(_look, stretch), self._take, progress=self._advance)
         self.changed.emit()
 
     def take_back(self) -> None:
@@ -158,7 +153,7 @@ class StretchAccepting(QObject):
 
     def key(self, name: str, _shift: bool) -> bool:
         """Take Undo right after a stretch was accepted, and Escape while it is looked for."""
-        if name in ("Escape", "Undo") and self._job is not None:
+        if name in ("Escape", "Undo") and self._looking.running:
             self._stop_looking()
             self._document.say(tr("taken back: no frame is accepted"))
             return True
@@ -199,7 +194,7 @@ class StretchAccepting(QObject):
         self.changed.emit()
 
     def _take(self, found: dict[int, FrameAnnotation] | None) -> None:
-        self._end()
+        self.changed.emit()
         if found is None:
             self._document.say(tr(_NONE_SURE))
             return
@@ -211,17 +206,12 @@ class StretchAccepting(QObject):
         self._edits.start(tuple(found), self._put_frame)
 
     def _fail(self, text: str) -> None:
-        self._end()
+        self.changed.emit()
         self._document.say(tr("no frame was accepted: {why}", why=text), "warning")
 
-    def _end(self) -> None:
-        self._job = None
-        self.changed.emit()
-
     def _stop_looking(self) -> None:
-        if self._job is not None:
-            self._job.cancel()
-            self._end()
+        if self._looking.cancel():
+            self.changed.emit()
 
     # --- edits --------------------------------------------------------------------------------
 

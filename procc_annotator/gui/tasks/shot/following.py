@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 
@@ -17,8 +16,9 @@ from procc_annotator.field.stadiums import field_of_frame, field_of_stadium, sta
 from procc_annotator.fit.through_shot.bounds import shot_around
 from procc_annotator.fit.through_shot.following_shot import track
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
+from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
+from procc_annotator.gui.worker import JobControl, Stopped
 from procc_annotator.language import tr, tr_count
 from procc_annotator.session.clicks.anchors import anchors_of
 from procc_annotator.session.clicks.correction import Correction, as_anchor, on_paint
@@ -52,26 +52,6 @@ class _Asked:
     corrected: Mapping[str, Correction]
 
 
-class _Come:
-    """Frames that were followed, on their way from a thread to the interface."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._frames: list[TrackedFrame] = []
-        self.total = 0
-        self.done = 0
-
-    def put(self, frame: TrackedFrame) -> None:
-        with self._lock:
-            self._frames.append(frame)
-            self.done += 1
-
-    def take(self) -> list[TrackedFrame]:
-        with self._lock:
-            taken, self._frames = self._frames, []
-        return taken
-
-
 class ShotFollowing(QObject):
     """One shot at a time. Annotated frames, and those whose camera somebody dragged, are anchors:
     the track passes through their cameras, and once one of them was corrected, what lies between
@@ -87,8 +67,8 @@ class ShotFollowing(QObject):
         super().__init__(parent)
         self._document = document
         self.marked: Callable[[], tuple[int, int] | None] = lambda: None
-        self._job: Job | None = None
-        self._come = _Come()
+        self._work = Latest(self, self._fail)
+        self._far = (0, 0)
         self._corrected: dict[int, None] = {}  # numbers of anchors, in the order of their edits
         self._left = -1  # the index of the frame on screen, to be looked at once it is left
         document.shot_track.forgotten.connect(self.forget)
@@ -100,19 +80,16 @@ class ShotFollowing(QObject):
     @property
     def running(self) -> bool:
         """Whether a shot is followed just now."""
-        return self._job is not None
+        return self._work.running
 
     def words(self) -> str:
         """How far it is."""
         if not self.running:
             return ""
-        if not self._come.total:
+        done, total = self._far
+        if not total:
             return tr("looking for the ends of the shot …  T stops")
-        return tr(
-            "following: {done} of {total} frames  ·  T stops",
-            done=self._come.done,
-            total=self._come.total,
-        )
+        return tr("following: {done} of {total} frames  ·  T stops", done=done, total=total)
 
     def toggle(self) -> None:
         """Follow the shot of the frame on screen, or stop."""
@@ -136,14 +113,12 @@ class ShotFollowing(QObject):
 
     def stop(self) -> None:
         """Follow no further; the frames that came stay."""
-        if self._job is not None:
-            self._job.cancel()
-            self._end()
-            self._document.shot_track.put(self._come.take())
+        if self._work.cut_short():
+            self.changed.emit()
             self._document.shot_track.keep()
             self._document.say(
                 tr("stopped; what was followed so far stays")
-                if self._come.done
+                if self._far[0]
                 else tr("stopped; nothing was followed")
             )
 
@@ -188,22 +163,21 @@ class ShotFollowing(QObject):
             within,
             document.state.corrected,
         )
-        come = self._come = _Come()
-        self._job = run_in_background(
-            lambda control: _follow(asked, come, control),
-            on_result=lambda track: self._take(track, is_shot=within is None),
-            on_error=self._fail,
-            on_progress=self._advance,
-            owner=self,
+        self._far = (0, 0)
+        self._work.start(
+            lambda control: _follow(asked, control),
+            lambda track: self._take(track, is_shot=within is None),
+            progress=self._advance,
+            parts=document.shot_track.put,
         )
         self.changed.emit()
 
-    def _advance(self, _done: int, _total: int) -> None:
-        self._document.shot_track.put(self._come.take())
+    def _advance(self, done: int, total: int) -> None:
+        self._far = (done, total)
         self.changed.emit()
 
     def _take(self, found: Track, *, is_shot: bool) -> None:
-        self._end()
+        self.changed.emit()
         shot_track = self._document.shot_track
         shot_track.take(found, is_shot=is_shot)
         if all(frame.fit is None for frame in found.frames):
@@ -216,12 +190,8 @@ class ShotFollowing(QObject):
         self._follow_corrected()
 
     def _fail(self, text: str) -> None:
-        self._end()
-        self._document.say(tr("the shot could not be followed: {why}", why=text), "warning")
-
-    def _end(self) -> None:
-        self._job = None
         self.changed.emit()
+        self._document.say(tr("the shot could not be followed: {why}", why=text), "warning")
 
     def _hide(self, blind: bool) -> None:
         if blind:
@@ -230,9 +200,8 @@ class ShotFollowing(QObject):
     def forget(self) -> None:
         """Follow no further and say nothing: the dataset or the window closes."""
         self._corrected.clear()
-        if self._job is not None:
-            self._job.cancel()
-            self._end()
+        if self._work.cancel():
+            self.changed.emit()
 
     # --- corrected anchors --------------------------------------------------------------------
 
@@ -305,16 +274,19 @@ def _followed(frames: int, doubtful: int) -> str:
     )
 
 
-def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
+def _follow(asked: _Asked, control: JobControl) -> Track:
     """In a thread."""
+    done, total = 0, 0
 
     def go_on() -> None:
         if control.cancelled:
             raise Stopped
 
     def on_frame(frame: TrackedFrame) -> None:
-        come.put(frame)
-        control.progress(come.done, come.total)
+        nonlocal done
+        done += 1
+        control.hand_over(frame)
+        control.progress(done, total)
 
     sequence = asked.sequence
     numbers, within = sequence.unbroken(asked.number), asked.within
@@ -324,8 +296,8 @@ def _follow(asked: _Asked, come: _Come, control: JobControl) -> Track:
             within = shot_around(pictures.or_last, asked.number, numbers, go_on)
         else:
             within = range(max(within[0], numbers[0]), min(within[-1], numbers[-1]) + 1)
-        come.total = len(within)
-        control.progress(0, come.total)
+        total = len(within)
+        control.progress(0, total)
         given, clicks = _anchors(asked, pictures, within, go_on)
         anchors = dict(given)
         if asked.camera is not None:

@@ -7,8 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from scipy import stats
-from scipy.special import ndtr
+import scipy
 
 from procc_annotator.metric.chance.distributions import student_quantile, student_share
 from procc_annotator.metric.chance.intervals import METHODS, acceleration, intervals, reach
@@ -20,7 +19,7 @@ DRAWS = Draws(10_000, 3)
 @pytest.mark.parametrize("freedom", [1, 1.7, 2, 5, 10.8, 100, 1453])
 def test_students_distribution_is_that_of_scipy(freedom) -> None:
     for share in (0.025, 0.5, 0.8, 0.975, 0.9995):
-        expected = stats.t.ppf(share, freedom)
+        expected = scipy.stats.t.ppf(share, freedom)
         assert student_quantile(share, freedom) == pytest.approx(expected, rel=1e-8, abs=1e-12)
         assert student_share(expected, freedom) == pytest.approx(share, abs=1e-10)
 
@@ -29,7 +28,7 @@ def test_students_distribution_is_that_of_scipy(freedom) -> None:
 @pytest.mark.parametrize("size", [20, 186])
 def test_unexpanded_intervals_are_those_of_scipy(method, theirs, size) -> None:
     jacs = skewed(np.random.default_rng(size).random(size))
-    expected = stats.bootstrap(
+    expected = scipy.stats.bootstrap(
         (jacs,), np.mean, n_resamples=20_000, method=theirs, rng=np.random.default_rng(1)
     ).confidence_interval
     sampled = sample(Ratios.mean(jacs), np.arange(size), Draws(20_000, 3))
@@ -41,7 +40,7 @@ def test_unexpanded_intervals_are_those_of_scipy(method, theirs, size) -> None:
 
 def test_bca_of_the_same_draws_is_that_of_scipy_to_the_last_digit() -> None:
     jacs = skewed(np.random.default_rng(5).random(40))
-    theirs = stats.bootstrap(
+    theirs = scipy.stats.bootstrap(
         (jacs,), np.mean, n_resamples=999, method="BCa", rng=np.random.default_rng(1)
     )
     sampled = sample(Ratios.mean(jacs), np.arange(40), Draws(10, 3))
@@ -59,7 +58,7 @@ def test_bca_of_the_same_draws_is_that_of_scipy_to_the_last_digit() -> None:
 
 def test_the_t_interval_of_frames_alone_is_students() -> None:
     jacs = skewed(np.random.default_rng(2).random(30))
-    expected = stats.ttest_1samp(jacs, 0).confidence_interval(0.95)
+    expected = scipy.stats.ttest_1samp(jacs, 0).confidence_interval(0.95)
     (found,) = intervals(sample(Ratios.mean(jacs), np.arange(30), DRAWS), DRAWS)
     assert (found.low, found.high) == pytest.approx((expected.low, expected.high), rel=1e-9)
 
@@ -67,7 +66,7 @@ def test_the_t_interval_of_frames_alone_is_students() -> None:
 def test_acceleration_is_a_sixth_of_the_skewness_over_the_root_of_the_count() -> None:
     values = np.random.default_rng(1).exponential(size=50)
     without = (values.sum() - values) / 49
-    assert acceleration(without) == pytest.approx(stats.skew(values) / 6 / math.sqrt(50))
+    assert acceleration(without) == pytest.approx(scipy.stats.skew(values) / 6 / math.sqrt(50))
     assert acceleration(np.ones(5)) == 0.0
 
 
@@ -111,16 +110,16 @@ def test_a_cluster_without_a_frame_that_counts_is_none() -> None:
 
 def skewed(shares: np.ndarray) -> np.ndarray:
     """JaC of nine elements, most of which pass."""
-    return np.round(9 * stats.beta.ppf(shares, 4, 1)) / 9
+    return np.round(9 * scipy.stats.beta.ppf(shares, 4, 1)) / 9
 
 
 def low(shares: np.ndarray) -> np.ndarray:
-    return np.round(9 * stats.beta.ppf(shares, 1, 2)) / 9
+    return np.round(9 * scipy.stats.beta.ppf(shares, 1, 2)) / 9
 
 
 def difference(shares: np.ndarray) -> np.ndarray:
     """Of two methods: most frames alike, some far off."""
-    return np.round(1.5 * stats.t.ppf(shares, 4)) / 9
+    return np.round(1.5 * scipy.stats.t.ppf(shares, 4)) / 9
 
 
 EQUAL = {f"{n}x{each}": (each,) * n for n, each in ((20, 1), (200, 1), (5, 4), (10, 10), (20, 10))}
@@ -152,7 +151,7 @@ def held(
     for _ in range(sets):
         common = rng.standard_normal(len(sizes))[clusters]
         own = rng.standard_normal(len(clusters))
-        values = make(ndtr(math.sqrt(alike) * common + math.sqrt(1 - alike) * own))
+        values = make(scipy.special.ndtr(math.sqrt(alike) * common + math.sqrt(1 - alike) * own))
         sampled = sample(Ratios.mean(values), clusters, draws)
         for method in methods:
             (found,) = intervals(sampled, draws, method)

@@ -7,7 +7,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from scipy import stats
+import scipy
 
 from procc_annotator.metric.chance.bands import curve_band
 from procc_annotator.metric.chance.clicks import click_spread, noise_of_floor
@@ -42,7 +42,7 @@ def test_the_difference_is_that_of_the_frames_both_have() -> None:
     a[3] = b[7] = np.nan
     (found,) = compared(a, b)
     shared = np.isfinite(a) & np.isfinite(b)
-    expected = stats.ttest_rel(a[shared], b[shared])
+    expected = scipy.stats.ttest_rel(a[shared], b[shared])
     bounds = expected.confidence_interval(0.95)
     assert found.frames == 38
     assert found.value == pytest.approx((a - b)[shared].mean())
@@ -53,7 +53,7 @@ def test_the_difference_is_that_of_the_frames_both_have() -> None:
 def test_few_exchanges_are_all_tried_as_scipy_does() -> None:
     rng = np.random.default_rng(2)
     a, b = rng.random(9), rng.random(9) - 0.3
-    expected = stats.permutation_test(
+    expected = scipy.stats.permutation_test(
         (a, b), lambda x, y, axis: x.mean(axis) - y.mean(axis), permutation_type="samples",
         vectorized=True, n_resamples=np.inf,
     ).pvalue  # fmt: skip
@@ -138,7 +138,7 @@ def test_a_band_holds_the_whole_of_the_true_curve_in_95_of_100_sets() -> None:
     for _ in range(200):
         jacs = (rng.gamma(2.0, 2.0, (60, 9, 1)) < taus).mean(axis=1)
         band = curve_band(sample(Ratios.mean(jacs), np.arange(60), Draws(400)), Draws(400))
-        truth = stats.gamma.cdf(taus, 2.0, scale=2.0)
+        truth = scipy.stats.gamma.cdf(taus, 2.0, scale=2.0)
         known = (band.high - band.low > 0) & (truth > 0.03) & (truth < 0.97)
         within = (band.low <= truth) & (truth <= band.high)
         inside += within[known].all()
@@ -165,7 +165,7 @@ def test_power_is_what_drawn_sets_of_that_many_frames_show(true) -> None:
     needed = frames_needed(true, deviation, 60, 60.0)
     spread = off.std(ddof=1)
     found = sum(
-        stats.ttest_1samp(true + spread * rng.standard_normal(needed), 0).pvalue < 0.05
+        scipy.stats.ttest_1samp(true + spread * rng.standard_normal(needed), 0).pvalue < 0.05
         for _ in range(1000)
     )
     assert found / 1000 == pytest.approx(0.8, abs=0.045)

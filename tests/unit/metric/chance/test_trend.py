@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy import stats
+import scipy
 
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.metric.chance.trend import trend
@@ -17,8 +17,8 @@ def test_slope_and_p_are_those_of_scipy() -> None:
     for rise in (0.0, 0.05, 0.3):
         values = 2 + rise * np.arange(14) + rng.normal(0, 0.6, 14)
         found = trend(values, DRAWS)
-        assert found.slope == pytest.approx(stats.theilslopes(values).slope)
-        expected = stats.kendalltau(np.arange(14), values, method="exact").pvalue
+        assert found.slope == pytest.approx(scipy.stats.theilslopes(values).slope)
+        expected = scipy.stats.kendalltau(np.arange(14), values, method="exact").pvalue
         assert found.p == pytest.approx(expected, abs=0.035)
 
 

@@ -376,11 +376,11 @@ def test_somebody_elses_empty_file_is_not_removed_for_ours(
     work.save(0)
     work.undo(0)
 
-    def unreadable(path: Path) -> bytes:
-        raise AnnotationError(str(path), "Input/output error")
+    def unreadable(path: Path, error: type[AnnotationError]) -> bytes:
+        raise error(str(path), "Input/output error")
 
     def fail(path: Path) -> None:
-        broken.setattr(pending_save, "bytes_of", unreadable)
+        broken.setattr(pending_save, "read_if_there", unreadable)
         raise OSError(5, "Input/output error")
 
     with monkeypatch.context() as broken:

@@ -15,6 +15,8 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.fitted_on import annotation_digest
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
 from procc_annotator.session.runs.saved_fit import save_fit
@@ -67,6 +69,23 @@ def test_a_frame_has_one_saved_fit(
         save_fit(tmp_path, "a", clicks, fit, field=FIELD.name)
         assert {p.name for p in tmp_path.iterdir()} == files
         assert list(CameraSet.open(tmp_path).frames) == ["a"]
+
+
+@pytest.mark.parametrize("frames", [["a", "b"], ["game 1/a", "game 2/a", "game 2/second half/a"]])
+@pytest.mark.parametrize("model", ["P", "H"])
+def test_what_it_was_fitted_to_is_known_in_folders_too(
+    tmp_path: Path, clicks: FrameAnnotation, pinhole: FitResult, homography: FitResult,
+    model: str, frames: list[str],
+) -> None:  # fmt: skip
+    for frame in frames:
+        fit = pinhole if model == "P" else homography
+        save_fit(tmp_path, frame, clicks, fit, field=FIELD.name)
+    with CameraCollection.open(tmp_path) as cameras:
+        assert list(cameras.frames) == frames
+        told = [cameras.read(frame).fitted_on for frame in frames]
+        beside = cameras.beside()
+    assert told == [annotation_digest(clicks)] * len(frames)
+    assert beside == ([f"{frame}.fit" for frame in frames] if model == "H" else [])
 
 
 @pytest.mark.parametrize("theirs", ["camera_a.json", "a.npy"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
 import subprocess
@@ -24,7 +25,9 @@ from procc_annotator.session.runs.evaluation_run import FrameResult, run_evaluat
 from procc_annotator.session.runs.execution import dask_executor
 from procc_annotator.session.runs.execution.executor import Executor, InProcess, make_executor
 
-pytest.importorskip("distributed")
+pytestmark = pytest.mark.skipif(
+    importlib.util.find_spec("distributed") is None, reason="Dask is not installed"
+)
 
 HERE = Path(__file__).parent
 PATIENCE_S = 60.0
