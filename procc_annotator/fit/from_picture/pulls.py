@@ -131,7 +131,7 @@ def _or_on_beam(
         apart = np.hypot(*(begin + share[:, None] * way - points).transpose(1, 0, 2))
         along = (way[:, 0] * np.cos(direction) + way[:, 1] * np.sin(direction)) / length
         nearer = (apart < nearest) & (np.abs(along) > np.cos(LIKE_RAD))
-        nearer &= (depth > _NEAREST_M).all(axis=1)[:, None]
+        nearer &= (depth > _NEAREST_M).all(axis=1, keepdims=True)
         share *= depth[:, :1] / (share * depth[:, :1] + (1 - share) * depth[:, 1:] + 1e-9)
         place = np.where(nearer, first + np.rint(share * (last - first)).astype(np.intp), place)
         nearest = np.where(nearer, apart, nearest)

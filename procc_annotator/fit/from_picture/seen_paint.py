@@ -59,7 +59,7 @@ class SeenPaint:
         column = (points[..., 0, :] / REFERENCE_WIDTH + 0.5) * width
         row = (points[..., 1, :] / (2 * self.half_height) + 0.5) * height
         inside = column.clip(0, width - 1).astype(np.intp), row.clip(0, height - 1).astype(np.intp)
-        return self.ground[inside[1], inside[0]] > 0
+        return np.asarray(self.ground[inside[1], inside[0]] > 0)
 
     @cached_property
     def near(self) -> NearestPaint:
