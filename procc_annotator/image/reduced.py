@@ -16,8 +16,9 @@ Size = tuple[int, int]
 _KEPT = 3  # the picture on screen and those that may come next
 
 
-def reduced(pixels: PixelArray, size: Size) -> PixelArray:
-    """A picture made smaller, to (width, height), without losing thin lines.
+def reduced(pixels: PixelArray, size: Size, made: PixelArray | None = None) -> PixelArray:
+    """A picture made smaller, to (width, height), without losing thin lines; in memory of its own,
+    or in ``made``, which is of that size.
 
     Below one half, sampling between four neighbours would skip pixels; averaging comes first. It
     is done by whole factors, where it takes a thirtieth of the time.
@@ -29,7 +30,7 @@ def reduced(pixels: PixelArray, size: Size) -> PixelArray:
     if factor > 1:
         inner = pixels.shape[1] // factor, pixels.shape[0] // factor
         small = np.asarray(cv2.resize(pixels, inner, interpolation=cv2.INTER_AREA), dtype=np.uint8)
-    made = new_pixels(*size)
+    made = new_pixels(*size) if made is None else made
     cv2.resize(small, size, dst=made, interpolation=cv2.INTER_LINEAR)
     return made
 
@@ -41,9 +42,11 @@ class ReducedPictures:
         self._lock = threading.Lock()
         self._kept: deque[tuple[weakref.ref[PixelArray], Size, PixelArray]] = deque(maxlen=_KEPT)
         self._scale: float | None = None
+        self._lent: PixelArray | None = None  # what somebody looks at
 
     def of(self, pixels: PixelArray, scale: float, whole: Size | None = None) -> PixelArray:
-        """A picture at a scale below 1, which those that are foreseen are made to from now on.
+        """A picture at a scale below 1, which those that are foreseen are made to from now on. It
+        stays as it is until another one is asked for.
 
         Args:
             whole: (width, height) px that the scale is of, where ``pixels`` are but half as many a
@@ -51,7 +54,8 @@ class ReducedPictures:
         """
         with self._lock:
             self._scale = scale
-        return self._made(pixels, scale, whole)
+        self._lent = self._made(pixels, scale, whole)
+        return self._lent
 
     def foresee(self, pixels: PixelArray) -> None:
         """Make a picture as small as the last one that was asked for."""
@@ -67,7 +71,16 @@ class ReducedPictures:
             for kept, kept_size, small in self._kept:
                 if kept() is pixels and kept_size == size:
                     return small
-        small = reduced(pixels, size)
+        small = reduced(pixels, size, self._spare(size))
         with self._lock:
             self._kept.append((weakref.ref(pixels), size, small))
         return small
+
+    def _spare(self, size: Size) -> PixelArray | None:
+        """The memory of the picture that goes, if nobody looks at it: the system takes its time
+        over new memory."""
+        with self._lock:
+            if len(self._kept) < _KEPT:
+                return None
+            oldest = self._kept.popleft()[2]
+        return oldest if oldest is not self._lent and oldest.shape[1::-1] == size else None

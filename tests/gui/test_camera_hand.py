@@ -165,7 +165,11 @@ def places(
 
 class TestTakingHold:
     def test_the_wireframe_and_the_place_under_the_cursor_are_shown(
-        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
+        self,
+        window: MainWindow,
+        drag: CameraDrag,
+        places: list[tuple[Place, Place]],
+        qtbot: QtBot,
     ) -> None:
         hand = window.canvas.camera_hand
         assert window.canvas.overlay_item.ghosts.strokes
@@ -176,14 +180,14 @@ class TestTakingHold:
         assert overlay.strokes[1].colour == tones.HAND
         assert overlay.labels[0].positions[0] == pytest.approx(places[0][0])
         assert not window.canvas.overlay_item.ghosts.strokes
-        assert window.status.hint.text().startswith("CAMERA  •  drag ")
+        qtbot.waitUntil(lambda: window.status.hint.text().startswith("CAMERA  •  drag "))
         assert window.status.hint.text().endswith("to where it belongs: the camera follows")
 
         drag.move(places[0][0], keys=Qt.KeyboardModifier.NoModifier)
         assert not hand.held
         assert not hand.item.overlay.strokes
         assert window.canvas.overlay_item.ghosts.strokes
-        assert window.status.hint.text().startswith("DRAW")
+        qtbot.waitUntil(lambda: window.status.hint.text().startswith("DRAW"))
 
     def test_the_keys_alone_show_it(self, window: MainWindow, drag: CameraDrag) -> None:
         QTest.keyPress(window.canvas, Key.Key_Control)
@@ -431,7 +435,7 @@ class TestWhatComesOfIt:
         window.document.live_fit.set_wanted(False)
         all_done(qtbot)
         CameraDrag(window).move((480.0, 270.0))
-        assert "no camera is known here" in window.status.hint.text()
+        qtbot.waitUntil(lambda: "no camera is known here" in window.status.hint.text())
 
 
 COUNT, SHOT = 13, (640, 360)  # frames; px

@@ -523,24 +523,26 @@ class TestUndoInTheMiddle:
 
 class TestHints:
     def test_what_was_under_the_cursor_is_forgotten_with_its_frame(
-        self, on_pitch: MainWindow, clicks: Hand
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
+        told = on_pitch.status.hint.text
         clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.key(Qt.Key.Key_W)
         clicks.move(300, 300)
-        assert "drag moves point 1 of Halfway line" in on_pitch.status.hint.text()
+        qtbot.waitUntil(lambda: "drag moves point 1 of Halfway line" in told())
         clicks.key(Qt.Key.Key_D)
-        assert "Halfway line" not in on_pitch.status.hint.text()
+        qtbot.waitUntil(lambda: "Halfway line" not in told())
 
     def test_the_next_click_is_told_beside_a_message_too(
-        self, on_pitch: MainWindow, clicks: Hand
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
+        told = on_pitch.status.hint.text
         on_pitch.document.set_option("draw_first", False)
         clicks.click(300, 300)  # no element is chosen: a message says so
         on_pitch.document.select_class(MIDDLE)
         clicks.click(300, 300)
-        assert "choose an element first" in on_pitch.status.hint.text()
-        assert "DRAW Halfway line, 1 point" in on_pitch.status.hint.text()
+        qtbot.waitUntil(lambda: "DRAW Halfway line, 1 point" in told())
+        assert "choose an element first" in told()
 
     def test_several_points_and_copies_are_named_for_what_they_are(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot

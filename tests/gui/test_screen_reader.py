@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
+from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.picture.split_view import DividerGrip
@@ -67,7 +68,7 @@ def test_everything_that_takes_the_keyboard_says_what_it_is(audited: MainWindow)
     assert unnamed(audited) == {}
 
 
-def test_what_paints_itself_says_what_it_is(window: MainWindow) -> None:
+def test_what_paints_itself_says_what_it_is(window: MainWindow, qtbot: QtBot) -> None:
     grip = window.findChild(DividerGrip)
     for hidden in (window.strip, grip):
         hidden.show()
@@ -83,6 +84,7 @@ def test_what_paints_itself_says_what_it_is(window: MainWindow) -> None:
         assert told.text(QAccessible.Text.Name) == widget.accessibleName() != ""
     window.document.select_class("Middle line")
     told = QAccessible.queryAccessibleInterface(window.canvas)
+    qtbot.waitUntil(lambda: "Halfway line" in told.text(QAccessible.Text.Description))
     assert told.text(QAccessible.Text.Description) == window.canvas.hint
     for shown in (window.strip, grip):
         shown.hide()
@@ -99,8 +101,8 @@ def test_so_does_everything_of_a_dialog(window: MainWindow, action: str) -> None
     dialog.close()
 
 
-def test_the_picture_says_what_comes_next(window: MainWindow) -> None:
+def test_the_picture_says_what_comes_next(window: MainWindow, qtbot: QtBot) -> None:
     window.document.select_class("Middle line")
     told = QAccessible.queryAccessibleInterface(window.canvas)
     assert told.text(QAccessible.Text.Name) == "Picture"
-    assert "DRAW Halfway line" in told.text(QAccessible.Text.Description)
+    qtbot.waitUntil(lambda: "DRAW Halfway line" in told.text(QAccessible.Text.Description))

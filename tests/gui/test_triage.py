@@ -311,12 +311,14 @@ class TestStatusLine:
         assert window.status.hint.toolTip() == window.status.hint.text()
         return window.status.hint.text()
 
-    def test_blind_mode_takes_back_what_was_said_of_the_camera(self, window: MainWindow) -> None:
+    def test_blind_mode_takes_back_what_was_said_of_the_camera(
+        self, window: MainWindow, qtbot: QtBot
+    ) -> None:
         window.worst_first.go_worst()
         assert "JaC" in self.told(window)
         press(window, Qt.Key.Key_B)
         assert "JaC" not in self.told(window)
-        assert "BLIND" in self.told(window)
+        qtbot.waitUntil(lambda: "BLIND" in self.told(window))
 
     def test_what_was_said_of_a_frame_goes_with_it(self, window: MainWindow, qtbot: QtBot) -> None:
         press(window, Qt.Key.Key_F7)

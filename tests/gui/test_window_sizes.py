@@ -55,13 +55,14 @@ def test_everything_is_in_sight_at_1280x720(
 
 
 def test_the_class_under_the_pen_is_read(
-    make_window: MakeWindow, dataset: Path, text_size: float
+    make_window: MakeWindow, dataset: Path, text_size: float, qtbot: QtBot
 ) -> None:
     window = make_window(dataset, size=(1280, 720))
     hand = Hand(window)
     window.document.select_class("Goal left post left ")
     hand.click(100, 50)
     hint = window.status.hint
+    qtbot.waitUntil(lambda: hint.text().startswith("DRAW Left goal"))
     shown = hint.text_for(hint.width())
     title = window.document.field.title_of("Goal left post left ")
     begin, _, end = shown.split("  •  ")[0].removeprefix("DRAW ").partition("…")

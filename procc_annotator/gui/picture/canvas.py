@@ -36,7 +36,6 @@ from procc_annotator.language import tr, word
 
 _EXPLANATION_MS = 12_000
 _SCREEN_FRAME_MS = 16
-_NO_MODIFIERS = Modifiers()
 _PAN_HINT = (
     word("PAN"),
     word("drag moves the picture"),
@@ -81,7 +80,9 @@ class Canvas(PictureView):
         )
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
-        self.hint = ""
+        self._hint = ""
+        self._hint_soon = QTimer(self, singleShot=True, interval=0)  # after the paint
+        self._hint_soon.timeout.connect(self._say_hint)
         # While the hand carries something, who only reads where it is can wait for the next frame.
         self._carried_on = QTimer(self, singleShot=True, interval=_SCREEN_FRAME_MS)
         self._carried_on.timeout.connect(self._say_cursor)
@@ -100,7 +101,7 @@ class Canvas(PictureView):
         self.shown.changed.connect(self._show_picture)
         self.editor.changed.connect(self.drawing.refresh)
         self.drawing.drawn.connect(self._place_loupe)
-        self.drawing.told.connect(self._say_hint)
+        self.drawing.told.connect(self._hint_soon.start)
         self.keys.pointed.connect(self.point_at)
         self.keys.forgotten.connect(self._forget_cursor)
         self.editor.explained.connect(self._explain)
@@ -156,10 +157,17 @@ class Canvas(PictureView):
         """How pictures are shown, from now on for every frame."""
         self.shown.set_look(look)
 
+    @property
+    def hint(self) -> str:
+        """What the next click, Enter and Esc will do."""
+        self._say_hint()
+        return self._hint
+
     def _say_hint(self) -> None:
+        self._hint_soon.stop()
         hint = self.camera_hand.hint or (_pan_hint() if self.pan_tool else self.editor.hint())
-        if hint != self.hint:
-            self.hint = hint
+        if hint != self._hint:
+            self._hint = hint
             self.setAccessibleDescription(hint)
             self.hintChanged.emit(hint)
 
@@ -227,7 +235,7 @@ class Canvas(PictureView):
     def point_at(self, px: tuple[float, float]) -> None:
         """The hand is there now, whichever way it came."""
         self.cursor_px = px
-        self.editor.move(px, _NO_MODIFIERS)
+        self.editor.move(px, Modifiers())
         self.drawing.refresh()
         self._say_cursor()
 
@@ -262,17 +270,18 @@ class Canvas(PictureView):
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
             self.cursor_px = self.to_picture(event.position())
             self._document.walk.see_whole()  # its lines are snapped to
-            self.editor.press(self.cursor_px, _modifiers(event))
+            self.editor.press(self.cursor_px, modifiers_of(event.modifiers()))
             if self.editor.holding:
                 self._say_hint()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()
+        px = self.to_picture(event.position())
         if self._wants_pan(event):
             self._start_pan(event.position().toPoint())
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
             # Qt sent the first click already; it is the last point, and this one only finishes.
-            self.editor.double_click(self.to_picture(event.position()), _modifiers(event))
+            self.editor.double_click(px, modifiers_of(event.modifiers()))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -282,7 +291,7 @@ class Canvas(PictureView):
         if self.panning:
             self._pan_to(event.position().toPoint())
         else:
-            self.editor.move(px, _modifiers(event))
+            self.editor.move(px, modifiers_of(event.modifiers()))
         if self.editor.follows_cursor and drawn == self.drawing.count:
             self.drawing.refresh()
         elif drawn == self.drawing.count:
@@ -311,7 +320,7 @@ class Canvas(PictureView):
         if self.panning:
             self._end_pan()
         elif event.button() == Qt.MouseButton.LeftButton:
-            self.editor.release(self.to_picture(event.position()), _modifiers(event))
+            self.editor.release(self.to_picture(event.position()), modifiers_of(event.modifiers()))
             if self._carried_on.isActive():
                 self._say_cursor()
 
@@ -389,8 +398,3 @@ class Canvas(PictureView):
 
 def _pan_hint() -> str:
     return SEPARATOR.join(tr(words) for words in _PAN_HINT)
-
-
-def _modifiers(event: QMouseEvent) -> Modifiers:
-    held = event.modifiers()
-    return modifiers_of(held) if held else _NO_MODIFIERS

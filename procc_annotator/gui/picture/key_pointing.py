@@ -123,6 +123,8 @@ class KeyPointing(QObject):
 
 def modifiers_of(held: Qt.KeyboardModifier) -> Modifiers:
     """Keys that are held, as the tools know them."""
+    if not held:  # as with nearly every move
+        return Modifiers()
     return Modifiers(
         alt=bool(held & Qt.KeyboardModifier.AltModifier),
         shift=bool(held & Qt.KeyboardModifier.ShiftModifier),

@@ -48,6 +48,11 @@ class PictureItem(QGraphicsItem):
         self._small, self._small_image = None, QImage()
         self.update()
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is no picture to be painted."""
+        return self._pixels is None
+
     def boundingRect(self) -> QRectF:
         return QRectF(0, 0, *self._size)
 

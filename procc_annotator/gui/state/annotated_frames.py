@@ -68,9 +68,11 @@ class AnnotatedIndices(QObject):
             self._take({index: is_annotated(workspace, index) for index in indices})
 
     def _take(self, edited: dict[int, bool]) -> None:
+        if edited.items() <= self._edited.items():  # as after most clicks
+            return
         before = self.indices
         self._edited |= edited
-        if self.indices != before:
+        if any((index in before) != annotated for index, annotated in edited.items()):
             self.changed.emit()
 
 

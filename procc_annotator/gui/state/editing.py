@@ -256,7 +256,7 @@ class Editing(QObject):
         self._warned_of = None
         index = self._store.state.frame_index
         self._show(workspace, stepped=stepped)
-        self.saver.save_behind(index)
+        self.saver.save_soon(index)
         self._auditing.frame_edited()
 
     def _travel(self, *, back: bool) -> None:

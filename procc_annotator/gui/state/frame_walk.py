@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError
@@ -45,6 +45,8 @@ class FrameWalk(QObject):
         self._whole = Latest(self, self._fail_whole, at_once=True, wait_ms=0)
         self._bringing = Latest(self, self._say, at_once=True)  # the picture of a frame to come to
         self._aim = -1  # the frame that is come to once its picture is there
+        self._soon = QTimer(self, singleShot=True, interval=0)  # after the paint
+        self._soon.timeout.connect(self._foresee)
 
     def go_to(self, index: int) -> None:
         """Show another frame; what is under way on this one is finished first."""
@@ -156,7 +158,8 @@ class FrameWalk(QObject):
             found |= self._look_at(frame.image_path)
         except ImageError as error:
             found["picture_error"] = str(error)
-        self._foresee(workspace, index, whole=found["half"] is None)
+        self._cache.prefetch(())  # what waited is not next any more
+        self._soon.start()
         found |= held(workspace, index)
         state, annotation = self._store.state, found["annotation"]
         if workspace is state.workspace and isinstance(annotation, FrameAnnotation):
@@ -195,16 +198,17 @@ class FrameWalk(QObject):
 
     def _end_first_look(self, **found: object) -> None:
         self._store.set(**found, half=None)
-        state = self._store.state
-        if state.workspace is not None:
-            self._foresee(state.workspace, state.frame_index, whole=True)
+        self._foresee()
 
-    def _foresee(self, workspace: Workspace, index: int, *, whole: bool) -> None:
+    def _foresee(self) -> None:
         """These may be on screen next; a whole picture that is still to come goes before them."""
-        frames = workspace.frames
+        state = self._store.state
+        if state.workspace is None or state.frame is None:
+            return
+        frames, index = state.workspace.frames, state.frame_index
         around = (index + step for step in (0, 1, -1))
         here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
-        self._cache.prefetch([frame.image_path for frame in soon] if whole else ())
+        self._cache.prefetch([frame.image_path for frame in soon] if state.half is None else ())
         self._editing.review.foresee(frame.name for frame in (here, *soon))
 
 

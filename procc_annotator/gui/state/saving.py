@@ -37,7 +37,7 @@ class Saver(QObject):
     """
 
     changed = Signal()  # which frames are not on disk
-    begun = Signal()  # something is being written
+    begun = Signal()  # something is being written, or about to be
     saved = Signal()
     settled = Signal()  # nothing is being written any more
     failed = Signal(str)  # one line, told once per reason
@@ -48,7 +48,9 @@ class Saver(QObject):
         self._workspace: Workspace | None = None
         self._problems: dict[int, SaveError] = {}
         self._writing: _Writing | None = None
-        self._again: set[int] = set()  # edited since, to be saved on the result
+        self._again: set[int] = set()  # edited since, or not begun with yet
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self._begin)
         self.saved_at: datetime | None = None
         self.retry_timer = QTimer(self)
         self.retry_timer.setInterval(RETRY_MS)
@@ -74,8 +76,19 @@ class Saver(QObject):
 
     @property
     def under_way(self) -> bool:
-        """Whether something is being written: until it is kept nothing says that it is saved."""
-        return self._writing is not None
+        """Whether something is being written, or about to be: until it is kept nothing says that it
+        is saved."""
+        return self._writing is not None or bool(self._again)
+
+    def save_soon(self, index: int) -> None:
+        """As `save_behind`, begun once what is to be painted was painted: the thread that writes
+        would take the interpreter from the paint."""
+        if self.under_way:
+            self._again.add(index)
+        elif self._has_changes(index):
+            self._again.add(index)
+            self._soon.start()
+            self.begun.emit()
 
     def save_behind(self, index: int) -> None:
         """Write a frame if it has unsaved changes, without waiting for the disk. What is written
@@ -113,6 +126,8 @@ class Saver(QObject):
     def settle(self, index: int | None = None) -> None:
         """Wait for what is under way for a frame, or for all: then it is kept, or among the
         `problems`."""
+        if self._writing is None and (index is None or index in self._again):
+            self._begin()
         while (writing := self._writing) is not None:
             if index is not None and index not in writing.frames | self._again:
                 return
@@ -182,8 +197,6 @@ class Saver(QObject):
                 done()
             finally:
                 self._write_again()
-                if self._writing is None:
-                    self.settled.emit()
 
         def give_up(text: str) -> None:
             # Which of them were written nobody knows. All stay dirty: the next try finds out.
@@ -200,11 +213,18 @@ class Saver(QObject):
         self._writing = _Writing(frozenset(pending.index for pending in batch), job)
         self.begun.emit()
 
+    def _begin(self) -> None:
+        """Write what was to be begun with, unless that was done."""
+        if self._again and self._writing is None:
+            self._write_again()
+
     def _write_again(self) -> None:
         """What was edited while others, or itself, were written."""
         again, self._again = self._again, set()
         for index in sorted(again):
             self.save_behind(index)
+        if self._writing is None:
+            self.settled.emit()
 
     def _note(self, index: int, error: SaveError) -> None:
         known = self._problems.get(index)

@@ -27,6 +27,7 @@ class SaveState(PaintedText):
         self.setFont(fixed_width(self.font()))
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self._document, self._alarm = document, False
+        self._asked_for = QSize()
         store = document.store
         store.watch(lambda s: (s.workspace, s.frame_index, s.unsaved), self._show)
         document.saver.begun.connect(self._show)
@@ -39,9 +40,10 @@ class SaveState(PaintedText):
             self.setToolTip(tip)
         if (text, alarm) == (self.text(), self._alarm):
             return
-        before, self._alarm = self.sizeHint(), alarm
+        self._alarm = alarm
         self.set_text(text)
-        if self.sizeHint() != before:
+        before, self._asked_for = self._asked_for, self.sizeHint()
+        if before != self._asked_for:
             self.updateGeometry()
 
     def minimumSizeHint(self) -> QSize:

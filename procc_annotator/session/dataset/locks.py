@@ -16,6 +16,7 @@ import time
 import uuid
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 
 from procc_annotator.session.dataset.processes import machine_mark, process_start
@@ -23,6 +24,14 @@ from procc_annotator.session.dataset.processes import machine_mark, process_star
 _LARGEST = 4096  # bytes of a lock file that are looked at
 _EMPTY_S = 3.0  # a lock is written as soon as it is made: one that stays empty is nobody's
 _NOT_MADE = (FileNotFoundError, NotADirectoryError)
+
+
+@lru_cache(maxsize=16)  # asked for with every click
+def _file_of(frame: str) -> str:
+    """Readable, but told apart by the hash: names may hold anything and be as long as allowed."""
+    readable = re.sub(r"[^A-Za-z0-9_-]+", "_", frame)[:60]
+    mark = hashlib.sha256(frame.encode("utf-8", "surrogatepass")).hexdigest()[:16]
+    return f"{readable}-{mark}.lock"
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,7 +171,7 @@ class FrameLocks:
 
     def is_there(self, frame: str) -> bool:
         """Whether the lock file of a frame exists; one look at the folder."""
-        return os.path.exists(self._path(frame))
+        return os.path.exists(os.path.join(self._folder, _file_of(frame)))
 
     def release(self, frame: str) -> None:
         """Give a frame back; a lock that somebody else has taken meanwhile stays."""
@@ -179,10 +188,7 @@ class FrameLocks:
             self.release(frame)
 
     def _path(self, frame: str) -> Path:
-        # Readable, but told apart by the hash: names may hold anything and be as long as allowed.
-        readable = re.sub(r"[^A-Za-z0-9_-]+", "_", frame)[:60]
-        mark = hashlib.sha256(frame.encode("utf-8", "surrogatepass")).hexdigest()[:16]
-        return self._folder / f"{readable}-{mark}.lock"
+        return self._folder / _file_of(frame)
 
     def _try(self, frame: str, note: _Note) -> Holder | None:
         """One attempt; raises FileExistsError when somebody was quicker."""

@@ -42,3 +42,13 @@ def test_thin_lines_stay_below_a_half() -> None:
     line = np.zeros((90, 160, 4), dtype=np.uint8)
     line[:, 77] = 255
     assert reduced(line, (40, 22))[..., 0].max(axis=1).min() > 40
+
+
+def test_what_is_looked_at_stays_while_others_are_foreseen() -> None:
+    pictures, first = ReducedPictures(), picture(1)
+    small = pictures.of(first, 0.4)
+    for seed in range(2, 9):
+        pictures.foresee(picture(seed))
+    np.testing.assert_array_equal(small, reduced(first, (64, 36)))
+    later = picture(9)
+    np.testing.assert_array_equal(pictures.of(later, 0.4), reduced(later, (64, 36)))
