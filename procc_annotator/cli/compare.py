@@ -75,6 +75,7 @@ Example:
 _WORTH_WORKERS = 100
 # dataset/cameras/method
 _LEVELS_AROUND = 2
+_THIRD = "intervals_versus"  # the sheet of the intervals of C
 
 
 First = Annotated[str, typer.Argument(metavar="A", help="The first source, [NAME[:FORMAT]=]PATH.")]
@@ -157,8 +158,9 @@ def compare(given: AskedToCompare) -> None:
     shown_field = chosen_field(given.field, given.dataset, lines=given.lines)
     texts = (given.a, given.b) if given.versus is None else (given.a, given.b, given.versus)
     own_size = options.shown_size(given.camera_size)
-    source_a, source_b, *third = open_sources(texts, own_size, shown_field)
-    _check_outputs(written_to, given.pictures, (source_a, source_b, *third), given.dataset)
+    sources = open_sources(texts, own_size, shown_field)
+    source_a, source_b, *third = sources
+    _check_outputs(written_to, given.pictures, sources, given.dataset)
     alike = _clusters_of(given.dataset, given.tags, given.cluster)
     names, images = frames_of(given.dataset, shown_field)
     if given.dataset is None:
@@ -182,9 +184,11 @@ def compare(given: AskedToCompare) -> None:
     for other in versus_others:
         compared.errors = list(dict.fromkeys((*compared.errors, *other.errors)))
         compared.notices |= other.notices
+    of_a, *of_others = _fitted_on(sources, given.dataset, shown_field)
+    for report, fitted in zip((compared, *versus_others), of_others, strict=True):
+        report.fitted = of_a, fitted
     if given.intervals or others or given.cluster is not None:
         compared.chance = _chance(compared, versus_others, alike, Draws(seed=given.seed))
-    compared.fitted = _fitted_on((source_a, source_b), given.dataset, shown_field)
     _print_comparison(compared, given.worst or count)
     for path in written_to:
         write_comparison(compared, comparison, path)
@@ -240,7 +244,8 @@ def _chance(
     for other in others:
         names = a, other.marked_names[1]
         clusters = alike([frame.name for frame in other.frames])
-        sheets.append(comparison_intervals_sheet(other.frames, clusters, draws, names, described))
+        given = clusters, draws, names, described, _THIRD
+        sheets.append(comparison_intervals_sheet(other.frames, *given))
         of_other = {frame.name: frame for frame in other.frames}
         own = [frame for frame in compared.frames if frame.name in of_other]
         if not own:
@@ -279,12 +284,10 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     return annotated, {}
 
 
-def _fitted_on(
-    sources: tuple[CameraSet, CameraSet], dataset: Path | None, field: Field
-) -> tuple[bool, bool]:
+def _fitted_on(sources: Sequence[CameraSet], dataset: Path | None, field: Field) -> list[bool]:
     """Whether a camera of each was fitted to the dataset's annotation of its frame."""
     if dataset is None:
-        return False, False
+        return [False] * len(sources)
     with open_annotations(annotations_or_itself(dataset), field) as annotations:
         files = list_annotations(annotations)
 
@@ -299,8 +302,7 @@ def _fitted_on(
                 return False
             return is_fitted_on(digest, found)
 
-        a, b = (any(of_these(s, frame) for frame in s.frames if frame in files) for s in sources)
-    return a, b
+        return [any(of_these(s, frame) for frame in s.frames if frame in files) for s in sources]
 
 
 def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:

@@ -52,12 +52,14 @@ def comparison_intervals_sheet(
     draws: Draws,
     names: tuple[str, str],
     described: str,
+    name: str = "intervals",
 ) -> Sheet:
     """Every figure of a comparison with its interval.
 
     Args:
         frames: those compared. clusters: of them. draws: says the level.
         names: of the two sources. described: field and size.
+        name: of the sheet.
     """
     known, medians = known_figures(frames, clusters, draws), known_medians(frames, clusters, draws)
     rows: list[Row] = []
@@ -77,7 +79,7 @@ def comparison_intervals_sheet(
     )  # fmt: skip
     note = f"In brackets {intervals_described(draws, clusters)}."
     return Sheet(
-        "intervals", f"{names[1]} against {names[0]}, intervals", columns, tuple(rows), described,
+        name, f"{names[1]} against {names[0]}, intervals", columns, tuple(rows), described,
         (note,), of_rows=tuple(figures),
     )  # fmt: skip
 

@@ -25,6 +25,9 @@ from procc_annotator.io.annotation_files.soccernet_classes import (
     require_soccernet,
     unknown_to_official,
 )
+from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
+from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.metric.clicked import clicked
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
@@ -298,17 +301,20 @@ class _Totals:
 
     def _score(self, name: str, annotation: FrameAnnotation) -> FrameResult:
         cameras, setup = self._scoring.cameras, self._scoring.setup
+        extent = clicked(annotation, setup.field)
         if cameras is None:
-            return FrameResult(name, None, NO_CAMERAS, (), {})
+            return FrameResult(name, None, NO_CAMERAS, (), {}, clicked=extent)
+        problem, loaded = None, None
         try:
             loaded = cameras.camera(name, setup.size)
         except CameraError as error:
-            self._exported.problems.append(str(error))
+            problem = str(error)
+        if loaded is not None and (why := of_another_field(loaded.assumed_field, setup.field)):
+            problem = f"{name}: {why} ({NAME_THE_FORMAT})"
+        if loaded is None or problem is not None:
+            self._exported.problems += [problem] if problem else []
             self._sums.add_missing_camera(name)
-            return FrameResult(name, None, str(error), (), {})
-        if loaded is None:
-            self._sums.add_missing_camera(name)
-            return FrameResult(name, None, None, (), {})
+            return FrameResult(name, None, problem, (), {}, clicked=extent)
         measurement = measure(annotation, loaded.camera, setup.of_frame(name))
         scores = {t: score(measurement, t) for t in self._scoring.thresholds}
         self._sums.add(name, measurement, scores)
@@ -316,7 +322,17 @@ class _Totals:
         self._exported.notices.update([loaded.notice] if loaded.notice else [])
         ground_only = projects_only_ground(loaded.camera)
         self._exported.ground_only |= ground_only
-        return FrameResult(name, cameras.frames[name], None, (), scores, ground_only=ground_only)
+        return FrameResult(
+            name,
+            cameras.frames[name],
+            None,
+            (),
+            scores,
+            ground_only=ground_only,
+            model=loaded.model,
+            fitted=is_fitted_on(loaded.fitted_on, annotation),
+            clicked=extent,
+        )
 
 
 # ------------------------------------------------------------------------------------- targets

@@ -86,10 +86,11 @@ def _scene(
     *,
     painted: bool,
 ) -> Scene:
-    annotation, measurement, paint = FrameAnnotation(), None, None
+    annotation, measurement, paint, annotated = FrameAnnotation(), None, None, False
     setup = setup.of_frame(frame.name)
     try:
         annotation = workspace.read(index)
+        annotated = bool(annotation.polylines or annotation.extra) or workspace.has_file(index)
         loaded = None if cameras is None else cameras.camera(frame.name, setup.size)
         if loaded is not None:
             measurement = measure(annotation, loaded.camera, setup)
@@ -97,7 +98,9 @@ def _scene(
             rendered.notices.update([loaded.notice] if loaded.notice else [])
     except InputError as error:  # the picture is drawn all the same, with what could be read
         rendered.problems.append(str(error))
-    judged = None if measurement is None else score_to_read(measurement, threshold)
+    judged = None
+    if measurement is not None and annotated:  # else it belongs to no figure
+        judged = score_to_read(measurement, threshold)
     source = "" if cameras is None else cameras.name
     return Scene(
         frame.image_path, annotation, setup, measurement, judged, frame.name, source, paint

@@ -7,7 +7,16 @@ import json
 import zipfile
 from pathlib import Path
 
+import numpy as np
 import pytest
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.load import load_field
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.fitted_on import annotation_digest
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.export import Scoring, export_scores
+from procc_annotator.session.dataset.camera_set import CameraSet
 
 
 def test_folder_of_soccernet_json_with_scores(cli, dataset, tmp_path: Path) -> None:
@@ -153,3 +162,46 @@ def test_what_is_there_is_replaced_only_on_request(cli, dataset, tmp_path, name)
     assert done.exit_code == 0, done.output
     assert kept.read_bytes() != b"somebody's"
     assert cli("export", dataset.root, out).exit_code == 2  # its own files are no exception
+
+
+def test_frames_are_told_as_evaluate_tells_them(cli, dataset, tmp_path: Path) -> None:
+    """What a camera is, whether it was fitted to these very clicks, and how much was clicked."""
+    camera = json.loads((dataset.cameras / "camera_1.json").read_text())
+    path = dataset.annotations / "1.json"
+    digest = annotation_digest(
+        read_annotation(path.read_bytes(), path=str(path), field=load_field("soccer"))
+    )
+    dataset.write_camera("1", {**camera, "fit": {"annotation_sha256": digest}})
+    done = cli("export", dataset.root, tmp_path / "out", "--cameras", dataset.cameras)
+    assert done.exit_code == 0, done.output
+    done = cli("evaluate", dataset.annotations, dataset.cameras, "-o", tmp_path / "own.csv")
+    assert done.exit_code == 0, done.output
+    told, expected = (
+        {row["name"]: row for row in csv.DictReader(path.read_text().splitlines())}
+        for path in (tmp_path / "out" / "jac.csv", tmp_path / "own.csv")
+    )
+    assert expected["1"]["fitted_on_these_clicks"] == "true"
+    assert expected["2"]["fitted_on_these_clicks"] == "false"
+    for name, row in expected.items():
+        for column in ("model", "fitted_on_these_clicks", "annotated_elements", "spread"):
+            assert told[name][column] == row[column]
+
+
+def test_cameras_of_another_field_are_not_scored(tmp_path: Path, sample_data: Path) -> None:
+    field = load_field("basketball_nba")
+    np.save(tmp_path / "00001.npy", np.eye(3))
+    path = sample_data / "basketball" / "00001.json"
+
+    class Frames:
+        names = ("00001",)
+        folders = ()
+        field = load_field("basketball_nba")
+
+        def read(self, index: int) -> FrameAnnotation:
+            return read_annotation(path.read_bytes(), path=str(path), field=field)
+
+    scoring = Scoring(EvaluationSetup(field), (5.0,), CameraSet.open(tmp_path))
+    done = export_scores(Frames(), tmp_path / "jac.json", scoring)
+    assert done.scored == 0
+    assert done.summary[5.0].evaluated == 0
+    assert "would be taken for a soccer field's" in done.problems[0]

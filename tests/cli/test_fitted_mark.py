@@ -110,3 +110,16 @@ def test_compare_marks_them_where_it_knows_the_dataset(cli, dataset, fits, tmp_p
         True,
         False,
     )
+
+
+def test_compare_marks_them_in_the_intervals_of_both(cli, dataset, fits, tmp_path) -> None:
+    out = tmp_path / "compared.json"
+    pair = (f"theirs={dataset.cameras}", f"ours={fits}", dataset.root)
+    done = cli("compare", *pair, "--versus", f"again={fits}", "-o", out)
+    assert done.exit_code == 0, done.stderr
+    titles = {key: sheet["title"] for key, sheet in json.loads(out.read_text())["chance"].items()}
+    assert titles == {
+        "intervals": f"ours ({MARK}) against theirs, intervals",
+        "intervals_versus": f"again ({MARK}) against theirs, intervals",
+        "nearer": f"Is ours ({MARK}) or again ({MARK}) nearer to theirs",
+    }

@@ -13,6 +13,13 @@ import cv2
 import numpy as np
 import pytest
 
+from procc_annotator.field.load import load_field
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.pictures import render_pictures
+from procc_annotator.report.scenes import Scene, caption
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.workspace import Workspace
+
 PASS = (0x00, 0x9E, 0x73)
 TOO_FAR = (0xD5, 0x5E, 0x00)
 
@@ -153,3 +160,28 @@ def test_pictures_that_are_there_are_replaced_only_on_request(cli, dataset, tmp_
     assert kept.read_text() == "somebody's"
     assert cli("render", dataset.root, kept.parent, "--overwrite").exit_code == 0
     assert kept.read_bytes().startswith(b"\x89PNG")
+
+
+def test_frames_nobody_annotated_have_no_score(dataset, tmp_path: Path) -> None:
+    (dataset.annotations / "1.json").unlink()
+    (dataset.annotations / "2.json").write_text("{}")  # annotated: there is nothing to see
+    field = load_field("soccer")
+    said: dict[str, str] = {}
+
+    def paint(scene: Scene) -> bytes:
+        said[scene.title] = caption(scene)
+        assert scene.measurement is not None  # its camera is drawn all the same
+        return b""
+
+    pictures = render_pictures(
+        Workspace.open(dataset.root, field),
+        tmp_path / "out",
+        paint,
+        setup=EvaluationSetup(field),
+        threshold=5.0,
+        cameras=CameraSet.open(dataset.cameras),
+    )
+    assert sum(1 for _ in pictures) == 5
+    assert said["1"] == ""
+    assert "JaC@5 0.000" in said["2"]
+    assert "JaC@5 1.000" in said["3"]

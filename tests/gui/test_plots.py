@@ -240,7 +240,7 @@ class TestTau:
         clustered = numbers(plotted, qtbot, tmp_path / "clustered.csv")
         at = next(n for n, row in enumerate(alone) if row["tau_px"] == "5.0")
         assert alone[at]["jac bad"] == clustered[at]["jac bad"]
-        assert alone[at]["low bad"] != clustered[at]["low bad"]
+        assert alone[at]["high bad"] != clustered[at]["high bad"]
 
     def test_a_table_of_frames_that_is_damaged_is_said_and_names_tell(
         self, plotted: MainWindow, qtbot: QtBot

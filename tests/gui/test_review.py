@@ -360,6 +360,7 @@ class TestSecondAnnotator:
         window.document.go_to(0)
         qtbot.waitUntil(lambda: "JaC" in panel.frame.text())
 
+    @pytest.mark.new_window  # its panel is not in it any more afterwards
     def test_the_table_fits_a_narrow_panel(
         self, window: MainWindow, hand: Hand, other: Path, qtbot: QtBot
     ) -> None:

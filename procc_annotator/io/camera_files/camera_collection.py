@@ -98,14 +98,14 @@ class CameraCollection:
             CameraError: the file is damaged or gone, or would be taken for one of another field.
         """
         file = self.frames[frame]
+        own = self.frames.name_there(frame) or frame
         if file in self._records:
-            return self._of_field(
-                self._records[file].read(self.frames.name_there(frame) or frame), frame, field
-            )
+            loaded = self._records[file].read(own)
+            fitted_on = self._fitted_on.of(own, file, loaded.extra)
+            return self._of_field(replace(loaded, fitted_on=fitted_on), frame, field)
         shown = self._source.display(file)
         data = self._read_file(file)
         loaded = read_camera_file(data, path=shown, fmt=self.format)
-        own = self.frames.name_there(frame) or frame
         held_out, remark = self._held_out.of(file, data)
         loaded = replace(
             loaded,

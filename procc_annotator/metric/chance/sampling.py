@@ -63,7 +63,8 @@ class Ratios:
     def of(self, frames: NDArray[np.bool_]) -> Ratios:
         """The same over some of the frames alone; (F,)."""
         chosen = frames[:, None]
-        return Ratios(self.parts * chosen, self.wholes * chosen)
+        # Not by multiplying: what is undefined in the others would remain.
+        return Ratios(np.where(chosen, self.parts, 0.0), np.where(chosen, self.wholes, 0.0))
 
     def by_cluster(self, clusters: IntArray) -> Ratios:
         """The sums of each cluster, (G, K).

@@ -9,10 +9,13 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.fitted_on import marked
 from procc_annotator.io.source import FileSource
+from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
@@ -184,6 +187,11 @@ class AuditReport:
         """All frames whose annotation could be read, in natural order."""
         first = self.evaluated[0].frames if self.evaluated else ()
         return tuple(frame.name for frame in first if frame.counted)
+
+    def jac_of_frames(self, source: ReportedSource) -> FloatArray:
+        """(F,) JaC of `frames` under a source at `tau`, NaN where there is no score."""
+        figures = (source.figures(frame, self.tau) for frame in self.frames)
+        return np.array([np.nan if of_frame is None else of_frame.jac for of_frame in figures])
 
     @cached_property
     def certainty(self) -> Certainty:

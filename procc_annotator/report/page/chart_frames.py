@@ -12,7 +12,6 @@ from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_parts import Charted, chart_label, line_style
 from procc_annotator.report.page.chart_svg import FAINT, Chart, draw_chart
 from procc_annotator.report.page.report_tables import terms
-from procc_annotator.session.runs.audit_figures import timeline
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -25,7 +24,7 @@ _ONE_FRAME, _SMALLEST_MARK, _LARGEST_MARK = 6.0, 2.0, 120.0  # areas, points squ
 
 def frame_charts(report: AuditReport, charted: list[Charted]) -> list[Chart]:
     """The distribution for every source, and pairs of sources where there are several."""
-    jacs = [100 * timeline(report.frames, one.source.audits, report.tau) for one in charted]
+    jacs: list[Floats] = [100 * report.jac_of_frames(one.source) for one in charted]
     charts = [_distribution(report, charted, jacs)]
     if len(charted) > 1:
         charts.append(_pairs(report, charted, jacs))

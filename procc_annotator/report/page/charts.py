@@ -30,7 +30,6 @@ from procc_annotator.session.runs.audit_figures import (
     FloatArray,
     mean_curve,
     poses,
-    timeline,
 )
 
 if TYPE_CHECKING:
@@ -144,7 +143,7 @@ def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
     def draw(figure: Figure) -> None:
         rows = panels(figure, len(charted), between_in=0.26)
         for axes, one in zip(rows, charted, strict=True):
-            jac = 100 * timeline(report.frames, one.source.audits, report.tau)
+            jac = 100 * report.jac_of_frames(one.source)
             places = np.arange(len(jac)) + 1
             axes.plot(places, jac, color=one.look.colour, lw=0.7, marker=one.look.marker, ms=1.8)
             (missing,) = np.nonzero(np.isnan(jac))

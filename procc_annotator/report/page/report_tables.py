@@ -156,8 +156,8 @@ def classes_section(report: AuditReport) -> Sheet:
 
 def _class_medians(source: ReportedSource) -> dict[int, float]:
     points = gather(list(source.audits.values()))
-    rows = np.unique(points.class_rows).tolist()
-    return {r: float(np.median(points.errors_px[points.class_rows == r])) for r in rows}
+    rows = points.counted_rows
+    return {r: float(np.median(points.errors_px[rows == r])) for r in np.unique(rows).tolist()}
 
 
 def errors_table(report: AuditReport) -> Sheet:

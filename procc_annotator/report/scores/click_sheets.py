@@ -27,7 +27,8 @@ def clicks_sheets(certainty: Certainty, noise: ClickNoise, described: str) -> li
     for place, source in enumerate(certainty.sources):
         spread, own = spread_of(certainty, place), source.ratios("mean_jac")
         for at, tau in enumerate(certainty.thresholds):
-            jac = _known(own.parts[:, at].sum() / max(own.wholes[:, at].sum(), 1.0))
+            whole = float(own.wholes[:, at].sum())
+            jac = _known(float(own.parts[:, at].sum()) / whole) if whole else None
             rows.append((source.marked_name, tau, jac, *_of_clicks(spread, at)))
     note = f"{noise.described} {CLICK_SHARE.definition}"
     sheets = [

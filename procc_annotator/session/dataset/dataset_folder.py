@@ -243,8 +243,13 @@ def holds_annotations(folder: Path, *, deeper: bool = True) -> bool:
 
 def json_stems(folder: Path) -> list[str]:
     """Names of a folder's JSON files without their suffix; none of a folder that is not there."""
+    return [name[:-5] for name in json_names(folder)]
+
+
+def json_names(folder: Path) -> list[str]:
+    """Names of a folder's JSON files; none of a folder that is not there."""
     try:
         with os.scandir(folder) as entries:
-            return [e.name[:-5] for e in entries if e.name.lower().endswith(".json")]
+            return [e.name for e in entries if e.name.lower().endswith(".json")]
     except OSError:  # usually: no such folder
         return []

@@ -20,6 +20,7 @@ from procc_annotator.session.dataset.dataset_folder import (
     annotation_folder,
     frames_folder,
     holds_annotations,
+    json_names,
     json_stems,
     like_cameras,
 )
@@ -32,6 +33,7 @@ class Frame:
 
     ``annotation_stem`` is what that file is called below its folder where that is not the frame's
     name: its letters are composed otherwise, or it lies beside the picture in a tree.
+    ``annotation_suffix`` is as the file there has it.
     """
 
     name: str
@@ -39,6 +41,7 @@ class Frame:
     image_folder: Path
     annotation_folder: Path
     annotation_stem: str = ""
+    annotation_suffix: str = ".json"
 
     # Paths are made when asked for: making them for 20,000 frames costs more than listing those.
     @property
@@ -55,7 +58,9 @@ class Frame:
     @property
     def annotation_path(self) -> Path:
         """Where its annotation is or will be."""
-        return self.annotation_folder / f"{self.annotation_stem or self.name}.json"
+        return self.annotation_folder / (
+            f"{self.annotation_stem or self.name}{self.annotation_suffix}"
+        )
 
 
 def list_frames(
@@ -125,8 +130,9 @@ class _Listing:
         image_folder = self._root / below if below else self._root
         # Only letters beside ASCII may be composed otherwise in the annotation's name.
         plain = all(map(str.isascii, names))
-        there = folder / prefix if prefix else folder
-        stems = ByFrame[str]() if plain else ByFrame((s, s) for s in json_stems(there))
+        files = json_names(folder / prefix if prefix else folder)
+        stems = ByFrame[str]() if plain else ByFrame((n[:-5], n[:-5]) for n in files)
+        suffixes = _unusual_suffixes(files)
         for file_name in names:
             stem = os.path.splitext(file_name)[0]
             name = called + stem
@@ -140,9 +146,20 @@ class _Listing:
                     f"{called}{file_name} is left out: {kept} already is frame {name}"
                 )
             else:
-                written = prefix + stems.get(stem, stem)
-                written = "" if written == name else written
-                self.frames[name] = Frame(name, file_name, image_folder, folder, written)
+                there = stems.get(stem, stem)
+                written = "" if prefix + there == name else prefix + there
+                suffix = suffixes.get(there, ".json")
+                self.frames[name] = Frame(name, file_name, image_folder, folder, written, suffix)
+
+
+def _unusual_suffixes(names: Sequence[str]) -> dict[str, str]:
+    """Stems of the JSON files whose suffix has capital letters, with it; not where there is the
+    usual one beside it."""
+    found = {name[:-5]: name[-5:] for name in names if not name.endswith(".json")}
+    for name in names if found else ():
+        if name.endswith(".json"):
+            found.pop(name[:-5], None)
+    return found
 
 
 def _folder_of(root: Path, below: str, names: Iterable[str], *, in_tree: bool) -> Path:

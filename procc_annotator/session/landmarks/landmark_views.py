@@ -15,6 +15,7 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError
 from procc_annotator.field.landmarks import is_moving, with_landmarks
 from procc_annotator.field.model import Field, Landmark
+from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.place_agreement import agreement_of_views
@@ -105,7 +106,10 @@ class FittedViews:
         fit = self._fits.get(frame)
         if fit is None:
             fit = self._fits[frame] = fit_camera(
-                self.annotation_of(frame), self.field, model=self.model, size=self.size_of(frame)
+                self.annotation_of(frame),
+                field_of_frame(self.field, frame),
+                model=self.model,
+                size=self.size_of(frame),
             )
         return view_of_fit(fit)
 

@@ -52,6 +52,8 @@ class FrameAudit:
         pose: None for models without one (homographies, projections alone).
         mirrored: whether the better labelling is a mirrored one; not on a tie.
         fitted: whether the camera was fitted to the annotation it is judged by.
+        counted_rows: (n,) as ``class_rows``, of the class that the better labelling counts the
+            point for, which its JaC is that of; None where these are all the annotator's.
     """
 
     frame: str
@@ -63,6 +65,7 @@ class FrameAudit:
     pose: Pose | None
     mirrored: bool = False
     fitted: bool = False
+    counted_rows: NDArray[np.int16] | None = None
 
     @property
     def errors_px(self) -> NDArray[np.float32]:
@@ -102,17 +105,24 @@ def audit_frame(
     feet = [f for f in nearest if f is not None]
     points = [measurement.points_px[starts[i] : starts[i] + counts[i]] for i in kept]
     places = {name: i for i, name in enumerate(titles_of_all_frames(measurement.setup.field))}
-    own = np.array([places.get(measurement.plain.names[i], -1) for i in kept], dtype=np.int16)
+    rows, counted = (
+        np.repeat(np.array([places.get(names[i], -1) for i in kept], dtype=np.int16), counts[kept])
+        for names in (measurement.plain.names, labelling.names)
+    )
+    residuals = _joined([f - p for f, p in zip(feet, points, strict=True)])
+    # A foot is found where the protocol knows no distance, too.
+    residuals[np.isnan(labelling.all_distances)] = np.nan
     return FrameAudit(
         frame,
         model,
         jac_curve(measurement, TAU_GRID).astype(np.float32),
-        np.repeat(own, counts[kept]),
+        rows,
         _joined(points),
-        _joined([f - p for f, p in zip(feet, points, strict=True)]),
+        residuals,
         pose_in_degrees(camera),
         read.mirrored,
         fitted,
+        counted if read.mirrored else None,
     )
 
 

@@ -74,6 +74,5 @@ def _band(
     found = curve_band(sample(Ratios.mean(every[:, ::_EVERY]), clusters.numbers, _DRAWS), _DRAWS)
     values, taus = every.mean(axis=0), TAU_GRID[::_EVERY]
     half = np.interp(TAU_GRID, taus, found.high - found.values)
-    return AuditBand(
-        CurveBand(values, values - half, values + half), len(names), clusters.described
-    )
+    low, high = (np.clip(values + sign * half, least, 1.0) for sign in (-1, 1))
+    return AuditBand(CurveBand(values, low, high), len(names), clusters.described)

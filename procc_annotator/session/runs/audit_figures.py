@@ -49,7 +49,7 @@ class Points:
     Attributes:
         frames: (n,) position in ``names`` of each point's frame.
         names: the frames.
-        class_rows: (n,) as in `FrameAudit`.
+        class_rows, counted_rows: (n,) as in `FrameAudit`.
         points_px, residuals_px: (n, 2).
         errors_px: (n,).
         undefined: how many points had no distance and are left out.
@@ -58,6 +58,7 @@ class Points:
     names: tuple[str, ...]
     frames: IntArray
     class_rows: NDArray[np.int16]
+    counted_rows: NDArray[np.int16]
     points_px: FloatArray
     residuals_px: FloatArray
     errors_px: FloatArray
@@ -74,11 +75,13 @@ def gather(audits: Sequence[FrameAudit], class_row: int | None = None) -> Points
     counts = [len(a.class_rows) for a in audits]
     frames = np.repeat(np.arange(len(audits), dtype=np.intp), counts)
     rows = _joined([a.class_rows for a in audits], np.empty(0, np.int16))
+    every = [a.class_rows if a.counted_rows is None else a.counted_rows for a in audits]
+    counted = _joined(every, np.empty(0, np.int16))
     points = _joined([a.points_px for a in audits], np.empty((0, 2), np.float32))
     residuals = _joined([a.residuals_px for a in audits], np.empty((0, 2), np.float32))
     if class_row is not None:
         chosen = rows == class_row
-        frames, rows = frames[chosen], rows[chosen]
+        frames, rows, counted = frames[chosen], rows[chosen], counted[chosen]
         points, residuals = points[chosen], residuals[chosen]
     errors = np.hypot(residuals[:, 0], residuals[:, 1])
     defined = np.isfinite(errors)
@@ -86,6 +89,7 @@ def gather(audits: Sequence[FrameAudit], class_row: int | None = None) -> Points
         tuple(a.frame for a in audits),
         frames[defined],
         rows[defined],
+        counted[defined],
         points[defined],
         residuals[defined],
         errors[defined],

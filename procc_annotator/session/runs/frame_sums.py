@@ -157,6 +157,8 @@ class SourceSums:
         if key == "completeness":
             return Ratios(there.astype(np.float64), every)
         if key == "final_score":
+            if not self.with_camera.any():  # no mean that the completeness could be taken of
+                every = np.zeros(there.shape)
             return Ratios(np.where(there, figures[..., 0], 0.0), every)
         raise KeyError(key)
 

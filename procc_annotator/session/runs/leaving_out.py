@@ -16,7 +16,8 @@ def held_out_elements(
 ) -> tuple[HeldOutElement, ...]:
     """The elements of a frame that the others predict, fitted without a start.
 
-    An element counts if the others determine a camera (`hardly_determined` says nothing of it).
+    An element counts if the others determine a camera (`hardly_determined` says nothing of it);
+    what has no place on the field is none.
 
     Args:
         annotation: what was fitted.
@@ -28,7 +29,9 @@ def held_out_elements(
         return ()
     whole = measure(annotation, fit.camera, setup)
     found = []
-    for name in whole.plain.annotated_names:
+    for name, element in zip(whole.plain.annotated_names, whole.plain.rows, strict=True):
+        if element < 0:
+            continue
         rest = fit_camera(annotation.without(name), setup.field, model=model, size=fit.size)
         if rest.camera is None or hardly_determined(rest):
             continue

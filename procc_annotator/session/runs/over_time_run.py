@@ -205,7 +205,7 @@ class MeasureShots(AnnotationTask):
         rows = []
         for place, name in enumerate(shot.frames):
             annotation = self._annotation(name, errors)
-            if annotation is None or not annotation.annotated:
+            if annotation is None:
                 continue
             setup = self.setup.of_frame(name)
             row = np.full(len(tried), np.nan)
@@ -218,7 +218,8 @@ class MeasureShots(AnnotationTask):
                 row[column] = _distance_px(measurement)
                 if shift == 0:
                     jac[place] = score(measurement, self.threshold).jac
-            rows.append(row)
+            if annotation.annotated:  # a frame without clicks tells nothing of shifts
+                rows.append(row)
         told = len(rows) > 0 and len(tried) > 1
         return jac, frame_offset(np.array(rows)) if told else None
 

@@ -143,7 +143,7 @@ def judge_verdict(
 
     Args:
         cameras: of the verdict's source, by its place; None when it is not loaded.
-        read: the annotation of a frame by its name, None when there is no such frame.
+        read: the annotation of a frame by its name, None when it has none or is gone.
         setup, tau: as the table says.
     """
     if cameras is None:
@@ -158,7 +158,7 @@ def judge_verdict(
         return JudgedVerdict(verdict, problem=str(error))
     if camera is None:
         return JudgedVerdict(verdict, problem="no camera for this frame")
-    if annotation is None or not annotation.annotated:
+    if annotation is None:
         return JudgedVerdict(verdict, problem="the frame is not annotated")
     found = score_to_read(measure(annotation, camera.camera, setup.of_frame(verdict.frame)), tau)
     known = [e for e in found.elements if e.max_distance is not None]

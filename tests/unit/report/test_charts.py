@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,7 +12,12 @@ import pytest
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.page import chart_frames, charts
-from procc_annotator.report.page.audit_report import AuditReport, ReportedFrame, ReportedSource
+from procc_annotator.report.page.audit_report import (
+    AuditReport,
+    FrameFigures,
+    ReportedFrame,
+    ReportedSource,
+)
 from procc_annotator.report.page.chart_parts import charted_sources
 from procc_annotator.report.page.chart_svg import Chart, draw_chart
 from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit, Pose
@@ -21,7 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 COLOURS = ("#aa0000", "#0000aa")
-TAU = 5.0
+TAU = 5.03  # the curves have no such place
 
 
 @pytest.fixture
@@ -53,7 +59,8 @@ def reported(frame: str, jac: float | None, pan: float = 0.0) -> ReportedFrame:
     pose = Pose(pan, 80.0, 0.0, 2000.0, (0.0, 70.0, -15.0))
     audit = FrameAudit(frame, "pinhole", curve, np.empty(0, np.int16), nothing, nothing, pose)
     sums = FrameSums(frame, np.array([[jac, jac, jac, 0.0, 0.0]]), curve, 8, pose, "pinhole")
-    return ReportedFrame(frame, {}, audit, None, True, (), sums)
+    figures = FrameFigures(jac, 0, 0, 0, False, None, None, None, None)
+    return ReportedFrame(frame, {TAU: figures}, audit, None, True, (), sums)
 
 
 _NONE = np.full((1, 5), np.nan)
@@ -145,3 +152,17 @@ def test_no_outlier_is_lost_in_a_stretch(drawn: dict[str, Figure]) -> None:
     corners: Any = band.get_paths()[0].vertices
     assert corners[:, 1].min() == pytest.approx(-90)
     assert corners[:, 1].max() == pytest.approx(6)
+
+
+def test_frames_have_the_score_of_the_threshold_that_is_named(drawn: dict[str, Figure]) -> None:
+    frames = several(A)
+    exact = [
+        replace(f, figures={TAU: replace(f.figures[TAU], jac=0.125)}) if f.figures else f
+        for f in frames
+    ]
+    report = report_of(exact, several(B))
+    found = report.jac_of_frames(report.sources[0])
+    np.testing.assert_equal(found, [np.nan if jac is None else 0.125 for jac in A])
+    chart_frames.frame_charts(report, charted_sources(report, COLOURS))
+    _, curves = drawn["How the JaC of frames is distributed"].axes
+    np.testing.assert_allclose(np.asarray(curves.lines[0].get_ydata()), 12.5)

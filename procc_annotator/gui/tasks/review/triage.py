@@ -162,7 +162,7 @@ class Triage(QObject):
 
             def read(name: str) -> FrameAnnotation | None:
                 index = fresh.index.get(name)
-                return None if index is None else fresh.read(index)
+                return None if index is None else fresh.to_judge(index)
 
             rows: list[JudgedVerdict] = []
             for done, verdict in enumerate(verdicts, start=1):

@@ -230,3 +230,10 @@ def test_power_holds_where_frames_come_in_clusters(alike) -> None:
         (around,) = intervals(sample(Ratios.mean(off), clusters, None), DRAWS)
         found += around.excludes(0.0)
     assert found / 600 == pytest.approx(0.8, abs=0.055)
+
+
+def test_what_is_undefined_in_other_frames_leaves_the_rest_defined() -> None:
+    values = Ratios(np.array([[np.nan], [6.0], [8.0]]), np.array([[1.0], [2.0], [2.0]]))
+    some = values.of(np.array([False, True, True]))
+    assert some.parts.sum() / some.wholes.sum() == 3.5
+    assert np.isnan(values.of(np.array([True, True, False])).parts.sum())

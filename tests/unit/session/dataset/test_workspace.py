@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import unicodedata
 from pathlib import Path
 
 import pytest
@@ -65,6 +66,21 @@ def test_where_annotations_lie(tmp_path: Path) -> None:
     assert opened(tmp_path).frames[0].annotation_path == tmp_path / "1.json"
     (tmp_path / "annotations" / "1.json").write_text("{}")
     assert opened(tmp_path).frames[0].annotation_path == tmp_path / "annotations" / "1.json"
+
+
+@pytest.mark.parametrize("stem", ["A", "E\u0301"])
+def test_an_annotation_keeps_the_suffix_it_has(tmp_path: Path, stem: str) -> None:
+    """Another file beside it would be a second annotation of the frame."""
+    dataset(tmp_path, f"{unicodedata.normalize('NFC', stem)}.jpg", "B.jpg")
+    written = tmp_path / f"{stem}.JSON"
+    written.write_text('{"Middle line": [{"x": 0.5, "y": 0.1}, {"x": 0.5, "y": 0.9}]}')
+    workspace = opened(tmp_path)
+    at = next(i for i, frame in enumerate(workspace.frames) if frame.name != "B")
+    assert workspace.read(at).annotated == ("Middle line",)
+    workspace.edit(at, "x", edits.append_points(LINE, "Middle line", [Point(0.2, 0.2)]))
+    workspace.save(at)
+    assert sorted(path.name for path in tmp_path.glob("*.[jJ]*[nN]")) == [written.name]
+    assert workspace.frames[1 - at].annotation_path.name == "B.json"
 
 
 def test_annotations_that_another_folder_hides_are_not_hidden_silently(tmp_path: Path) -> None:

@@ -14,8 +14,13 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
+from procc_annotator.field.model import Stadiums
+from procc_annotator.field.stadiums import field_of_frame, with_stadiums
 from procc_annotator.io.landmark_file import LandmarkFile
+from procc_annotator.metric.project import project_field
+from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.landmarks.landmark_scan import PlaceOfFiles, Search, locate_in_dataset
+from procc_annotator.session.landmarks.landmark_views import FittedViews, FrameView
 
 SIZE = (960, 540)
 STAND = np.array([10.0, -40.0, -8.0])
@@ -75,3 +80,19 @@ def test_all_landmarks_together_say_how_far_clicks_are_off(tmp_path, noise_px) -
     grown = [a.deviations_m[1] / b.deviations_m[1] for a, b in zip(found, told, strict=True)]
     np.testing.assert_allclose(grown, found[0].noise, rtol=1e-6)
     assert {one.noise for one in told} == {1.0}
+
+
+def test_the_cameras_are_fitted_to_the_dimensions_of_each_frame_s_stadium() -> None:
+    stadium = Stadiums({"a": "small"}, {"small": {"length": 100.0, "width": 64.0}})
+    field = with_stadiums(load_field("soccer"), stadium)
+    true = PinholeCamera(0.1, 1.35, 0.0, (5.0, 75.0, -18.0), (1100.0, 1100.0), (479.5, 269.5))
+    shown = project_field(true, EvaluationSetup(field_of_frame(field, "a"), SIZE, "procc"))
+    lines = []
+    for name, pieces in shown.pieces.items():
+        piece = max(pieces, key=len)
+        few = piece[np.linspace(0, len(piece) - 1, 6).astype(int)]
+        lines.append(Polyline(name, tuple(point_from_px(*p, SIZE) for p in few)))
+    views = FittedViews(field, lambda _: FrameAnnotation(tuple(lines)), lambda _: SIZE, "P")
+    found = views.of("a")
+    assert isinstance(found, FrameView)
+    np.testing.assert_allclose(found.camera.position_world, true.position_world, atol=0.2)

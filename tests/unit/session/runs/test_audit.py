@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs import audit_figures as figures
 from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit, Pose, audit_frame
+from procc_annotator.session.runs.audit_bands import difference_band, mean_band
 
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD)
@@ -275,3 +277,60 @@ def test_a_timeline_has_gaps_where_there_is_no_score() -> None:
     line = figures.timeline(["a", "b"], {"b": made_up([], frame="b")}, 30.0)
     assert np.isnan(line[0])
     assert line[1] == 1.0
+
+
+def test_points_without_a_distance_have_no_residual(sample_data: Path) -> None:
+    (measured,) = [
+        m for a, m in audits_of(sample_data, sample_data / "cameras" / "true") if a.frame == "00002"
+    ]
+    true = CameraSet.open(sample_data / "cameras" / "true").camera("00002", SIZE)
+    assert true is not None
+
+    class Rounded:
+        """Neighbouring positions fall together, which leaves segments without a length."""
+
+        def project(self, world):
+            pixels, visible = true.camera.project(world)
+            return np.round(pixels), visible
+
+    path = sample_data / "00002.json"
+    annotation = read_annotation(path.read_bytes(), path=str(path), field=FIELD)
+    measured = measure(annotation, Rounded(), SETUP)
+    undefined = np.isnan(measured.plain.all_distances)
+    assert undefined.any()
+    audit = audit_frame("00002", Rounded(), "rounded", measured, 5.0)
+    assert np.isnan(audit.errors_px).tolist() == undefined.tolist()
+    assert figures.gather([audit]).undefined == undefined.sum()
+
+
+def test_turned_labels_count_for_the_classes_that_their_score_is_of(sample_data: Path) -> None:
+    path = sample_data / "00002.json"
+    plain = read_annotation(path.read_bytes(), path=str(path), field=FIELD)
+    turn = FIELD.symmetries[0]
+    turned = FrameAnnotation(
+        tuple(replace(p, class_name=turn.name_of(p.class_name)) for p in plain.polylines)
+    )
+    found = CameraSet.open(sample_data / "cameras" / "true").camera("00002", SIZE)
+    assert found is not None
+    as_meant, as_labelled = (
+        figures.gather(
+            [audit_frame("00002", found.camera, "P", measure(one, found.camera, SETUP), 5.0)]
+        )
+        for one in (plain, turned)
+    )
+    assert as_labelled.counted_rows.tolist() == as_meant.counted_rows.tolist()
+    assert as_labelled.class_rows.tolist() != as_meant.class_rows.tolist()
+
+
+def test_a_band_stays_within_what_a_score_can_be() -> None:
+    audits = {
+        name: replace(
+            made_up([], frame=name), jac=np.where(5 + i < TAU_GRID, 1, 0).astype(np.float32)
+        )
+        for i, name in enumerate("abcdef")
+    }
+    band = mean_band(audits, tuple(audits)).band
+    assert band.low.min() == 0
+    assert band.high.max() == 1
+    difference = difference_band(audits, dict.fromkeys(audits, audits["a"]), tuple(audits)).band
+    assert -1 <= difference.low.min() < 0

@@ -12,6 +12,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report.scores.chance_sheets import differences_sheet, power_sheet
+from procc_annotator.report.scores.click_sheets import clicks_sheets
 from procc_annotator.report.scores.strata_sheet import figures_sheet
 from procc_annotator.report.sheet.sheet import records
 from procc_annotator.session.runs.audit import TAU_GRID, Pose
@@ -20,6 +21,7 @@ from procc_annotator.session.runs.click_spreads import pairs_under_clicks, sprea
 from procc_annotator.session.runs.clusters import NONE, SHOT, clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.frame_sums import SPARSE_TAUS, FrameSums, SourceSums
+from procc_annotator.session.runs.moved_clicks import ClickNoise
 from procc_annotator.session.runs.strata import strata, values_of_frames
 
 FIELD = load_field("soccer")
@@ -273,3 +275,15 @@ def test_what_clicks_make_of_figures_and_differences(three) -> None:
     # The frames' names move the points: alike for both sources.
     assert pair.spread.deviations[1] == pytest.approx(0.0, abs=1e-6)
     assert pair.told_apart_from is not None
+
+
+def test_a_source_without_a_camera_has_no_final_score_and_no_difference(three) -> None:
+    plain = three[0]
+    taus = len(TAUS)
+    nothing = np.full((taus, 5), np.nan)
+    frames = tuple(FrameSums(f.frame, nothing, None) for f in plain.frames)
+    found = certain((plain, SourceSums("none", TAUS, frames)))
+    assert found.sources[1].ratios("final_score").wholes.sum() == 0
+    assert found.pairs[0].differences["final_score", 5.0].value is None
+    sheet = clicks_sheets(found, ClickNoise(1.0), "")[0]
+    assert [row[2] for row in sheet.rows if row[0] == "none"] == [None] * taus

@@ -81,6 +81,22 @@ def test_a_true_camera_is_steady_and_on_time(tmp_path: Path) -> None:
     assert one.wander.rms_m == pytest.approx(0, abs=1e-6)
 
 
+def test_a_frame_annotated_as_empty_counts_in_jac_and_says_nothing_of_shifts(
+    tmp_path: Path,
+) -> None:
+    cameras, names = shot(12)
+    annotations = write_clicks(tmp_path / "annotations", cameras[:4], names[:4])
+    folder = write_set(tmp_path / "c", cameras, names)
+    (before,) = over_time(annotations, folder, shots_by_name(names))
+    for name in names[4:12]:
+        (annotations / f"{name}.json").write_text("{}")
+    (one,) = over_time(annotations, folder, shots_by_name(names))
+    assert one.jac.tolist() == [1.0] * 4 + [0.0] * 8
+    assert one.mean_jac == pytest.approx(1 / 3)
+    assert before.offset is not None
+    assert one.offset == before.offset
+
+
 @pytest.mark.parametrize("late", [1, -2])
 def test_cameras_that_are_late_are_told_from_clicks(tmp_path: Path, late: int) -> None:
     cameras, names = shot(40)

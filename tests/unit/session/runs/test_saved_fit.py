@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import SaveError
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
@@ -17,8 +17,10 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.fitted_on import annotation_digest
+from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
+from procc_annotator.session.runs.leaving_out import held_out_elements
 from procc_annotator.session.runs.saved_fit import save_fit
 
 FIELD = load_field("soccer")
@@ -126,3 +128,28 @@ class TestFittedCameras:
         assert cameras.why_none("a") == "2 elements, 3 needed"
         assert cameras.without(["a"]).why_none("a") == "no fit of a yet"
         assert cameras.without(["b"]) is cameras
+
+
+def test_of_cameras_in_one_file_it_is_known_too(
+    tmp_path: Path, clicks: FrameAnnotation, pinhole: FitResult
+) -> None:
+    own = json.loads(save_fit(tmp_path / "a", "1", clicks, pinhole, field=FIELD.name).read_text())
+    plain = {key: value for key, value in own.items() if key != "fit"}
+    (tmp_path / "all.json").write_text(json.dumps({"1": own, "2": plain}))
+    with CameraCollection.open(tmp_path / "all.json") as cameras:
+        told = {frame: cameras.read(frame).fitted_on for frame in cameras.frames}
+    assert told == {"1": annotation_digest(clicks), "2": None}
+
+
+def test_what_has_no_place_on_the_field_is_not_left_out(
+    clicks: FrameAnnotation, pinhole: FitResult
+) -> None:
+    few = FrameAnnotation(clicks.polylines[:5])
+    unnamed = Polyline("Line unknown", (Point(0.1, 0.1), Point(0.2, 0.12)))
+    setup = EvaluationSetup(FIELD, size=SIZE)
+    plain, more = (
+        held_out_elements(one, pinhole, setup, "P")
+        for one in (few, FrameAnnotation((*few.polylines, unnamed)))
+    )
+    assert plain
+    assert [e.name for e in more] == [e.name for e in plain]

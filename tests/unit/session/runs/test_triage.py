@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
@@ -338,6 +339,13 @@ class TestExport:
         assert row["time"] == "2023-11-14T22:13:20Z"
         assert row["comment"] == '\'=1+1 "x"'
         assert row["terms"] == "soccernet, 960x540"
+
+    def test_a_frame_annotated_as_empty_is_judged(self, sample_data: Path) -> None:
+        cameras = CameraSet.open(sample_data / "cameras" / "bad")
+        verdict = Verdict("00002", "bad", BAD, Fault.CAMERA, "Anna", 0.0)
+        found = judge_verdict(verdict, cameras, lambda n: FrameAnnotation(()), SETUP, 5.0)
+        assert (found.jac, found.largest_px, found.worst_element) == (0.0, None, "")
+        assert found.problem == ""
 
     def test_without_figures_it_says_why(self, sample_data: Path) -> None:
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
