@@ -12,6 +12,7 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.checked import checked
+from procc_annotator.camera.model_name import model_name
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
 from procc_annotator.camera.scaling import scaled
 from procc_annotator.errors import UsageError
@@ -30,10 +31,16 @@ AnyCamera = Camera | ElementProjections | FitResult | LoadedCamera
 
 @dataclass(frozen=True)
 class CameraAt:
-    """A camera in px of a size."""
+    """A camera in px of a size.
+
+    Attributes:
+        model: as tables call it.
+        fitted_on: what it was fitted to, see `LoadedCamera`.
+    """
 
     camera: CameraOrProjections
     model: str
+    fitted_on: str | None = None
 
 
 def camera_at(
@@ -60,7 +67,9 @@ def camera_at(
     if isinstance(camera, LoadedCamera):
         if problem := of_another_field(camera.assumed_field, field):
             raise UsageError(f"{name}: {problem} ({NAME_THE_FORMAT})")
-        return CameraAt(checked(fit_to_size(camera, size, camera_size)[0], name), camera.model)
+        loaded = fit_to_size(camera, size, camera_size)[0]
+        model = model_name(loaded, camera.model, size)
+        return CameraAt(checked(loaded, name), model, camera.fitted_on)
     if isinstance(camera, FitResult):
         if camera.camera is None:
             raise UsageError(f"there is no camera to evaluate, the fit failed: {camera.failure}")

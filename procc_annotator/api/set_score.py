@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.api.given import CameraAt
 from procc_annotator.errors import UsageError
+from procc_annotator.io.camera_files.fitted_on import fitted_words, is_fitted_on
 from procc_annotator.metric.chance.intervals import Interval, Method
 from procc_annotator.metric.chance.paired import PairedDifference
 from procc_annotator.metric.chance.sampling import Draws
@@ -43,7 +44,8 @@ class SetScore:
     """What `evaluate_set` found.
 
     Attributes:
-        described: protocol, size and options in words, to stand beside every number.
+        described: protocol, size and options in words, to stand beside every number; and whether
+            cameras were fitted to the annotations they are judged by.
         summaries: threshold (px) -> the figures of the set, as ``evaluate`` tells them.
         frames: frame name -> threshold (px) -> its score; nothing for a frame without a camera.
     """
@@ -53,6 +55,7 @@ class SetScore:
     frames: Mapping[str, Mapping[float, FrameScore]]
     _models: Mapping[str, str] = field(repr=False)
     _sums: SourceSums = field(repr=False)
+    _terms: str = field(repr=False)
 
     def rows(self) -> list[dict[str, Any]]:
         """A row a frame and threshold.
@@ -171,8 +174,8 @@ class SetScore:
         Raises:
             UsageError: the two were scored differently, or as of `intervals`.
         """
-        if other.described != self.described:
-            raise UsageError(f"scored differently: {self.described} and {other.described}")
+        if other._terms != self._terms:
+            raise UsageError(f"scored differently: {self._terms} and {other._terms}")
         both = same_frames((self._sums, other._sums))
         certainty = _certainty(both, cluster, method, Draws(draws, seed, level))
         found: dict[float, dict[str, PairedDifference]] = {tau: {} for tau in self.summaries}
@@ -206,7 +209,6 @@ def score_set(
     total = SetAccumulator(setup, thresholds)
     sums: list[FrameSums | None] = []
     found: dict[str, Mapping[float, FrameScore]] = {}
-    ground_only = False
     for chunk in _parts(natsorted(frames), CHUNK):
         of_chunk = SetAccumulator(setup, thresholds)
         for names in _parts(chunk, AT_ONCE):
@@ -219,16 +221,40 @@ def score_set(
                 else:
                     scores = {tau: score(measurement, tau) for tau in thresholds}
                     of_chunk.add(name, measurement, scores)
-                    ground_only |= measurement.projected.ground_only
                 found[name] = scores
-                result = FrameResult(name, None, None, (), scores)
-                shown = None if camera is None else camera.camera
-                evaluated = Evaluated(result, shown, "", measurement, annotation)
+                evaluated = _evaluated(name, annotation, camera, measurement, scores)
                 sums.append(frame_sums(evaluated, thresholds))
         total.merge(of_chunk)
     models = {name: camera.model for name, (_, camera) in frames.items() if camera is not None}
     source = SourceSums.of("this", thresholds, sums)
-    return SetScore(setup.describe(ground_only), total.summary(), found, models, source)
+    terms = setup.describe(source.ground_only)
+    fitted = sum(frame.fitted for frame in source.frames)
+    mark = fitted_words(fitted, int(source.with_camera.sum()))
+    described = f"{terms}, {mark}" if mark else terms
+    return SetScore(described, total.summary(), found, models, source, terms)
+
+
+def _evaluated(
+    name: str,
+    annotation: FrameAnnotation,
+    camera: CameraAt | None,
+    measurement: Measurement | None,
+    scores: Mapping[float, FrameScore],
+) -> Evaluated:
+    """A frame as ``evaluate`` knows it."""
+    if camera is None or measurement is None:
+        return Evaluated(FrameResult(name, None, None, (), scores), annotation=annotation)
+    result = FrameResult(
+        name,
+        None,
+        None,
+        (),
+        scores,
+        ground_only=measurement.projected.ground_only,
+        model=camera.model,
+        fitted=is_fitted_on(camera.fitted_on, annotation),
+    )
+    return Evaluated(result, camera.camera, camera.model, measurement, annotation)
 
 
 def _measured(frames: Mapping[str, Given], setup: EvaluationSetup) -> dict[str, Measurement]:

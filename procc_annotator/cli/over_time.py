@@ -140,10 +140,9 @@ class OverTimeCall:
                         measured.append(shot)
                         progress(len(measured), run.total)
                 require_shots(measured, told_by)
+                described = one.setup.describe(any(shot.ground_only for shot in measured))
                 found.append(
-                    SourceOverTime(
-                        name, one.method, tuple(measured), told_by, one.setup.describe(), threshold
-                    )
+                    SourceOverTime(name, one.method, tuple(measured), told_by, described, threshold)
                 )
         return found
 

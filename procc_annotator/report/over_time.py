@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.errors import UsageError
+from procc_annotator.io.camera_files.fitted_on import marked
 from procc_annotator.metric.over_time.frame_offset import FrameOffset
 from procc_annotator.metric.over_time.positions import way_back
 from procc_annotator.metric.over_time.steadiness import of_shot
@@ -24,11 +25,13 @@ from procc_annotator.words import count_of
 
 SUFFIXES = (".json", ".csv")
 
+_FITTED = "fitted_on_these_clicks"  # of so many frames; of one: whether
 _OF_SHOT = (
     Column("set", "set"),
     Column("source", "source"),
     Column("shot", "shot"),
     whole("frames"),
+    whole(_FITTED),
     of(figures.MEAN_JAC),
     *(of(figure) for figure in figures.JAC_THIRDS),
     of(figures.JITTER_PX),
@@ -80,6 +83,7 @@ _OF_FRAME = (
     Column("frame", "frame"),
     whole("number"),
     Column("camera", "camera", "yes_no"),
+    Column(_FITTED, kind="yes_no"),
     of(figures.JAC),
     of(figures.STEP_PX),
     of(figures.JITTER_PX),
@@ -124,9 +128,19 @@ class SourceOverTime:
     threshold: float
 
     @property
+    def marked_name(self) -> str:
+        """Its name as tables and charts tell it beside others."""
+        return marked(self.source, any(shot.fitted.any() for shot in self.shots))
+
+    @property
     def errors(self) -> list[str]:
         """What could not be read, one line each."""
         return [error for one in self.shots for error in one.errors]
+
+
+def terms_over_time(found: Sequence[SourceOverTime]) -> str:
+    """Protocol, size and options behind the figures; of several sources what goes for all."""
+    return min((one.described for one in found), key=len)
 
 
 def shots_sheet(found: Sequence[SourceOverTime]) -> Sheet:
@@ -137,7 +151,7 @@ def shots_sheet(found: Sequence[SourceOverTime]) -> Sheet:
             rows.append(_all_shots_row(one))
         rows += [_shot_row(one, shot) for shot in one.shots]
     first = found[0]
-    described = f"{first.described}, JaC@{first.threshold:g}, shots {first.told_by}"
+    described = f"{terms_over_time(found)}, JaC@{first.threshold:g}, shots {first.told_by}"
     notes = (
         "Jitter: second differences as the error of one frame; what the camera itself does by fits"
         " and starts counts for every source alike.",
@@ -151,8 +165,11 @@ def shots_sheet(found: Sequence[SourceOverTime]) -> Sheet:
 
 
 def shown_sheets(whole_sheet: Sheet) -> list[Sheet]:
-    """The same in sheets that fit a terminal; columns that say nothing are left out."""
+    """The same in sheets that fit a terminal; columns that say nothing are left out, and a source
+    that was fitted to the clicks is marked."""
     keys = [column.key for column in whole_sheet.columns]
+    fits = {row[:2] for row in whole_sheet.rows if row[keys.index(_FITTED)]}
+    named = [(row[0], marked(str(row[1]), row[:2] in fits), *row[2:]) for row in whole_sheet.rows]
     parts = []
     for number, (title, chosen) in enumerate(zip(_TITLES, _SHOWN, strict=True)):
         places = [keys.index(key) for key in chosen]
@@ -163,7 +180,7 @@ def shown_sheets(whole_sheet: Sheet) -> list[Sheet]:
         ]
         if len({row[0] for row in whole_sheet.rows}) < 2:
             kept.remove(0)
-        rows = tuple(tuple(row[at] for at in kept) for row in whole_sheet.rows)
+        rows = tuple(tuple(row[at] for at in kept) for row in named)
         columns = tuple(whole_sheet.columns[at] for at in kept)
         described = "" if number else whole_sheet.described
         notes = () if number else whole_sheet.notes
@@ -237,6 +254,7 @@ def _shot_row(one: SourceOverTime, shot: ShotOverTime) -> tuple[Value, ...]:
         one.source,
         shot.shot.name,
         len(shot.shot.frames),
+        int(shot.fitted.sum()),
         shot.mean_jac,
         *(shot.jac_third(third) for third in range(3)),
         shot.jitter_px,
@@ -277,6 +295,7 @@ def _all_shots_row(one: SourceOverTime) -> tuple[Value, ...]:
         "source": one.source,
         "shot": f"all {count_of(len(shots), 'shot')}",
         "frames": frames,
+        _FITTED: sum(int(shot.fitted.sum()) for shot in shots),
         "mean_jac": float(np.nanmean(jac)) if np.isfinite(jac).any() else None,
         "jitter_px": of_shot(_joined([shot.steady.px for shot in shots]), left_out),
         "jitter_m": of_shot(_joined([shot.steady.ground_m for shot in shots]), left_out),
@@ -305,6 +324,7 @@ def _frame_rows(one: SourceOverTime, shot: ShotOverTime) -> list[tuple[Value, ..
     rows: list[tuple[Value, ...]] = []
     for at, (name, number) in enumerate(zip(shot.shot.frames, shot.shot.numbers, strict=True)):
         values = [float(v) if np.isfinite(v) else None for v in numbers[at]]
-        named = (one.set_name, one.source, shot.shot.name, name, number, not gone[at])
-        rows.append((*named, *values[:4], bool(shot.broken.unsteady[at]), *values[4:]))
+        named = (one.set_name, one.source, shot.shot.name, name, number)
+        known = (not gone[at], bool(shot.fitted[at]))
+        rows.append((*named, *known, *values[:4], bool(shot.broken.unsteady[at]), *values[4:]))
     return rows

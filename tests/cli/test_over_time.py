@@ -70,6 +70,48 @@ def test_a_table_beside_the_annotations_tells_the_shots(cli, shot: Path) -> None
     assert shots[:3] == [("true", "all 2 shots", 30), ("true", "one", 15), ("true", "two", 15)]
 
 
+def test_fits_are_marked_wherever_they_are_told(cli, shot: Path) -> None:
+    fits, figures, frames = shot / "fits", shot / "figures.json", shot / "frames.csv"
+    assert cli("calibrate", shot / "annotations", fits, "--model", "R").exit_code == 0
+    first = shot / "annotations" / "a_001.json"
+    changed = json.loads(first.read_text())
+    next(iter(changed.values()))[0]["x"] += 1e-6
+    first.write_text(json.dumps(changed))
+    sources = [f"--cameras=true={shot / 'true'}", f"--cameras=ours={fits}"]
+    written = [f"--over-time-output={path}" for path in (figures, frames)]
+    done = cli("evaluate", shot / "annotations", *sources, "--over-time", *written)
+    assert done.exit_code == 0, done.output
+    tables = done.stdout[done.stdout.index("Over time") :]
+    assert tables.count("(fitted") == tables.count("Over time")
+    assert "true (fitted" not in tables
+    true, ours = json.loads(figures.read_text())["over_time"]["rows"]
+    assert (true["source"], true["fitted_on_these_clicks"]) == ("true", 0)
+    assert (ours["source"], ours["fitted_on_these_clicks"]) == ("ours", FRAMES // 3 - 1)
+    rows = list(csv.DictReader(frames.read_text().splitlines()))
+    assert [
+        (row["source"], row["frame"]) for row in rows if row["fitted_on_these_clicks"] == "true"
+    ] == [("ours", f"a_{n:03d}") for n in range(4, FRAMES, 3)]
+
+
+def test_cameras_of_the_ground_alone_leave_out_the_same_everywhere(
+    cli, shot: Path, sample_data: Path
+) -> None:
+    homographies = shot / "homographies"
+    homographies.mkdir()
+    (given,) = (sample_data / "cameras" / "homography").glob("*00002*")
+    for n in range(3):
+        (homographies / f"a_{n:03d}{given.suffix}").write_bytes(given.read_bytes())
+    still = ("--off-plane", "left_out", "--over-time")
+    words = "soccernet, 960x540, off-plane elements left out"
+    out = shot / "report.json"
+    done = cli("report", shot / "annotations", "--cameras", homographies, *still, "-o", out)
+    assert done.exit_code == 0, done.output
+    found = json.loads(out.read_text())
+    assert found["sources"][0]["described"] == words
+    assert found["chance"][0]["described"] == words
+    assert found["over_time"]["described"].startswith(f"{words}, JaC@5, shots")
+
+
 def test_a_report_has_a_page_of_it(cli, shot: Path) -> None:
     html, found, tex = (shot / f"report.{suffix}" for suffix in ("html", "json", "tex"))
     sources = [f"--cameras={name}={shot / name}" for name in ("true", "late")]

@@ -309,6 +309,22 @@ def test_nothing_is_called_clean_that_is_still_looked_at(window: MainWindow, qtb
     assert "finding 1 of" in window.status.hint.text()
 
 
+def test_another_dataset_is_walked_from_its_first_finding(
+    window: MainWindow, tmp_path: Path, qtbot: QtBot
+) -> None:
+    document = window.document
+    workspace = document.workspace
+    assert workspace is not None
+    again = Path(shutil.copytree(workspace.folder, tmp_path / "again"))
+    for folder in (None, again):
+        if folder is not None:
+            window.opening.open_path(folder)
+        document.commit_edit("swap", edits.swap_classes(document.annotation, FRONT, SMALL_FRONT))
+        wholly_checked(window, qtbot)
+        press(window, Qt.Key.Key_F10)
+        assert "finding 1 of" in window.status.hint.text()
+
+
 def test_frames_with_errors_bear_a_sign_and_are_found_by_the_filter(
     mistaken: MainWindow, qtbot: QtBot
 ) -> None:

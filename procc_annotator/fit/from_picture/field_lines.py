@@ -1,4 +1,7 @@
-"""A field's painted lines as places, and which of them is nearest to any place of the ground."""
+"""A field's painted lines as places, and which of them is nearest to any place of the ground.
+
+What stands across the field above its ground, as a net does, is looked for along with them.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.field.geometry import Line, length_of
 from procc_annotator.field.model import Field
 from procc_annotator.fit.on_paint.painted import Painted, painted_of
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
@@ -17,23 +21,31 @@ from procc_annotator.fit.solving.surroundings import Surroundings, surroundings_
 _COARSE, _COARSEST = 750, 400  # places that a closer and a first look take
 _CELL = 0.004  # of half the field's length
 _BEYOND = 1.15  # how far about the field, of its half length and width
+_ABOVE_M = 0.01  # what is so high stands above the ground
+_BEAM = 0.5  # of the field's half width: what is longer above the ground goes across the field
 
 
 @dataclass(frozen=True, eq=False)
 class FieldLines:
-    """N places on the painted lines of the ground.
+    """N places on the painted lines of the ground, after them on beams, after these on lines that
+    not every such field has: those explain paint, but are not missed.
 
     Attributes:
         world: (3, N) metres, in the middle of the paint.
         along: (3, N) unit vectors along the line.
         step: (N,) metres of the line that a place stands for.
         around: where cameras stand.
+        usual: so many places, the first ones, are on what every field has.
+        beams: (S, 2) first and last place of each straight bar that goes across the field above its
+            ground, such as a net's bands.
     """
 
     world: FloatArray
     along: FloatArray
     step: FloatArray
     around: Surroundings
+    usual: int
+    beams: IntArray
 
     @cached_property
     def homogeneous(self) -> NDArray[np.float32]:
@@ -53,19 +65,21 @@ class FieldLines:
 
     @cached_property
     def coarse(self) -> FieldLines:
-        """Fewer places, which show nearly as much."""
-        return self._thinned(_COARSE)
+        """Fewer places, which show nearly as much of what every field has."""
+        return self._thinned(self.usual, _COARSE)
 
     @cached_property
     def coarsest(self) -> FieldLines:
-        """Still fewer, for many cameras."""
-        return self._thinned(_COARSEST)
+        """Still fewer, for many cameras; those on the ground."""
+        return self._thinned(int(self.beams[0, 0]) if len(self.beams) else self.usual, _COARSEST)
 
-    def _thinned(self, count: int) -> FieldLines:
-        every = max(self.world.shape[1] // count, 1)
-        chosen = slice(every // 2, None, every)
-        step = self.step[chosen] * every
-        return FieldLines(self.world[:, chosen], self.along[:, chosen], step, self.around)
+    def _thinned(self, first: int, count: int) -> FieldLines:
+        """About so many of the first places."""
+        every = max(first // count, 1)
+        chosen = slice(every // 2, first, every)
+        world, step = self.world[:, chosen], self.step[chosen] * every
+        beams = self.beams[self.beams[:, 1] < first] // every
+        return FieldLines(world, self.along[:, chosen], step, self.around, world.shape[1], beams)
 
     @cached_property
     def nearest(self) -> NearestLine:
@@ -95,7 +109,8 @@ class NearestLine:
         half = _BEYOND * np.array([around.half_length, around.half_width])
         width, height = (int(2 * reach / cell) + 1 for reach in half)
         column, row = ((lines.world[:2] + half[:, None]) / cell).astype(np.intp)
-        inside = (column >= 0) & (column < width) & (row >= 0) & (row < height)
+        inside = ~above_ground(lines.world)
+        inside &= (column >= 0) & (column < width) & (row >= 0) & (row < height)
         free = np.ones((height, width), dtype=np.uint8)
         free[row[inside], column[inside]] = 0
         _, labels = cv2.distanceTransformWithLabels(
@@ -115,22 +130,48 @@ class NearestLine:
         return np.asarray(np.where(inside, self.place[row, column], -1))
 
 
+def above_ground(world: FloatArray) -> NDArray[np.bool_]:
+    """(..., 3, N) metres -> (..., N) which places do not lie on the ground."""
+    return np.asarray(world[..., 2, :] < -_ABOVE_M)
+
+
 def lines_of(field: Field) -> FieldLines | None:
-    """The painted lines on a field's ground that every such field has; None if it has none."""
-    return _lines_of(painted_of(field), frozenset(_usual(field)), surroundings_of(field))
-
-
-def _usual(field: Field) -> list[str]:
-    return [e.name for e in field.elements if e.on_ground and not e.optional]
+    """The painted lines on a field's ground, and what stands across it; None if it has no line
+    that every such field has."""
+    around = surroundings_of(field)
+    beams = [
+        e.name
+        for e in field.elements
+        if not (e.on_ground or e.optional)
+        and isinstance(e.geometry, Line)
+        and length_of(e.geometry) > _BEAM * around.half_width
+    ]
+    ground = {
+        way: [e.name for e in field.elements if e.on_ground and e.optional == way]
+        for way in (False, True)
+    }
+    names = tuple(frozenset(some) for some in (ground[False], beams, ground[True]))
+    return _lines_of(painted_of(field), names, around)
 
 
 @lru_cache(maxsize=8)
-def _lines_of(painted: Painted, usual: frozenset[str], around: Surroundings) -> FieldLines | None:
-    wanted = np.array([name in usual for name in painted.names], dtype=bool)
-    rows = np.flatnonzero(wanted[painted.element]) if len(wanted) else np.zeros(0, dtype=np.intp)
-    if not len(rows):
+def _lines_of(
+    painted: Painted, names: tuple[frozenset[str], ...], around: Surroundings
+) -> FieldLines | None:
+    """Of the lines on the ground of every field, beams, and other lines on the ground."""
+    parts = [_places_of(painted, some) for some in names]
+    lines, beams = (len(part) for part in parts[:2])
+    if not lines:
         return None
+    ends = np.flatnonzero(np.diff(painted.run[parts[1]], prepend=-1, append=-1)) + lines
+    rows = np.concatenate(parts)
     world = painted.world[:, rows]
     apart = np.linalg.norm(np.diff(world, axis=1, append=world[:, -1:]), axis=0)
     apart[np.diff(painted.run[rows], append=-1) != 0] = 0.0
-    return FieldLines(world, painted.along[:, rows], apart, around)
+    spans = np.column_stack([ends[:-1], ends[1:] - 1])
+    return FieldLines(world, painted.along[:, rows], apart, around, lines + beams, spans)
+
+
+def _places_of(painted: Painted, names: frozenset[str]) -> IntArray:
+    wanted = np.array([name in names for name in painted.names], dtype=bool)
+    return np.flatnonzero(wanted[painted.element]) if len(wanted) else np.zeros(0, dtype=np.intp)

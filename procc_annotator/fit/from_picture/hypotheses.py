@@ -14,6 +14,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.fit.from_picture.coarse_paint import CoarsePaint
 from procc_annotator.fit.from_picture.field_lines import FieldLines
 from procc_annotator.fit.from_picture.in_view import in_view
 from procc_annotator.fit.from_picture.seen_paint import (
@@ -24,7 +25,7 @@ from procc_annotator.fit.from_picture.seen_paint import (
     shape_of,
 )
 from procc_annotator.fit.solving.models import CENTRE, LOG_FOCAL, PAN, PARAMETERS, TILT
-from procc_annotator.fit.solving.observations import REFERENCE_WIDTH, FloatArray
+from procc_annotator.fit.solving.observations import REFERENCE_WIDTH, FloatArray, IntArray
 from procc_annotator.fit.solving.starts import SIDES
 from procc_annotator.fit.solving.surroundings import Surroundings
 
@@ -42,6 +43,7 @@ _NEAR, _FAR = 0.75, 1.5  # of the usual distance from the side
 _NEAR_PX, _FAR_PX, _AGAINST = 12.0, 45.0, 0.5
 _RIM_CELLS = 5
 _AT_ONCE = 8000
+_LOOKED_AT = 12000  # so many of the best are looked at from the paint, too
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,8 +60,19 @@ class Hypotheses:
     cells: NDArray[np.int32]
     length_px: FloatArray
 
-    def scores(self, near: NearestPaint, paint: SeenPaint) -> FloatArray:
-        """(B,) solver px of lines on paint, less those beside it."""
+    def best(self, paint: SeenPaint, most: int) -> FloatArray:
+        """(b, 11) so many at most that suit the paint best.
+
+        Those with most of their lines on paint are also asked how much of the paint they explain.
+        """
+        near = paint.near.coarser(CELL_PX // paint.near.cell)
+        on_paint = self._on_paint(near, paint)
+        some = _best(on_paint, _LOOKED_AT)
+        explained = CoarsePaint.of(paint, CELL_PX).explained(self.cells[some])
+        return self.vectors[some[_best(on_paint[some] * explained, most)]]
+
+    def _on_paint(self, near: NearestPaint, paint: SeenPaint) -> FloatArray:
+        """(B,) share of lines on paint, less that beside it; more where more is in sight."""
         shape = near.away.shape[1:]
         value = np.clip((_FAR_PX - near.away) / (_FAR_PX - _NEAR_PX), 0, 1)
         value = value * (1 + _AGAINST) - _AGAINST
@@ -70,7 +83,13 @@ class Hypotheses:
             table[self.cells[first : first + _AT_ONCE]].sum(axis=1, dtype=np.int32)
             for first in range(0, len(self.cells), _AT_ONCE)
         ]
-        return np.asarray(np.concatenate(found) / (100 * _PLACES) * self.length_px)
+        return np.asarray(np.concatenate(found) * np.sqrt(self.length_px))
+
+
+def _best(scores: FloatArray, most: int) -> IntArray:
+    """Where the highest ones are."""
+    count = min(most, len(scores))
+    return np.argpartition(-scores, count - 1)[:count]
 
 
 @lru_cache(maxsize=4)  # 35 MB each

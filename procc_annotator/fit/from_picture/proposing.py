@@ -38,10 +38,10 @@ from procc_annotator.fit.solving.starts import SIDES, prior_near
 from procc_annotator.image.pixels import PixelArray
 
 _FEWEST = 60  # places of paint
-_REFINED, _REACHES_PX = 5, (8.0, 4.0, 4.0)
+_REFINED, _REACHES_PX = 7, (16.0, 8.0, 4.0)
 _WORTH_REFINING = 0.7  # of the best one's score before any is refined
 # Cameras that climb: of the main side, of each other one, at a known position.
-_CLIMB, _CLIMB_OTHER, _CLIMB_KNOWN = 1000, 600, 160
+_CLIMB, _CLIMB_OTHER, _CLIMB_KNOWN = 600, 450, 160
 _WITHIN_PX, _JUDGED = 3.0, 800
 _OTHER_PX = 15.0  # farther apart, two cameras show something else
 _ON_PAINT = 0.5  # of an element in sight, for it to be found

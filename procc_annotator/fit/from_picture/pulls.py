@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.from_picture.field_lines import FieldLines
+from procc_annotator.fit.from_picture.field_lines import FieldLines, above_ground
 from procc_annotator.fit.from_picture.seen_paint import (
     HALF_WIDTH,
     LIKE_RAD,
@@ -62,6 +62,9 @@ def lines_to_paint(
         normal = _normal(moved)
         direction = directions_of(np.arctan2(-normal[:, 0], normal[:, 1]))
     column, row = cells_of(points, paint.half_height, near.cell)
+    if len(lines.beams):
+        # What stands before boards or a crowd is not looked for there.
+        in_view &= ~above_ground(world) | paint.over_ground(points)
     found = near.place[direction, row, column]
     apart = paint.points[:, found].transpose(1, 0, 2) - points
     off = (normal * apart).sum(axis=1)
@@ -76,7 +79,10 @@ def paint_to_lines(
     """Paint on the ground (n,), pulled to the nearest line; unknown where that runs another way."""
     lens = Lens.of(vectors, paint.frame.half_diagonal)
     points, direction = paint.points[:, some], paint.along[some]
-    place = _nearest(lens, points, lines)
+    shown = lens.undistorted(points)
+    place = _nearest(lens, shown, lines)
+    if len(lines.beams):
+        place = _or_on_beam(lens, shown, direction, place, lines)
     world, along = (
         one[:, np.maximum(place, 0)].transpose(1, 0, 2) for one in (lines.world, lines.along)
     )
@@ -93,12 +99,43 @@ def paint_to_lines(
 
 
 def _nearest(lens: Lens, points: FloatArray, lines: FieldLines) -> IntArray:
-    """(B, n) the place on a line nearest to where cameras see points (2, n) on the ground."""
+    """(B, n) the place on a line nearest to where cameras see points (B, 2, n), free of distortion,
+    on the ground."""
     on_ground = np.linalg.inv(lens.linear[:, :, [0, 1, 3]])
-    rays = on_ground[:, :, :2] @ lens.undistorted(points) + on_ground[:, :, 2:]
+    rays = on_ground[:, :, :2] @ points + on_ground[:, :, 2:]
     below = rays[:, 2] > 1e-9
     place = lines.nearest.at(rays[:, :2] / np.where(below, rays[:, 2], 1.0)[:, None])
     return np.asarray(np.where(below, place, -1))
+
+
+def _or_on_beam(
+    lens: Lens, points: FloatArray, direction: FloatArray, place: IntArray, lines: FieldLines
+) -> IntArray:
+    """(B, n) the same places, or those on beams that appear nearer to points (B, 2, n) of paint
+    with their directions (n,), rad."""
+    shown = lens.linear[:, :, :3] @ lines.world[:, np.maximum(place, 0)].transpose(1, 0, 2)
+    shown += lens.linear[:, :, 3:]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        nearest = np.hypot(*(shown[:, :2] / shown[:, 2:] - points).transpose(1, 0, 2))
+    nearest[(place < 0) | ~(shown[:, 2] > _NEAREST_M)] = np.inf
+    for first, last in lines.beams:
+        ends = lens.linear[:, :, :3] @ lines.world[:, [first, last]] + lens.linear[:, :, 3:]
+        depth = ends[:, 2]
+        # (B, 2, 1) each end; a beam that begins behind a camera is left out there.
+        begin, end = (
+            ends[:, :2, k, None] / np.maximum(depth[:, None, k, None], _NEAREST_M) for k in (0, 1)
+        )
+        way = end - begin
+        length = np.hypot(way[:, 0], way[:, 1]) + 1e-9
+        share = (((points - begin) * way).sum(axis=1) / length**2).clip(0, 1)
+        apart = np.hypot(*(begin + share[:, None] * way - points).transpose(1, 0, 2))
+        along = (way[:, 0] * np.cos(direction) + way[:, 1] * np.sin(direction)) / length
+        nearer = (apart < nearest) & (np.abs(along) > np.cos(LIKE_RAD))
+        nearer &= (depth > _NEAREST_M).all(axis=1, keepdims=True)
+        share *= depth[:, :1] / (share * depth[:, :1] + (1 - share) * depth[:, 1:] + 1e-9)
+        place = np.where(nearer, first + np.rint(share * (last - first)).astype(np.intp), place)
+        nearest = np.where(nearer, apart, nearest)
+    return place
 
 
 def _shown(

@@ -13,8 +13,9 @@ from procc_annotator.fit.from_picture.climbing import (
     agreement_with_paint,
     climb,
 )
-from procc_annotator.fit.from_picture.hypotheses import CELL_PX, Hypotheses
+from procc_annotator.fit.from_picture.hypotheses import Hypotheses
 from procc_annotator.fit.from_picture.in_view import apart_px
+from procc_annotator.fit.solving.models import CENTRE, LOG_FOCAL, Z, rotations
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
 
@@ -32,6 +33,8 @@ class Stage:
         apart_px: so far apart at least; 0 for any.
         model: P or R.
         rounds: how often the places in sight are chosen anew.
+        away: shares of their distance from what they look at where they are tried as well, zoomed
+            as much: that shows nearly the same, and steps hardly lead there.
     """
 
     scales_px: Sequence[float]
@@ -44,13 +47,15 @@ class Stage:
     apart_px: float = 0.0
     model: str = "P"
     rounds: int = 1
+    away: tuple[float, ...] = ()
 
 
+_LEAST_DOWN = 0.03  # of a direction: what looks at the horizon looks so far
 _GO_ON = 4  # of so many at most one goes on
 STAGES = (
-    Stage((30, 24, 16), 48, 0, 8.0, (80, 150), 0.02, 150),
-    Stage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 25, 6.0),
-    Stage((7, 6, 5, 4), 120, 150, 3.0, (240, 800), 0.005, 12, 12.0, "R", 4),
+    Stage((30, 24, 16, 14), 48, 0, 8.0, (80, 150), 0.02, 70),
+    Stage((20, 16, 12, 10), 64, 100, 5.0, (120, 300), 0.01, 16, 6.0, "P", 2, (0.7, 1.35)),
+    Stage((12, 8, 6, 4), 120, 150, 3.0, (240, 800), 0.005, 12, 12.0, "R", 4, (0.85, 1.2)),
 )
 # Where the position is known, few cameras are left that differ.
 STAGES_KNOWN = (
@@ -87,13 +92,7 @@ def search_picture(
     stages: Sequence[Stage] = STAGES,
 ) -> Found:
     """The best cameras of all hypotheses, led to the paint; so many of each kind climb."""
-    near = scene.paint.near.coarser(CELL_PX // scene.paint.near.cell)
-    chosen = []
-    for some, most in hypotheses:
-        scores = some.scores(near, scene.paint)
-        count = min(most, len(scores))
-        chosen.append(some.vectors[np.argpartition(-scores, count - 1)[:count]])
-    vectors = np.concatenate(chosen)
+    vectors = np.concatenate([some.best(scene.paint, most) for some, most in hypotheses])
     for stage in stages:
         go_on()
         found = _round(scene, vectors, stage)
@@ -102,6 +101,7 @@ def search_picture(
 
 
 def _round(scene: SearchScene, vectors: FloatArray, stage: Stage) -> Found:
+    vectors = np.concatenate([vectors, *(_moved_away(vectors, share) for share in stage.away)])
     for _ in range(stage.rounds):
         vectors = climb(
             scene,
@@ -117,6 +117,16 @@ def _round(scene: SearchScene, vectors: FloatArray, stage: Stage) -> Found:
     if not stage.apart_px:
         return found.chosen(order[:most])
     return found.chosen(_distinct(scene, vectors, order, stage.apart_px, most))
+
+
+def _moved_away(vectors: FloatArray, share: float) -> FloatArray:
+    """Cameras (B, 11) at so many times their distance from what they look at, zoomed as much."""
+    ahead = rotations(vectors)[:, 2]
+    distance = -vectors[:, Z] / np.maximum(ahead[:, 2], _LEAST_DOWN)
+    moved = vectors.copy()
+    moved[:, CENTRE] += (1 - share) * distance[:, None] * ahead
+    moved[:, LOG_FOCAL] += np.log(share)
+    return moved
 
 
 def judged_cameras(scene: SearchScene, vectors: FloatArray, stage: Stage = STAGES[-1]) -> Found:

@@ -53,6 +53,14 @@ class SeenPaint:
         """Of the picture, solver px."""
         return self.frame.size[1] * self.frame.scale / 2
 
+    def over_ground(self, points: FloatArray) -> NDArray[np.bool_]:
+        """(..., 2, N) solver px -> (..., N) which lie on the ground, or outside the picture."""
+        height, width = self.ground.shape
+        column = (points[..., 0, :] / REFERENCE_WIDTH + 0.5) * width
+        row = (points[..., 1, :] / (2 * self.half_height) + 0.5) * height
+        inside = column.clip(0, width - 1).astype(np.intp), row.clip(0, height - 1).astype(np.intp)
+        return np.asarray(self.ground[inside[1], inside[0]] > 0)
+
     @cached_property
     def near(self) -> NearestPaint:
         """Its maps."""

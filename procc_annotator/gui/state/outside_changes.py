@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -67,7 +67,9 @@ class OutsideChanges(QObject):
 
         def work(control: JobControl) -> tuple[dict[int, Stamp], list[_Newer]]:
             stopped = lambda: control.cancelled  # noqa: E731
-            looked = [_look_at(source, cameras, stopped) for source, cameras in sources]
+            looked = [
+                _look_at(source, cameras, workspace.index, stopped) for source, cameras in sources
+            ]
             return workspace.changed_outside(stopped), [found for found in looked if found]
 
         def done(found: tuple[dict[int, Stamp], list[_Newer]]) -> None:
@@ -121,10 +123,10 @@ class OutsideChanges(QObject):
 
 
 def _look_at(
-    source: CameraSource, cameras: CameraSet, stopped: Callable[[], bool]
+    source: CameraSource, cameras: CameraSet, frames: Iterable[str], stopped: Callable[[], bool]
 ) -> _Newer | None:
     try:
-        found = cameras.look_again(stopped)
+        found = cameras.look_again(frames, stopped)
     except (ProccError, OSError) as error:
         return _Newer(source, cameras, None, frozenset(), str(error))
     return None if found is None else _Newer(source, cameras, *found)

@@ -212,7 +212,7 @@ class AuditReport:
             [source.summaries for source in self.evaluated],
             self.chance,
             (self.dataset, self.setup.field),
-            self.setup.describe(),
+            min((source.described for source in self.evaluated), key=len),
         )
 
     def failures(self) -> list[str]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from procc_annotator.report.over_time import SourceOverTime
+from procc_annotator.report.over_time import SourceOverTime, terms_over_time
 from procc_annotator.report.page.chart_parts import chart_label, on_either_page, panels
 from procc_annotator.report.page.chart_svg import FAINT, INK, Chart, draw_chart
 from procc_annotator.session.runs.audit_figures import envelope
@@ -43,7 +43,7 @@ def jitter_chart(found: Sequence[SourceOverTime], colours: Sequence[str]) -> Cha
             axes.plot(leapt + 1, np.full(len(leapt), most), "v", color=INK, ms=4, mew=0)
             for end in ends:
                 axes.axvline(end + 0.5, color=FAINT, lw=0.8, ls=":")
-            axes.set_title(chart_label(one.source), y=1.0)
+            axes.set_title(chart_label(one.marked_name), y=1.0)
             axes.set(ylabel="jitter, px", ylim=(0, most * 1.05), xlim=(0, len(values[at]) + 1))
             axes.tick_params(labelbottom=axes is rows[-1])
         rows[-1].set_xlabel("frame of the shots, one after the other")
@@ -53,7 +53,7 @@ def jitter_chart(found: Sequence[SourceOverTime], colours: Sequence[str]) -> Cha
         "Jitter of every frame",
         "How far each frame is from where steady motion between its neighbours would have it, px."
         " A gap has no camera, or no neighbour with one; a triangle at the top is a frame of a"
-        f" jump; dotted lines part shots ({found[0].described}, shots {found[0].told_by}).",
+        f" jump; dotted lines part shots ({terms_over_time(found)}, shots {found[0].told_by}).",
         0.62 + 1.2 * len(found),
         draw,
     )

@@ -12,10 +12,10 @@ from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.legacy import Average
 from procc_annotator.report.comparison import ComparisonScene
-from procc_annotator.report.sheet.counts import FRAMES
+from procc_annotator.report.sheet.counts import FRAMES, HAVING
 from procc_annotator.report.sheet.figure import Figure, values_of
 from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
-from procc_annotator.report.sheet.sheet import Column, Sheet, counted, of
+from procc_annotator.report.sheet.sheet import Column, Sheet, Value, counted, of
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.comparison_run import (
     ComparedFrame,
@@ -209,22 +209,30 @@ def _spread_column(figure: Figure, what: str, group: str) -> Column:
 
 
 def legacy_section(reference: str, pairs: Sequence[ReportedPair]) -> Sheet:
-    """One row a source: the metrics of earlier papers against the reference, mean and median."""
+    """One row a source: the metrics of earlier papers against the reference, mean and median; and
+    of how many frames, where a figure is not of all of the row."""
     columns = [Column("source", "Source"), counted(FRAMES)]
+    compared = [None if pair.summary is None else pair.summary.frames for pair in pairs]
+    rows: list[list[Value]] = [[p.b, frames] for p, frames in zip(pairs, compared, strict=True)]
     for figure in LEGACY:
         group = f"{figure.title}, {figure.unit}"
         for average in ("mean", "median"):
             key = f"{figure.key}_{average}"
             columns.append(of(figure, key=key, heading=average, group=group))
-    rows = []
-    for pair in pairs:
-        legacy = {} if pair.summary is None else pair.summary.legacy
-        averages = [legacy.get(figure.key, Average(None, None, 0)) for figure in LEGACY]
-        values = [value for found in averages for value in (found.mean, found.median)]
-        frames = None if pair.summary is None else pair.summary.frames
-        rows.append((pair.b, frames, *values))
+        found = [_average(pair, figure) for pair in pairs]
+        fewer = any(f.frames != (n or 0) for f, n in zip(found, compared, strict=True))
+        if fewer:
+            key = f"{figure.key}_frames"
+            columns.append(counted(HAVING, key=key, heading="frames", group=group))
+        for row, one in zip(rows, found, strict=True):
+            row += [one.mean, one.median, *([one.frames] if fewer else [])]
     title = f"Metrics of earlier papers against {reference}"
-    return Sheet("legacy", title, tuple(columns), tuple(rows), _described(pairs))
+    return Sheet("legacy", title, tuple(columns), tuple(map(tuple, rows)), _described(pairs))
+
+
+def _average(pair: ReportedPair, figure: Figure) -> Average:
+    legacy = {} if pair.summary is None else pair.summary.legacy
+    return legacy.get(figure.key, Average(None, None, 0))
 
 
 def _described(pairs: Sequence[ReportedPair]) -> str:

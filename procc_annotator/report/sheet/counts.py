@@ -36,6 +36,10 @@ UNDEFINED = _count(
 SHARED = _count("shared", "frames of both", "Annotated frames for which both have a camera.")
 ONLY_A = _count("only_a", "only A", "Annotated frames for which only A has a camera.")
 ONLY_B = _count("only_b", "only B", "Annotated frames for which only B has a camera.")
+HAVING = _count(
+    "frames_having", "frames with it",
+    "Frames that mean and median beside it are of, where these are not all frames of the row.",
+)  # fmt: skip
 RANK = _count(
     "rank", "rank",
     "One more than the sources that are better beyond chance: those that the data cannot tell apart"

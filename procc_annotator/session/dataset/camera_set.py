@@ -7,7 +7,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from threading import Lock
 from typing import Protocol
 
@@ -82,7 +82,7 @@ class CameraSet:
         self.notices = cameras.notices
         self._cameras = cameras
         self._lock = Lock()
-        self._stamps: FileStamps[str] = FileStamps()  # by file; "" is the folder or archive itself
+        self._stamps: FileStamps[str] = FileStamps()  # by file or folder; "" is all
         self._is_folder = self.path.is_dir()
         self._recent: OrderedDict[tuple[str, tuple[int, int]], CameraForFrame] = OrderedDict()
 
@@ -114,7 +114,7 @@ class CameraSet:
         )
         found._stamps.take("", stamp)
         if found._is_folder:
-            for file in found._cameras.decoded:
+            for file in (*_folders_of(found.frames.values()), *found._cameras.decoded):
                 found._stamps.note(file, found._file(file))
         return found
 
@@ -124,13 +124,18 @@ class CameraSet:
         return file is not None and bool(self._stamps.changed(self._file, only=(file,)))
 
     def look_again(
-        self, stopped: Callable[[], bool] = lambda: False
+        self, asked: Iterable[str], stopped: Callable[[], bool] = lambda: False
     ) -> tuple[CameraSet, frozenset[str]] | None:
         """The cameras as they are on disk by now, in any thread; one look at every file read.
 
+        Args:
+            asked: names of the frames that cameras are asked for, which may be called otherwise
+                here.
+            stopped: whether to give up.
+
         Returns:
-            The newer set, and the frames whose cameras are others, came or went; None when there
-            are none.
+            The newer set, and the frames asked for whose cameras are others, came or went; None
+            when no frame's camera is another one.
 
         Raises:
             UsageError, InputError: as `open`; the next look tries again.
@@ -141,17 +146,19 @@ class CameraSet:
         newer = self.opener()()
         before, now = self.frames, newer.frames
         whole = not self._is_folder
-        frames = frozenset(
-            name
-            for name in {**before, **now}
-            if whole or before.get(name) != now.get(name) or before.get(name) in changed
-        )
-        if not frames:  # something else was written into the folder
+
+        def is_another(name: str) -> bool:
+            file, file_now = before.get(name), now.get(name)
+            if file is None and file_now is None:
+                return False
+            return whole or file != file_now or file in changed
+
+        if not any(map(is_another, {**before, **now})):  # something else was written there
             for file, stamp in changed.items():
                 self._stamps.take(file, stamp)
             return None
         newer._stamps.keep(self._stamps, without=changed)
-        return newer, frames
+        return newer, frozenset(filter(is_another, asked))
 
     @property
     def origin(self) -> str:
@@ -209,6 +216,12 @@ class CameraSet:
         model = model_name(camera, loaded.model, size)
         said = "; ".join(remarks) or None
         return CameraForFrame(camera, model, said, loaded.fitted_on, loaded.assumed_field)
+
+
+def _folders_of(files: Iterable[str]) -> set[str]:
+    """The folders below the top one that files lie in, deeper or not."""
+    own = [PurePosixPath(folder) for folder in {file.rpartition("/")[0] for file in files}]
+    return {str(path) for folder in own for path in (folder, *folder.parents)} - {"."}
 
 
 def _name_of(path: Path) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.motion import Motion, carried_points, estimate_motion
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.over_time.frame_offset import FrameOffset, frame_offset, shifts
@@ -37,7 +39,7 @@ from procc_annotator.metric.over_time.steadiness import (
     of_shot,
     steadiness,
 )
-from procc_annotator.metric.polylines import FloatArray, IntArray
+from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.runs.execution.executor import Executor
@@ -73,6 +75,8 @@ class ShotOverTime:
         jac: (n,) at the threshold, NaN for frames without an annotation or a camera.
         offset: of cameras against annotations; None where too few frames can say.
         picture_offset: of cameras against the motion of the pictures.
+        fitted: (n,) whether the camera was fitted to the annotation it is judged by.
+        ground_only: whether a camera that is judged knows only the ground.
         errors: cameras, annotations and pictures that cannot be read, one line each.
     """
 
@@ -84,6 +88,8 @@ class ShotOverTime:
     jac: FloatArray
     offset: FrameOffset | None
     picture_offset: FrameOffset | None
+    fitted: BoolArray
+    ground_only: bool = False
     errors: tuple[str, ...] = ()
 
     @property
@@ -135,6 +141,18 @@ class ShotOverTime:
         return moves_on(self.steady.step_px, self.size)
 
 
+_Found = tuple[CameraOrProjections | None, str | None]  # a camera, and what it was fitted to
+
+
+class _Judged(NamedTuple):
+    """See `ShotOverTime`."""
+
+    jac: FloatArray
+    offset: FrameOffset | None
+    fitted: BoolArray
+    ground_only: bool
+
+
 @dataclass(frozen=True)
 class MeasureShots(AnnotationTask):
     """Measures chunks of shots.
@@ -166,41 +184,45 @@ class MeasureShots(AnnotationTask):
 
     def _measured(self, shot: ShotFrames, points: FloatArray) -> ShotOverTime:
         errors: list[str] = []
-        given = [self._camera(name, errors) for name in shot.frames]
+        found = [self._camera(name, errors) for name in shot.frames]
+        given = [camera for camera, _ in found]
         cameras, size = only_cameras(given), self.setup.size
         steady = steadiness(cameras, shot.numbers, points, size)
         # Those known by their projections alone are no outage.
-        there = [a if a is not None else _unknown(b) for a, b in zip(cameras, given, strict=True)]
+        pairs = zip(cameras, given, strict=True)
+        there = [a if a is not None or b is None else _Unknown() for a, b in pairs]
         broken = interruptions(there, shot.numbers, points, size, steady)
         # Where the field is somewhere else in every frame, no other frame's camera can be meant.
         follows = moves_on(steady.step_px, size)
-        jac, offset = self._against_clicks(shot, given, errors, shifts() if follows else _AS_IS)
+        judged = self._against_clicks(shot, found, errors, shifts() if follows else _AS_IS)
         moved = self._against_pictures(shot, given, points, errors) if self.pictures else None
         return ShotOverTime(
-            shot, size, steady, poses_of(given, size), broken, jac, offset, moved, tuple(errors)
-        )
+            shot, size, steady, poses_of(given, size), broken, judged.jac, judged.offset, moved,
+            judged.fitted, judged.ground_only, tuple(errors),
+        )  # fmt: skip
 
-    def _camera(self, name: str, errors: list[str]) -> CameraOrProjections | None:
+    def _camera(self, name: str, errors: list[str]) -> _Found:
         cameras = self.cameras.opened
         if name not in cameras.frames:
-            return None
+            return None, None
         try:
             loaded = cameras.read(name, self.setup.field)
-            return fit_to_size(loaded, self.setup.size, self.camera_size)[0]
+            camera = fit_to_size(loaded, self.setup.size, self.camera_size)[0]
+            return camera, loaded.fitted_on
         except InputError as error:
             errors.append(str(error))
-            return None
+            return None, None
 
     # --- against annotations ---
 
     def _against_clicks(
         self,
         shot: ShotFrames,
-        cameras: Sequence[CameraOrProjections | None],
+        found: Sequence[_Found],
         errors: list[str],
         tried: IntArray,
-    ) -> tuple[FloatArray, FrameOffset | None]:
-        jac = np.full(len(cameras), np.nan)
+    ) -> _Judged:
+        jac, fitted, ground_only = np.full(len(found), np.nan), np.zeros(len(found), bool), False
         at = {number: place for place, number in enumerate(shot.numbers)}
         rows = []
         for place, name in enumerate(shot.frames):
@@ -211,17 +233,20 @@ class MeasureShots(AnnotationTask):
             row = np.full(len(tried), np.nan)
             for column, shift in enumerate(tried.tolist()):
                 there = at.get(shot.numbers[place] + shift)
-                camera = None if there is None else cameras[there]
+                camera = None if there is None else found[there][0]
                 if camera is None:
                     continue
                 measurement = measure(annotation, camera, setup)
                 row[column] = _distance_px(measurement)
                 if shift == 0:
                     jac[place] = score(measurement, self.threshold).jac
+                    fitted[place] = is_fitted_on(found[place][1], annotation)
+                    ground_only |= measurement.projected.ground_only
             if annotation.annotated:  # a frame without clicks tells nothing of shifts
                 rows.append(row)
         told = len(rows) > 0 and len(tried) > 1
-        return jac, frame_offset(np.array(rows)) if told else None
+        offset = frame_offset(np.array(rows)) if told else None
+        return _Judged(jac, offset, fitted, ground_only)
 
     def _annotation(self, name: str, errors: list[str]) -> FrameAnnotation | None:
         file = self.files.get(name)
@@ -344,10 +369,6 @@ class _Unknown:
     def project(self, points_world: FloatArray) -> tuple[FloatArray, np.ndarray]:
         count = len(points_world)
         return np.full((count, 2), np.nan), np.zeros(count, dtype=bool)
-
-
-def _unknown(given: CameraOrProjections | None) -> _Unknown | None:
-    return None if given is None else _Unknown()
 
 
 def _distance_px(measurement: Measurement) -> float:

@@ -19,6 +19,7 @@ from procc_annotator import (
     load_cameras,
     load_dataset,
     load_field,
+    save_camera,
 )
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
@@ -39,10 +40,43 @@ def test_the_figures_are_those_of_the_command(sample_data: Path, method, protoco
     assert found.summaries == run.summary()
     assert found.described == run.describe()
     assert list(found.frames) == list(results)
+    models = {row["frame"]: row["model"] or "" for row in found.rows()}
+    assert models == {name: result.model for name, result in results.items()}
     for name, result in results.items():
         assert {t: s.tp for t, s in found.frames[name].items()} == {
             t: s.tp for t, s in result.scores.items()
         }
+
+
+@pytest.mark.parametrize("off_plane", ["missed", "left_out"])
+def test_cameras_that_know_the_ground_alone_are_known_as_such(sample_data: Path, off_plane) -> None:
+    cameras = sample_data / "cameras" / "homography"
+    setup = EvaluationSetup(load_field(), (960, 540), off_plane=off_plane)
+    with open_source(sample_data) as source, CameraCollection.open(cameras) as collection:
+        run = run_evaluation(source, collection, setup, (5.0,))
+        assert all(result.ground_only for result in run if result.scores)
+    found = evaluate_set(sample_data, cameras, off_plane=off_plane)
+    assert found.described == run.describe()
+    assert found._sums.ground_only
+
+
+def test_cameras_fitted_to_the_clicks_they_are_judged_by_are_marked(
+    sample_data: Path, tmp_path: Path
+) -> None:
+    annotations = load_annotations(sample_data)
+    names = ("00001", "00002")
+    for name in names:
+        fit = fit_camera(annotations[name], model="R")
+        save_camera(fit, tmp_path / f"camera_{name}.json", fitted_to=annotations[name])
+    fits = load_cameras(tmp_path)
+    found = evaluate_set({name: annotations[name] for name in names}, fits)
+    assert found.described == "soccernet, 960x540, fitted on these clicks"
+    moved = annotations | {"00001": annotations["00003"]}
+    some = evaluate_set(moved, fits)
+    assert some.described == "soccernet, 960x540, fitted on these clicks in 1 of 2 frames"
+    method = evaluate_set(annotations, sample_data / "cameras" / "bad")
+    assert method.described == "soccernet, 960x540"
+    assert method.differences(some)[5.0]["mean_jac"].value is not None
 
 
 def test_annotations_and_cameras_may_be_values(sample_data: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -13,8 +14,9 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.image.decode import PixelArray, decode_bgra
-from tests.drawn_shots import PICTURE_SIZE, Stage, draw, looking_at, stage_of
+from tests.drawn_shots import PICTURE_SIZE, Look, Stage, draw, looking_at, stage_of
 
+BROADCAST = Look(noise=3.0, jpeg_quality=70)
 MAIN = (2.0, 68.0, -16.0)
 
 
@@ -34,12 +36,14 @@ def _anywhere() -> Proposal:
     return propose_camera(_drawn()[1], _stage().field)
 
 
-def _worst_px(one: PinholeCamera, other: PinholeCamera) -> float:
+def _worst_px(
+    one: PinholeCamera, other: PinholeCamera, size: tuple[int, int] = PICTURE_SIZE
+) -> float:
     """Of what the first shows of the ground, by how much the other one is off at most."""
     x, y = np.meshgrid(np.linspace(-52, 52, 40), np.linspace(-34, 34, 30))
     ground: FloatArray = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
     px, ahead = one.project(ground)
-    inside = ahead & (px >= 0).all(axis=1) & (px <= np.array(PICTURE_SIZE) - 1).all(axis=1)
+    inside = ahead & (px >= 0).all(axis=1) & (px <= np.array(size) - 1).all(axis=1)
     again, _ = other.project(ground)
     return float(np.hypot(*(px - again)[inside].T).max())
 
@@ -53,6 +57,32 @@ def test_finds_the_camera_of_a_drawn_picture() -> None:
     assert found.coverage > 0.85
     assert found.explained > 0.85
     assert "lie on paint" in found.reason
+
+
+def test_finds_a_camera_behind_a_goal() -> None:
+    size, place = (960, 540), (67.98388, 13.30989, -20.18044)
+    camera = replace(
+        looking_at(place, (0.0, 0.0, 0.0), 956.136, size, kappa=0.0387),
+        pan_rad=-1.3019251,
+        tilt_rad=1.3248706,
+        roll_rad=-0.0302383,
+    )
+    picture = draw(_stage(), camera, size, seed=25, look=BROADCAST)
+    found = propose_camera(picture, _stage().field)
+    assert isinstance(found.fit.camera, PinholeCamera)
+    assert _worst_px(camera, found.fit.camera, size) < 10
+
+
+def test_the_paint_of_a_net_belongs_to_the_field() -> None:
+    stage, size = stage_of("volleyball"), (960, 540)
+    place = (16.65, 1.4, -4.85)
+    camera = looking_at(place, (-0.1, 3.1, 0.0), 2350.0, size)
+    picture = draw(stage, camera, size, seed=25, look=BROADCAST)
+    known = KnownPosition(np.array(place), np.eye(3) * 0.25)
+    found = propose_camera(picture, stage.field, known=[known])
+    # A third of the paint in sight is the net's lower band.
+    assert found.explained > 0.8
+    assert found.state == "sure"
 
 
 def test_deviations_hold_the_position() -> None:

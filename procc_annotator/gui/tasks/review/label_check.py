@@ -45,6 +45,7 @@ class LabelCheckCommands(QObject):
         self._passed: set[str] = set()  # keys of this frame's findings that were walked through
         self._passed_in = ""
         self._check.finished.connect(self._tell_finished)
+        document.datasetChanged.connect(self._forget_passed)
 
     def serve(self, panel: FindingsPanel) -> None:
         """Do what the list of findings asks for."""
@@ -85,6 +86,11 @@ class LabelCheckCommands(QObject):
         self._check.set_current(frame, found)
         self._show(found)
         self.walked.emit()
+
+    def _forget_passed(self) -> None:
+        """Frames of another dataset may have the same names."""
+        self._passed_in = ""
+        self._passed.clear()
 
     def _walked(self) -> list[Entry]:
         chosen = self._check.severities

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -58,3 +60,52 @@ def test_sets_are_named_so_that_they_can_be_told_apart(
     assert CameraSet.open(tmp_path / "run.1" / "camera_1.json").name == "camera_1"
     monkeypatch.chdir(tmp_path / "run.2")
     assert CameraSet.open(Path()).name == "run.2"
+
+
+def put(folder: Path, name: str, camera: PinholeCamera = CAMERA) -> None:
+    path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(write_camera(camera))
+
+
+def later(folder: Path) -> None:
+    """As if it was changed a second later: clocks of file systems are coarse."""
+    for path in (folder, folder.parent):
+        changed = path.stat().st_mtime_ns + 10**9
+        os.utime(path, ns=(changed, changed))
+
+
+@pytest.mark.parametrize("written", ["g1/camera_2.json", "season/h2/camera_1.json"])
+def test_cameras_that_come_to_a_folder_of_a_tree_are_found(tmp_path: Path, written: str) -> None:
+    put(tmp_path, "g1/camera_1.json")
+    put(tmp_path, "season/h1/camera_1.json")
+    cameras = CameraSet.open(tmp_path)
+    frame = written.replace("camera_", "").removesuffix(".json")
+    asked = ["g1/1", frame]
+    assert cameras.look_again(asked) is None
+    put(tmp_path, written)
+    later((tmp_path / written).parent)
+    found = cameras.look_again(asked)
+    assert found is not None
+    newer, changed = found
+    assert changed == {frame}
+    assert newer.camera(frame, (960, 540)) is not None
+    (tmp_path / written).unlink()
+    later((tmp_path / written).parent)
+    again = newer.look_again(asked)
+    assert again is not None
+    assert again[1] == {frame}
+
+
+def test_changed_cameras_are_told_by_the_names_they_are_asked_for(tmp_path: Path) -> None:
+    """Frames of a tree are called `1` by cameras that all lie in one folder."""
+    put(tmp_path, "g1/camera_1.json")
+    put(tmp_path, "g1/camera_2.json")
+    cameras = CameraSet.open(tmp_path)
+    asked = ["g1/1", "g1/2"]
+    for name in asked:
+        assert cameras.camera(name, (960, 540)) is not None
+    put(tmp_path, "g1/camera_1.json", replace(CAMERA, pan_rad=0.1234567))
+    found = cameras.look_again(asked)
+    assert found is not None
+    assert found[1] == {"g1/1"}

@@ -1,0 +1,33 @@
+"""Pairs of sources as sheets of a report."""
+
+from __future__ import annotations
+
+from procc_annotator.metric.legacy import Average
+from procc_annotator.metric.spread import Spread
+from procc_annotator.report.page.report_pairs import ReportedPair, legacy_section
+from procc_annotator.report.sheet.figures import LEGACY
+from procc_annotator.session.runs.comparison_run import ComparisonSummary
+
+
+def pair(name: str, frames: int, **fewer: int) -> ReportedPair:
+    """A source of which some figures could be found in fewer frames than were compared."""
+    spread = Spread(0.25, 0.5, 1.0)
+    legacy = {figure.key: Average(0.75, 0.5, fewer.get(figure.key, frames)) for figure in LEGACY}
+    return ReportedPair("true", name, ComparisonSummary(frames, (), spread, spread, 0.5, legacy))
+
+
+def test_frames_are_told_of_each_figure_that_is_not_of_all_of_them() -> None:
+    failed = ReportedPair("true", "none", None, failure="no camera can be read")
+    sheet = legacy_section("true", [pair("a", 6), pair("b", 4, iou_whole=3), failed])
+    keys = [column.key for column in sheet.columns]
+    assert [key for key in keys if key.endswith("frames")] == ["frames", "iou_whole_frames"]
+    place = keys.index("iou_whole_frames")
+    assert sheet.columns[place].group == sheet.columns[place - 1].group
+    rows = [dict(zip(keys, row, strict=True)) for row in sheet.rows]
+    assert [(row["frames"], row["iou_whole_frames"]) for row in rows] == [(6, 6), (4, 3), (None, 0)]
+    assert rows[1]["iou_whole_mean"] == rows[1]["iou_part_mean"] == 0.75
+
+
+def test_frames_stand_once_where_they_are_the_same_for_every_figure() -> None:
+    sheet = legacy_section("true", [pair("a", 6), pair("b", 4)])
+    assert len(sheet.columns) == 2 + 2 * len(LEGACY)
