@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import os
 import re
 import subprocess
 import sys
@@ -117,6 +118,18 @@ def test_unreadable_annotations_are_listed_and_the_rest_is_done(cli, dataset, tm
     rows = table(tmp_path / "out")
     assert "2.json" in rows["2"]["failure"]
     assert rows["1"]["camera"] == "camera_1.json"
+
+
+def test_a_name_that_is_no_utf_8(dataset, tmp_path) -> None:
+    name = os.fsdecode(b"caf\xe9_1")
+    few, out = tmp_path / "few", tmp_path / "out"
+    few.mkdir()
+    (few / f"{name}.json").write_bytes((dataset.annotations / "2.json").read_bytes())
+    for asked in (("calibrate", "-m", "P"), ("evaluate", "--click-noise", "1")):
+        command = [sys.executable, "-m", "procc_annotator", *asked, few, out]
+        done = subprocess.run(command, check=False, capture_output=True)
+        assert done.returncode == 0, done.stderr
+    assert (out / f"camera_{name}.json").is_file()
 
 
 def test_a_wrong_label_is_left_out_and_told(cli, dataset, tmp_path) -> None:

@@ -122,7 +122,7 @@ def save_views(path: Path, groups: ViewGroups) -> None:
     for frame in natsorted(groups.frames):
         of = groups.frames[frame]
         writer.writerow([no_formula(cell) for cell in (frame, of.instant, of.view)])
-    write_atomic(path, text.getvalue().encode(), inside=path.parent)
+    write_atomic(path, text.getvalue().encode("utf-8", "backslashreplace"), inside=path.parent)
 
 
 def replace_views(path: Path, groups: ViewGroups, known: bytes | None = None) -> bytes | None:

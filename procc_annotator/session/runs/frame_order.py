@@ -15,7 +15,7 @@ from pathlib import Path
 
 from natsort import natsorted
 
-from procc_annotator.errors import InputError
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.csv_text import csv_cells, formula_text
 from procc_annotator.io.frame_names import FrameTable
 
@@ -108,6 +108,29 @@ class FrameOrder:
             for name in natsorted(found)
             for own in [sorted(found[name], key=self.numbers.__getitem__)]
         ]
+
+
+def require_in_order(shots: Sequence[ShotFrames]) -> None:
+    """Refuse shots that have no order in time.
+
+    Raises:
+        UsageError: no shot has three frames, or two frames of one have the same number, which would
+            be held against each other's cameras.
+    """
+    if all(len(shot.frames) < 3 for shot in shots):
+        raise UsageError(
+            "nothing to do over time: no three frames follow each other (their names end with"
+            " no numbers that count on); say which do in a frames.csv: frame,shot,number"
+        )
+    for shot in shots:
+        for place, (before, number) in enumerate(pairwise(shot.numbers)):
+            if before == number:
+                one, other = shot.frames[place : place + 2]
+                raise UsageError(
+                    f"nothing to do over time: the frames {one} and {other} of the shot {shot.name}"
+                    f" both have the number {number}; say in frames.csv which shots they belong to:"
+                    " frame,shot,number"
+                )
 
 
 def shots_in(frames: Iterable[str], order: FrameOrder | None) -> list[ShotFrames]:

@@ -66,7 +66,7 @@ def moved_jac(
         frame: its name; it decides, with the seed, how its points are moved.
         annotation: what was clicked. measurement: of it.
     """
-    rng = np.random.default_rng((noise.seed, zlib.crc32(frame.encode())))
+    rng = np.random.default_rng((noise.seed, zlib.crc32(frame.encode("utf-8", "surrogatepass"))))
     taus = np.asarray(thresholds, dtype=np.float64)
     size = measurement.setup.size
     found = np.empty((noise.repeats, len(taus)), dtype=np.float32)

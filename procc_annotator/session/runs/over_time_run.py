@@ -44,7 +44,7 @@ from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.frame_jitter import moves_on
-from procc_annotator.session.runs.frame_order import ShotFrames
+from procc_annotator.session.runs.frame_order import ShotFrames, require_in_order
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     KeptOpen,
@@ -329,13 +329,9 @@ class OverTimeRun(SetRun[ShotFrames, ShotOverTime, None]):
             pictures: frame -> its picture, where cameras are to be held against what moves in them.
 
         Raises:
-            UsageError: no annotation, or no shot of three frames.
+            UsageError: no annotation, or as of `require_in_order`.
         """
-        if all(len(shot.frames) < 3 for shot in shots):
-            raise UsageError(
-                "nothing to do over time: no three frames follow each other (their names end with"
-                " no numbers that count on); say which do in a frames.csv: frame,shot,number"
-            )
+        require_in_order(shots)
         task = MeasureShots(
             source_kept_open(annotations),
             cameras_kept_open(cameras),

@@ -165,10 +165,11 @@ class Unfinished:
 
 
 def hex_digest(*parts: object) -> str:
-    """SHA-256, in hexadecimal, of bytes, and of the text of anything else."""
+    """SHA-256, in hexadecimal, of bytes, and of the text of anything else; names of files may be no
+    UTF-8."""
     digest = hashlib.sha256()
     for part in parts:
-        data = part if isinstance(part, bytes) else str(part).encode()
+        data = part if isinstance(part, bytes) else str(part).encode("utf-8", "surrogatepass")
         digest.update(len(data).to_bytes(8, "big"))
         digest.update(data)
     return digest.hexdigest()

@@ -14,6 +14,7 @@ from procc_annotator.metric.course import lengths_along, places_at
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 
+EVERYWHERE = 201  # so many parameters stand for the whole curve
 _INLIER_PX = 1.0
 _ELLIPSE_CLICKS = 5
 _ELLIPSE_PX = 6.0  # how far it may pass from a click
@@ -43,6 +44,12 @@ class Curve:
         ahead, back = np.clip(parameters + step, 0, 1), np.clip(parameters - step, 0, 1)
         along = self._moved(ahead) - self._moved(back)
         return places, along / np.hypot(*along.T)[:, None]
+
+    @property
+    def turns_back(self) -> bool:
+        """Whether it comes back on itself somewhere, so that it has no direction there."""
+        with np.errstate(invalid="ignore"):
+            return not np.isfinite(self.at(np.linspace(0.0, 1.0, EVERYWHERE))[1]).all()
 
     def fitted(self, parameters: FloatArray, found: FloatArray) -> Curve | None:
         """The curve through what was found, without what does not belong; None: too little."""
@@ -141,7 +148,8 @@ def _chords(clicked: FloatArray) -> FloatArray:
 def _through(clicked: FloatArray) -> FloatArray:
     """A smooth curve through every click of an arc that is no ellipse (Catmull and Rom's)."""
     lengths = lengths_along(clicked)
-    clicked, lengths = clicked[np.r_[True, np.diff(lengths) > 1e-6]], np.unique(lengths)
+    kept = np.r_[True, np.diff(lengths) > 1e-6]
+    clicked, lengths = clicked[kept], lengths[kept]
     if len(clicked) < 3:
         return clicked
     steps = np.gradient(clicked, lengths, axis=0)

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import Point, Polyline, point_from_px, points_px
-from procc_annotator.session.strokes.clicked_curve import Curve, curve_through, refitted
+from procc_annotator.session.strokes.clicked_curve import EVERYWHERE, Curve, curve_through, refitted
 from procc_annotator.session.strokes.spacing import regular_parameters
 
 FloatArray = NDArray[np.float64]
@@ -73,10 +73,10 @@ def regularise(
     Returns:
         Points in the direction of the clicks: the samples that a painted line supports, and the
         clicks that it does not confirm. With support for fewer than two samples, or for less than a
-        third of them, the polyline comes back as it is; so does one that is regular already. Curves
-        and bars are done until that is reached, lest their points creep along with every
-        repetition; the last step is left out where it would take a click by more than it may be
-        moved.
+        third of them, the polyline comes back as it is; so does one that is regular already, and
+        one whose clicks go back the way they came. Curves and bars are done until that is reached,
+        lest their points creep along with every repetition; the last step is left out where it
+        would take a click by more than it may be moved.
     """
     if len(polyline.points) < 2:
         return Regularised(polyline)
@@ -100,7 +100,7 @@ def _once(
 ) -> Regularised:
     clicked = points_px(polyline, size)
     curve = curve_through(clicked, curved, bar)
-    if curve is None:
+    if curve is None or curve.turns_back:
         return Regularised(polyline)
     if snap is None:
         places = curve.at(_positions(curve, size))[0]
@@ -244,6 +244,6 @@ def _samples(curve: Curve, size: tuple[int, int], curved: bool) -> FloatArray:
 
 def _positions(curve: Curve, size: tuple[int, int]) -> FloatArray:
     """Parameters of the resulting points: regular, denser where the curve bends."""
-    fine = np.linspace(0.0, 1.0, 201)
+    fine = np.linspace(0.0, 1.0, EVERYWHERE)
     places, directions = curve.at(fine)
     return regular_parameters(fine, places, directions, size[0])

@@ -61,6 +61,14 @@ def test_groups_are_written_as_they_are_read(tmp_path: Path) -> None:
     assert "\n=1" not in path.read_text()
 
 
+def test_a_name_that_is_no_utf_8_does_not_keep_the_others_from_being_written(
+    tmp_path: Path,
+) -> None:
+    file = tmp_path / "views.csv"
+    save_views(file, ViewGroups({**GROUPS.frames, "caf\udce9": ViewOf("18")}))
+    assert GROUPS.frames.items() < load_views(file).frames.items()
+
+
 def test_a_dataset_without_the_file_has_no_groups(tmp_path: Path) -> None:
     assert load_views(tmp_path / "views.csv") == ViewGroups()
 

@@ -174,6 +174,16 @@ def test_no_three_frames_in_a_row(tmp_path: Path) -> None:
         over_time(annotations, folder, shots_by_name(["one", "two", "three"]))
 
 
+def test_two_frames_of_a_shot_with_one_number_are_refused(tmp_path: Path) -> None:
+    cameras, names = shot(4)
+    annotations = write_clicks(tmp_path / "annotations", cameras, names)
+    folder = write_set(tmp_path / "c", cameras, names)
+    twice = ShotFrames("one", tuple(names), (1, 2, 2, 3))
+    told = f"{names[1]} and {names[2]} of the shot one both have the number 2"
+    with pytest.raises(UsageError, match=told):
+        over_time(annotations, folder, [twice])
+
+
 def test_names_tell_shots() -> None:
     names = ["b2_10", "b2_9", "b2_11", "a-1", "a-2", "a-500", "odd"]
     found = shots_by_name(names)

@@ -15,7 +15,7 @@ from procc_annotator.field.sample import sample_every
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.image.paint import snap_all
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.strokes.regularise import MOST_MOVED_PX, regularise
+from procc_annotator.session.strokes.regularise import MOST_MOVED_PX, Snap, regularise
 
 FIELD = load_field()
 SIZE = (960, 540)
@@ -263,3 +263,18 @@ def test_what_was_thinned_out_is_regularised_again() -> None:
     again = regularise(thin, curved=False, size=SIZE, snap=snap).polyline
     assert len(again.points) >= len(once.points) - 1
     assert np.median(away(points_px(again, SIZE), BENT)) < 0.3
+
+
+@pytest.mark.parametrize("way", [(0, 2, 0), (0, 1, 2, 1, 0)])
+@pytest.mark.parametrize("snap", [None, lambda points, _: points])
+def test_clicks_that_come_back_the_way_they_went_stay(way: tuple[int, ...], snap: Snap) -> None:
+    clicks = polyline("Middle line", np.array([[100, 100], [200, 130], [300, 160]])[[*way]])
+    assert regularise(clicks, curved=False, size=SIZE, snap=snap).polyline == clicks
+
+
+def test_an_arc_with_two_clicks_in_nearly_one_place() -> None:
+    clicks = np.array([[100.0, 100.0], [200.0, 130.0], [200.0, 130.0 + 1e-8], [300.0, 180.0]])
+    arc = polyline("Circle left", clicks)
+    found = points_px(regularise(arc, curved=True, size=SIZE, snap=None).polyline, SIZE)
+    assert away(clicks, found).max() < 40
+    np.testing.assert_allclose(found[[0, -1]], clicks[[0, -1]], atol=1e-6)
