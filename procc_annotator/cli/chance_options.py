@@ -9,6 +9,7 @@ from typing import Annotated, Any, cast
 import typer
 
 from procc_annotator.errors import UsageError
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.metric.chance.intervals import METHODS, Method
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report.noise_floor import noise_from
@@ -120,7 +121,9 @@ def tags_by_set(tags: Tags | None, sets: Sequence[str]) -> dict[str, dict[str, A
         return {}
     return {
         of_set: {
-            column: {f: own[0] for f, own in tags.grouping((column,), of_set).values.items()}
+            column: FrameTable(
+                (f, own[0]) for f, own in tags.grouping((column,), of_set).values.items()
+            )
             for column in tags.columns
         }
         for of_set in sets

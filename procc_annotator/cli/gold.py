@@ -100,12 +100,15 @@ def gold(given: AskedForGold) -> None:
         )
         for path in files:
             outputs.check_not_an_input(path, (answers, *sources))
-        unanswered = sorted(set(marked) - set(list_annotations(answers)))
+        answered = list_annotations(answers)
+        unanswered = sorted(name for name in marked if name not in answered)
         if unanswered:
             raise UsageError(
                 f"{listed(unanswered, 'gold frame')} without an annotation in {answers.path}"
             )
-        against = _compared(answers, sources, given.annotators, marked, terms, clustering)
+        named = (answered.name_there(name) for name in marked)
+        known = tuple(dict.fromkeys(name for name in named if name is not None))
+        against = _compared(answers, sources, given.annotators, known, terms, clustering)
     for path in files:  # before the tables: whoever reads them may stop after the first
         write_gold(against, path)
     for sheet in gold_sheets(against):
@@ -141,7 +144,7 @@ def _compared(
     terms: tuple[Field, tuple[int, int], tuple[float, ...]],
     clustering: tuple[str | None, Tags | None],
 ) -> AgainstGold:
-    """All annotators against the answers."""
+    """All annotators against the answers to the frames ``marked``, by the names of these."""
     by, tags = clustering
     values = chance_options.tags_by_set(tags, [""]).get("", {}).get(by or "", {})
     order = chance_options.orders_by_set({"": answers.path}, None).get("")
@@ -149,8 +152,10 @@ def _compared(
     found: list[GoldErrors | None] = []
     known: dict[str, None] = {}
     draws = Draws()
+    answered = list_annotations(answers)
     for source, place in zip(sources, places, strict=True):
-        if not set(list_annotations(source)) & set(marked):
+        own = list_annotations(source)
+        if not any(own.called_in(answered, name) in marked for name in own):
             found.append(None)
             continue
         run = AgreementRun(source, answers, *terms, among=frozenset(marked))

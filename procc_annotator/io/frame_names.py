@@ -85,12 +85,23 @@ class ByFrame(dict[str, T]):
 
     def name_there(self, frame: str) -> str | None:
         """How a frame is called here; None where there is nothing of it."""
+        if (found := self._name_of(frame)) is not None:
+            return found
+        if self.only_folder:
+            composed, folder = (unicodedata.normalize("NFC", s) for s in (frame, self.only_folder))
+            if composed.startswith(folder):
+                return self.name_there(composed.removeprefix(folder))
+        return self._beside_pictures(frame) if self.picture_folders else None
+
+    def called_in(self, others: ByFrame[D], frame: str) -> str | None:
+        """How one of these frames is called among others, where either may be called without the
+        only folder it lies in; None where there is nothing of it."""
+        return others.name_there(self.only_folder + frame) or others.name_there(frame)
+
+    def _name_of(self, frame: str) -> str | None:
+        """The name itself, or the one that is composed otherwise."""
         if dict.__contains__(self, frame):
             return frame
-        if self.only_folder and frame.startswith(self.only_folder):
-            return self.name_there(frame.removeprefix(self.only_folder))
-        if self.picture_folders and (beside := self._beside_pictures(frame)) is not None:
-            return beside
         if frame.isascii():  # composed in one way only
             return None
         if self._composed is None or self._composed[0] != len(self):
@@ -109,7 +120,8 @@ class ByFrame(dict[str, T]):
             if f"/{above}".endswith(f"/{inner}")
         )
         within = (f"{above}/{inner}/{name}" for inner in self.picture_folders if slash)
-        return next((path for path in (*without, *within) if dict.__contains__(self, path)), None)
+        found = map(self._name_of, (*without, *within))
+        return next((name for name in found if name is not None), None)
 
     def __contains__(self, frame: object) -> bool:
         return isinstance(frame, str) and self.name_there(frame) is not None
@@ -129,3 +141,9 @@ class ByFrame(dict[str, T]):
     def get(self, frame: str, default: D | None = None, /) -> T | D | None:
         name = self.name_there(frame)
         return default if name is None else dict.__getitem__(self, name)
+
+
+class FrameTable(ByFrame[T]):
+    """What a table tells of frames, whichever folders keep their pictures."""
+
+    picture_folders = PICTURE_FOLDERS

@@ -205,6 +205,8 @@ class ZipSource(_Opened):
                 f"is not a readable zip archive: {printable(str(error), 160)}",
                 advice="download it again",
             ) from error
+        # A member that was replaced by appending is listed twice; the later one counts.
+        self._stored = {name.removeprefix("./"): name for name in self._archive.namelist()}
         for member in self._archive.infolist():
             name = member.orig_filename  # as stored; zipfile may cut or translate the other one
             if leads_out(name):
@@ -236,21 +238,19 @@ class ZipSource(_Opened):
         return [name for folder in order for name in natsorted(by_folder[folder])]
 
     def _members(self) -> list[str]:
-        # A member that was replaced by appending is listed twice; the later one counts.
-        members = dict.fromkeys(self._archive.namelist())
-        return [n for n in members if not n.endswith("/") and counts(n)]
+        return [n for n in self._stored if not n.endswith("/") and counts(n)]
 
     def names(self) -> list[str]:
         """Every name in the archive as stored, however deep, hidden or repeated."""
         return self._archive.namelist()
 
     def folders(self) -> list[str]:
-        inside = (n for n in self._archive.namelist() if "/" in n and counts(n))
+        inside = (n for n in self._stored if "/" in n and counts(n))
         return natsorted({n.split("/", 1)[0] for n in inside})
 
     def read(self, name: str) -> bytes:
         try:
-            member = self._archive.getinfo(name)
+            member = self._archive.getinfo(self._stored.get(name, name))
             self._check(member)
             with self._archive.open(member) as file:
                 # Never more than announced: the size in the archive's table may be a lie.

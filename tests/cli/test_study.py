@@ -138,6 +138,12 @@ def test_frames_of_a_tree_keep_their_folders(cli, dataset, tmp_path) -> None:
     assert done.exit_code == 0, done.output
     content = json.loads((tmp_path / "gold.json").read_text())
     assert {row["frame"] for row in content["frames"]["rows"]} == {"home/1", "away/1"}
+    for folder in ("anna", "ben"):
+        shutil.rmtree(out / folder / "away")  # whoever has one match alone
+    done = cli("gold", season, out / "anna", out / "ben", "-o", tmp_path / "gold.json")
+    assert done.exit_code == 0, done.output
+    content = json.loads((tmp_path / "gold.json").read_text())
+    assert len(content["frames"]["rows"]) == 2
     (season / "gold.csv").unlink()
     few = ("--annotators", "a,b,c,d,e,f,g,h", "--overlap", "0")
     done = cli("assign", season, tmp_path / "few", *few)

@@ -56,7 +56,7 @@ def read_many(
     for name in files:
         with reading.going_on():
             path = source.display(name)
-            reading.begin(name)
+            reading.begin(name, () if reading.in_tree else reading.pictures)
             root = parse(source.read(name), path)
             yield from read_tracks(root, path, reading)
             images = root.findall("image")

@@ -18,6 +18,7 @@ from procc_annotator.field.stadiums import with_stadiums
 from procc_annotator.field.words import did_you_mean
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.session.dataset.dataset_folder import STADIUMS_FILE
 
 FRAME, STADIUM = "frame", "stadium"
@@ -64,7 +65,7 @@ def read_stadiums(path: Path, field: Field) -> Stadiums:
             raise InputError(path, problem, place=f"line {line}", advice="give it the same ones")
         frames[frame] = stadium
     _check_sizes(path, field, found)
-    return Stadiums(frames, {stadium: own for stadium, (_, own) in found.items()})
+    return Stadiums(FrameTable(frames), {stadium: own for stadium, (_, own) in found.items()})
 
 
 def write_stadiums(path: Path, stadiums: Stadiums) -> None:

@@ -88,7 +88,7 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
         field: the sports field.
         size: (width, height) in px in which distances are taken.
         thresholds: tau of the JaC, px, at least one.
-        among: names of frames, where others are not to be compared.
+        among: names of frames of b, where others are not to be compared.
 
     Attributes:
         only_a, only_b: names of the frames only one annotated: reported, not compared.
@@ -112,10 +112,12 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
         self.a, self.b, self.field, self.size = a, b, field, size
         self.thresholds = check_thresholds(thresholds)
         files_a, files_b = require_annotations(a), require_annotations(b)
+        named = ((name, files_a.called_in(files_b, name)) for name in files_a)
+        shared = {name: there for name, there in named if there is not None}
         frames = [
-            SharedFrame(name, file, files_b[name])
-            for name, file in files_a.items()
-            if name in files_b and (among is None or name in among)
+            SharedFrame(name, files_a[name], files_b[there])
+            for name, there in shared.items()
+            if among is None or there in among
         ]
         if not frames:
             raise UsageError(
@@ -126,8 +128,9 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
         super().__init__(
             frames, CompareAnnotations(source_kept_open(a), source_kept_open(b), field, size)
         )
-        self.only_a = tuple(name for name in files_a if name not in files_b)
-        self.only_b = tuple(name for name in files_b if name not in files_a)
+        in_b = set(shared.values())
+        self.only_a = tuple(name for name in files_a if name not in shared)
+        self.only_b = tuple(name for name in files_b if name not in in_b)
         self._sums = AgreementSums(self.thresholds, self.only_a, self.only_b)
 
     def _take(self, results: Sequence[AgreementResult], sums: None) -> None:

@@ -86,7 +86,9 @@ def nearer(
     """
     sides = [_ratios(a), _ratios(b)]
     both = (sides[0].wholes > 0) & (sides[1].wholes > 0)
-    first, second = (one.of(both) for one in sides)
+    first, second = (
+        Ratios(np.where(both, one.parts, 0.0), np.where(both, one.wholes, 0.0)) for one in sides
+    )
     together = sample(Ratios.beside([first, second]), clusters.numbers, None)
     count = len(KEYS)
     pair = together.at(slice(0, count)), together.at(slice(count, None))

@@ -12,6 +12,7 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import (
     Disagreement,
@@ -120,8 +121,7 @@ class ComparisonRun(SetRun[str, ComparedFrame, None]):
             raise UsageError(f"the evaluation size {size[0]}x{size[1]} is too small")
         self.a, self.b, self.field, self.size = a, b, field, size
         in_a, in_b = a.frames, b.frames
-        every = (*in_a, *(name for name in in_b if name not in in_a))
-        wanted = dict.fromkeys(every if frames is None else frames)
+        wanted = dict.fromkeys(_every(in_a, in_b) if frames is None else frames)
         shared = tuple(name for name in wanted if name in in_a and name in in_b)
         self.only_a = tuple(name for name in wanted if name in in_a and name not in in_b)
         self.only_b = tuple(name for name in wanted if name in in_b and name not in in_a)
@@ -230,6 +230,13 @@ def _pair(a: CameraSet, b: CameraSet, name: str, size: tuple[int, int]) -> Camer
         cameras.append(found.camera)
         notices += [f"{source.name}: {found.notice}"] if found.notice else []
     return CameraPair(cameras[0], cameras[1], tuple(notices))
+
+
+def _every(a: ByFrame[str], b: ByFrame[str]) -> list[str]:
+    """The frames of two sources, those of both by a name that both know."""
+    names = [name if name in b else a.called_in(b, name) or name for name in a]
+    in_b = {b.name_there(name) for name in names}
+    return [*names, *(name for name in b if name not in in_b)]
 
 
 def _over_frames(spreads: Sequence[Spread]) -> Spread:

@@ -14,6 +14,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.collections import AnnotationFiles
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.agreement import (
     FrameAgreement,
@@ -128,8 +129,7 @@ class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
         self.sources, self.field, self.size = tuple(sources), field, size
         self.thresholds = check_thresholds(thresholds)
         files = [require_annotations(source) for source in sources]
-        every = natsorted({name for own in files for name in own})
-        frames = [FrameOfSeveral(name, tuple(own.get(name) for own in files)) for name in every]
+        frames = _frames_of(files)
         shared = [frame for frame in frames if len(frame.files) - frame.files.count(None) > 1]
         if not shared:
             named = ", ".join(
@@ -148,3 +148,16 @@ class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
     def describe(self) -> str:
         """What the numbers depend on, in words."""
         return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
+
+
+def _frames_of(files: Sequence[AnnotationFiles]) -> list[FrameOfSeveral]:
+    """Every frame once, called as the first has it that has it; in natural order."""
+    found = []
+    for at, own in enumerate(files):
+        for name in own:
+            there = [own.called_in(others, name) for others in files]
+            if all(called is None for called in there[:at]):
+                named = zip(files, there, strict=True)
+                paths = (None if called is None else others[called] for others, called in named)
+                found.append(FrameOfSeveral(name, tuple(paths)))
+    return natsorted(found, key=lambda frame: frame.name)

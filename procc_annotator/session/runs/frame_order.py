@@ -17,6 +17,7 @@ from natsort import natsorted
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.csv_text import csv_cells, formula_text
+from procc_annotator.io.frame_names import FrameTable
 
 _FRAME, _SHOT, _NUMBER = "frame", "shot", "number"
 _ADVICE = "the file needs a header like: frame,shot,number"
@@ -85,15 +86,25 @@ class FrameOrder:
     def shots_of(self, frames: Iterable[str]) -> list[ShotFrames]:
         """The shots that some frames make; frames that the table does not name are in none.
 
+        A row is of one frame: of that with the very name, or else of the first that it may mean.
+
         Args:
             frames: names.
         """
-        found: dict[str, list[str]] = {}
+        rows, frame_of = FrameTable(self.shots), dict[str, str]()
         for frame in frames:
-            if frame in self.shots:
-                found.setdefault(self.shots[frame], []).append(frame)
+            row = rows.name_there(frame)
+            if row is not None and (frame == row or row not in frame_of):
+                frame_of[row] = frame
+        found: dict[str, list[str]] = {}
+        for row in frame_of:
+            found.setdefault(self.shots[row], []).append(row)
         return [
-            ShotFrames(name or self.told_by, tuple(own), tuple(self.numbers[f] for f in own))
+            ShotFrames(
+                name or self.told_by,
+                tuple(frame_of[row] for row in own),
+                tuple(self.numbers[row] for row in own),
+            )
             for name in natsorted(found)
             for own in [sorted(found[name], key=self.numbers.__getitem__)]
         ]

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.csv_text import csv_cells
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.words import count_of
 
 MODEL = "model"  # group by the model of the camera
@@ -92,11 +93,11 @@ class Tags:
         at = [None if name == MODEL else self.columns.index(name) for name in by]
         return Grouping(
             tuple(by),
-            {
-                frame: tuple(None if i is None else row[i] or None for i in at)
+            FrameTable(
+                (frame, tuple(None if i is None else row[i] or None for i in at))
                 for (named, frame), row in self.rows.items()
                 if named in (None, of_set)
-            },
+            ),
         )
 
 

@@ -407,6 +407,18 @@ def test_pictures_of_a_task_are_counted_in_the_order_of_their_names(tmp_path: Pa
         assert "there are 1 pictures" in few.problems[0]
 
 
+def test_tracks_over_pictures_in_several_folders_keep_these(tmp_path: Path) -> None:
+    pictures = ["a/1.jpg", "a/2.jpg", "b/1.jpg"]
+    annotations = {name.removesuffix(".jpg"): RICH for name in pictures}
+    frames = [ExchangedFrame(n, a, SIZE, f"{n}.jpg") for n, a in annotations.items()]
+    write(TRACKS, frames, tmp_path / "set")
+    with open_source(tmp_path / "set") as source:
+        known, files = find_annotations(source)
+        assert known.read is not None
+        reading = Reading(SOCCER, pictures=pictures)
+        assert [f.name for f in known.read(source, files, reading)] == list(annotations)
+
+
 def test_what_cvat_interpolated_counts_where_a_person_set_something(tmp_path: Path) -> None:
     shapes = {
         "Middle line": [(0, 1), (1, 0), (2, 0), (3, 1)],

@@ -108,6 +108,23 @@ def test_a_split_folder_may_have_a_dot_and_a_member_may_be_replaced(tmp_path: Pa
         assert source.read(list_annotations(source)["1"]) == b"new"
 
 
+@pytest.mark.parametrize("inside", ["", "test/"])
+def test_names_in_an_archive_may_begin_at_its_top(tmp_path: Path, inside: str) -> None:
+    """As ``zip`` and ``tar`` of other programs store ``.``: with ``./`` before every name."""
+    path = tmp_path / "z.zip"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("./", "")
+        for name in ("2", "10"):
+            archive.writestr(f"./{inside}{name}.json", name)
+    with open_source(path) as source:
+        found = list_annotations(source)
+        assert list(found) == ["2", "10"]
+        assert found.only_folder == inside
+        assert [source.read(file) for file in found.values()] == [b"2", b"10"]
+        assert source.tree() == list(found.values())
+        assert source.folders() == ([inside.rstrip("/")] if inside else [])
+
+
 def test_an_archive_with_a_name_that_climbs_out_is_refused(tmp_path: Path) -> None:
     (tmp_path / "secret.json").write_text("secret")
     (tmp_path / "in").mkdir()

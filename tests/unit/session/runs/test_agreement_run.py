@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+import unicodedata
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +17,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.source import open_source
 from procc_annotator.session.runs.agreement_run import AgreementRun
+from procc_annotator.session.runs.consensus_run import ConsensusRun
 
 LINE = {"Middle line": [{"x": 0.5, "y": 0.4}, {"x": 0.5, "y": 0.6}]}
 FIELD = load_field("soccer")
@@ -37,6 +39,10 @@ def run(a: Path, b: Path, thresholds=(5.0,)) -> AgreementRun:
     return AgreementRun(open_source(a), open_source(b), FIELD, SIZE, thresholds)
 
 
+def several(*folders: Path) -> ConsensusRun:
+    return ConsensusRun([open_source(folder) for folder in folders], FIELD, SIZE, (5.0,))
+
+
 def test_frames_are_paired_by_name_in_natural_order(folders) -> None:
     a, b = folders
     (a / "1.json").rename(a / "11.json")
@@ -49,6 +55,36 @@ def test_frames_are_paired_by_name_in_natural_order(folders) -> None:
     assert (found.frames, found.frames_only_a, found.frames_only_b) == (2, ("11",), ("1",))
     assert found.mean_jac == {5.0: 1.0}
     assert compared.describe() == "soccer, 960x540"
+
+
+def written(folder: Path, *names: str) -> Path:
+    for name in names:
+        path = folder / f"{name}.json"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(json.dumps(LINE))
+    return folder
+
+
+def test_the_order_of_two_does_not_matter_where_one_has_a_single_folder(tmp_path) -> None:
+    season = written(tmp_path / "season", "g1/1", "g2/1")
+    match = written(tmp_path / "match", "g2/1")
+    there = run(season, match)
+    assert (there.total, there.only_a, there.only_b) == (1, ("g1/1",), ())
+    back = run(match, season)
+    assert (back.total, back.only_a, back.only_b) == (1, (), ("g1/1",))
+    three = several(season, match, match)
+    assert [frame.name for frame in three.frames] == ["g2/1"]
+    assert three.alone == (("g1/1",), (), ())
+    again = several(match, season, match)
+    assert [len(frame.files) - frame.files.count(None) for frame in again.frames] == [3]
+
+
+def test_a_frame_counts_once_however_its_letters_are_composed(tmp_path) -> None:
+    composed, apart = (unicodedata.normalize(form, "café_1") for form in ("NFC", "NFD"))
+    names = (composed, apart, composed)
+    found = several(*(written(tmp_path / f"{at}", name) for at, name in enumerate(names)))
+    assert [frame.name for frame in found.frames] == [composed]
+    assert None not in found.frames[0].files
 
 
 def test_a_bad_file_does_not_stop_the_set(folders) -> None:

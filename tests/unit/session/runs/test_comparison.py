@@ -65,6 +65,18 @@ def test_frames_in_common_in_their_order(sources) -> None:
     assert of_dataset.neither == ("9",)
 
 
+def test_the_order_of_two_does_not_matter_where_one_has_a_single_folder(tmp_path) -> None:
+    for name in ("season/g1", "season/g2", "match/g2"):
+        (tmp_path / name).mkdir(parents=True)
+        (tmp_path / name / "camera_1.json").write_text(json.dumps(camera()))
+    season, match = (CameraSet.open(tmp_path / name) for name in ("season", "match"))
+    there = ComparisonRun(season, match, FIELD, SIZE)
+    assert (there.names, there.only_a, there.only_b) == (("g2/1",), ("g1/1",), ())
+    back = ComparisonRun(match, season, FIELD, SIZE)
+    assert (back.names, back.only_a, back.only_b) == (("g2/1",), (), ("g1/1",))
+    assert [(frame.median_m, frame.errors) for frame in back] == [(0.0, ())]
+
+
 def test_figures_of_the_set(sources) -> None:
     comparison = ComparisonRun(*sources, FIELD, SIZE)
     frames = list(comparison)

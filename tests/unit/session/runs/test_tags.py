@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+import unicodedata
 from pathlib import Path
 
 import pytest
 
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.load import load_field
+from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.session.dataset.stadiums_file import field_with_stadiums
+from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.tags import Tags, check_by
 
 BOM = "\ufeff"
+COMPOSED, APART = (unicodedata.normalize(form, "café") for form in ("NFC", "NFD"))
+# As a table may call a frame, and as commands and the window may.
+CALLED_OTHERWISE = [(COMPOSED, APART), ("g/1", "g/img1/1"), (f"{APART}/img1/1", f"{COMPOSED}/1")]
 
 
 def tags(tmp_path: Path, text: str | bytes) -> Tags:
@@ -81,3 +89,18 @@ def test_what_can_be_grouped_by(tmp_path: Path) -> None:
     taken = tags(tmp_path, "frame,model\n1,A\n")
     with pytest.raises(UsageError, match="rename"):
         check_by(["model"], taken)
+
+
+@pytest.mark.parametrize(("told", "asked"), CALLED_OTHERWISE)
+def test_tables_know_a_frame_by_its_other_names(tmp_path: Path, told: str, asked: str) -> None:
+    grouping = tags(tmp_path, f"frame,light\n{told},day\n").grouping(("light",), "any")
+    assert grouping.of(asked) == ("day",)
+    (tmp_path / "stadiums.csv").write_text(f"frame,stadium,length\n{told},Source,100\n")
+    field = field_with_stadiums(load_field("soccer"), tmp_path)
+    assert field_of_frame(field, asked).dimension("length").value == 100.0
+    (tmp_path / "frames.csv").write_text(f"frame,shot,number\n{told},a,7\nnext,a,8\n")
+    order = FrameOrder.read(tmp_path / "frames.csv")
+    (shot,) = order.shots_of(["next", asked])
+    assert (shot.frames, shot.numbers) == ((asked, "next"), (7, 8))
+    (both,) = order.shots_of([asked, told, "next"])  # cameras and pictures of the same frames
+    assert both.frames == (told, "next")
