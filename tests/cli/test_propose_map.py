@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.geometry import Line
 from procc_annotator.field.load import load_field
 
 REAL = Path(__file__).resolve().parents[3] / "shared" / "data" / "foreign"
@@ -141,3 +143,14 @@ def test_a_public_tennis_set(cli, tmp_path: Path, name: str) -> None:
     text = labels.read_text()
     assert '"service-line" = { top_down = ["Service line left", "Service line right"] }' in text
     assert '"service-centerline" = "Centre service line"' in text
+
+
+def test_a_field_without_straight_lines(cli, dataset, tmp_path: Path, monkeypatch) -> None:
+    field = load_field(None)
+    round_ones = tuple(e for e in field.elements if not isinstance(e.geometry, Line))
+    as_labelme(cli, dataset, tmp_path / "set", str.lower)
+    rings = replace(field, elements=round_ones, symmetries=())
+    monkeypatch.setattr("procc_annotator.cli.propose_map.chosen_field", lambda *_: rings)
+    done = cli("propose-map", tmp_path / "set", "-o", tmp_path / "labels.toml")
+    assert done.exit_code in (0, 1), done.stderr
+    assert '"circle central" = "Circle central"' in (tmp_path / "labels.toml").read_text()

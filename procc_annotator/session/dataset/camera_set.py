@@ -72,8 +72,10 @@ class CameraSet:
         cameras: CameraCollection,
         name: str,
         camera_size: tuple[int, int] | None = None,
+        base: Path | None = None,
     ) -> None:
         self.path = cameras.path
+        self._base = base
         self.camera_size = camera_size
         self.name = name
         self.format = cameras.format
@@ -83,7 +85,7 @@ class CameraSet:
         self._cameras = cameras
         self._lock = Lock()
         self._stamps: FileStamps[str] = FileStamps()  # by file or folder; "" is all
-        self._is_folder = self.path.is_dir()
+        self._is_folder = self._file("").is_dir()
         self._recent: OrderedDict[tuple[str, tuple[int, int]], CameraForFrame] = OrderedDict()
 
     @classmethod
@@ -94,6 +96,7 @@ class CameraSet:
         name: str | None = None,
         camera_size: tuple[int, int] | None = None,
         field: Field | None = None,
+        base: Path | None = None,
     ) -> CameraSet:
         """List the cameras of a folder, a zip archive or a single file.
 
@@ -103,14 +106,16 @@ class CameraSet:
             camera_size: (width, height) the cameras' pixels belong to; None goes by the files.
             field: as of `CameraCollection`; None where it may change while the cameras are open.
             name: shown to the user; by default that of the folder, or of the file without suffix.
+            base: what a relative path starts from, see `open_source`.
 
         Raises:
             UsageError: nothing at the path, or no such format.
             InputError: two files for one frame, or an archive that cannot be opened.
         """
-        stamp = stamp_of(path)  # before the look: what is written meanwhile is found by the next
+        # Before the look: what is written meanwhile is found by the next.
+        stamp = stamp_of(_from(base, path))
         found = cls(
-            CameraCollection.open(path, fmt, field=field), name or _name_of(path), camera_size
+            CameraCollection.open(path, fmt, base, field), name or _name_of(path), camera_size, base
         )
         found._stamps.take("", stamp)
         if found._is_folder:
@@ -143,7 +148,7 @@ class CameraSet:
         changed = self._stamps.changed(self._file, stopped)
         if not changed or stopped():
             return None
-        newer = self.opener()()
+        newer = self.opener(self._base)()
         before, now = self.frames, newer.frames
         whole = not self._is_folder
 
@@ -165,10 +170,14 @@ class CameraSet:
         """The folder or file."""
         return str(self.path)
 
-    def opener(self) -> Callable[[], CameraSet]:
-        """What opens the same set once more, as in another process."""
+    def opener(self, base: Path | None) -> Callable[[], CameraSet]:
+        """What opens the same set once more, as in another process.
+
+        Args:
+            base: what a relative path starts from, where that is another folder there.
+        """
         return partial(
-            CameraSet.open, self.path, self.format, self.name, self.camera_size, self.field
+            CameraSet.open, self.path, self.format, self.name, self.camera_size, self.field, base
         )
 
     def files(self) -> Iterable[str]:
@@ -205,7 +214,8 @@ class CameraSet:
         return f"{self.name} has no camera for {frame_name}"
 
     def _file(self, name: str) -> Path:
-        return self.path / name if name and self._is_folder else self.path
+        path = _from(self._base, self.path)
+        return path / name if name and self._is_folder else path
 
     def _read(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame:
         if self._is_folder:
@@ -216,6 +226,10 @@ class CameraSet:
         model = model_name(camera, loaded.model, size)
         said = "; ".join(remarks) or None
         return CameraForFrame(camera, model, said, loaded.fitted_on, loaded.assumed_field)
+
+
+def _from(base: Path | None, path: Path) -> Path:
+    return path if base is None else base / path
 
 
 def _folders_of(files: Iterable[str]) -> set[str]:

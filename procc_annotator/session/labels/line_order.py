@@ -106,8 +106,17 @@ def _first_turned(
 
 def _lines(field: Field) -> dict[str, FloatArray]:
     """Straight elements of the ground as (3,) lines, in units of its half length."""
-    half = max(abs(v) for e in field.elements if isinstance(e.geometry, Line)
-               for v in (*e.geometry.start[:2], *e.geometry.end[:2]))  # fmt: skip
+    half = max(
+        (
+            abs(v)
+            for e in field.elements
+            if isinstance(e.geometry, Line)
+            for v in (*e.geometry.start[:2], *e.geometry.end[:2])
+        ),
+        default=0.0,
+    )
+    if not half:
+        return {}
     found = {}
     for element in field.elements:
         shape = element.geometry

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -128,7 +129,8 @@ class ComparisonRun(SetRun[str, ComparedFrame, None]):
         self.neither = tuple(name for name in wanted if name not in in_a and name not in in_b)
         if not shared:
             raise UsageError(_nothing_in_common(a, b, tuple(wanted), frames is not None))
-        sources = KeptOpen(a.opener(), a), KeptOpen(b.opener(), b)
+        base = Path.cwd()
+        sources = KeptOpen(a.opener(base), a), KeptOpen(b.opener(base), b)
         super().__init__(shared, CompareFrames(*sources, field, size), executor)
         self._done: list[ComparedFrame] = []
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -99,6 +100,19 @@ def test_running_twice_counts_once(sources) -> None:
     again = list(comparison)
     assert [f.median_m for f in first] == [f.median_m for f in again]
     assert comparison.summary().frames == 3
+
+
+def test_a_worker_that_was_started_elsewhere_finds_relative_paths(
+    sources, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    run = ComparisonRun(CameraSet.open(Path("a")), CameraSet.open(Path("b")), FIELD, SIZE)
+    sent = pickle.dumps(run.task)
+    monkeypatch.chdir("/")
+    task = pickle.loads(sent)  # noqa: S301
+    (one,), _ = task(["1"])
+    assert one.statistics is not None, one.errors
+    assert task.a.opened.path == Path("a")  # as it is named to people
 
 
 def test_frames_without_common_ground_are_blank(tmp_path: Path) -> None:
