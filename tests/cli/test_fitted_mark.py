@@ -87,10 +87,13 @@ def test_the_report_marks_them_and_ranks_methods_only(cli, dataset, fits, tmp_pa
     done = cli(
         "report", dataset.root, "--cameras", given[0], "--cameras", given[1], "-o", out,
         "-o", tmp_path / "r.tex", "-o", tmp_path / "r.csv", "-o", tmp_path / "r.json",
-        "--worst", 0, "--random", 0, *FEW,
+        "--worst", 0, "--random", 0, "--disagreement", "theirs,ours", "--reference", "ours", *FEW,
     )  # fmt: skip
     assert done.exit_code == 0, done.output
-    assert out.read_text().count(f"ours ({MARK})") > 5  # tables and charts
+    page = out.read_text()
+    assert page.count(f"ours ({MARK})") > 5  # tables and charts
+    assert f"theirs, ours ({MARK})" in page
+    assert f"Metrics of earlier papers against ours ({MARK})" in page
     assert f"ours ({MARK})" in plain((tmp_path / "r.tex").read_text())
     ranks = {row["source"]: row["rank"] for row in rows(tmp_path / "r.csv") if not row["class"]}
     assert ranks == {"theirs": "1", "ours": ""}

@@ -162,9 +162,10 @@ def write_report(
     disagreeing = tuple(pairs.compared(a, b) for a, b in request.disagreement)
     tables: list[Sheet] = []
     if disagreeing:
-        tables.append(disagreement_section(disagreeing))
+        tables.append(disagreement_section(_marked(disagreeing, report)))
     if legacy:
-        tables.append(legacy_section(request.reference, legacy))
+        told = _marked(legacy, report)
+        tables.append(legacy_section(told[0].a, told))
     steady = shown_sheets(shots_sheet(material.over_time)) if material.over_time else []
     every_pair = tuple({(p.a, p.b): p for p in (*disagreeing, *legacy)}.values())
     problems = [problem for pair in every_pair for problem in pair.problems]
@@ -192,6 +193,12 @@ def write_report(
     for path, kind in zip(outputs, kinds, strict=True):
         write_atomic(path, contents[kind])
     return list(dict.fromkeys(problems))
+
+
+def _marked(pairs: Sequence[ReportedPair], report: AuditReport) -> list[ReportedPair]:
+    """The same, their sources called as they stand in the other tables."""
+    names = {source.name: source.marked_name for source in report.sources}
+    return [replace(p, a=names.get(p.a, p.a), b=names.get(p.b, p.b)) for p in pairs]
 
 
 def _breaks(material: Material) -> list[Sheet]:
