@@ -12,7 +12,6 @@ from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
 from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
 from procc_annotator.errors import UsageError
-from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.fit.determined import LIMITS
 from procc_annotator.fit.fitting import check_model
 from procc_annotator.io.camera_files.fitted_on import TABLE_FILE
@@ -34,7 +33,7 @@ from procc_annotator.session.runs.calibration_run import CalibrationRun
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import WORTH_WORKERS
 from procc_annotator.session.runs.together_run import SharedRun
-from procc_annotator.session.runs.unfinished import Unfinished, unfinished_file
+from procc_annotator.session.runs.unfinished import Unfinished, field_as_asked, unfinished_file
 from procc_annotator.words import count_of, first_of
 
 HELP = """\
@@ -205,7 +204,7 @@ def _terms(
         "model": model,
         "thresholds": ", ".join(f"{tau:g}" for tau in thresholds),
         "scoring": setup.describe(ground_only=True),
-        "field": f"{setup.field.described}, {field_fingerprint(setup.field)[:12]}",
+        "field": field_as_asked(setup.field),
         "size": f"{sizes.asked}, of frames without picture {sizes.otherwise}",
     }
 

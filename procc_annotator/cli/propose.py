@@ -13,7 +13,6 @@ from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import SURE
 from procc_annotator.fit.from_picture.proposing import propose_camera
@@ -36,7 +35,7 @@ from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.known_positions import read_positions
 from procc_annotator.session.runs.proposal_run import ProposalRun, Proposer
 from procc_annotator.session.runs.proposer_plugins import WithPlugin, chosen_proposer
-from procc_annotator.session.runs.unfinished import Unfinished, unfinished_file
+from procc_annotator.session.runs.unfinished import Unfinished, field_as_asked, unfinished_file
 from procc_annotator.words import count_of
 
 HELP = """\
@@ -160,7 +159,7 @@ def propose(given: AskedToPropose) -> None:
     run = ProposalRun(chosen, shown, proposer, positions)
     asked = {
         "detector": given.detector or "",
-        "field": f"{shown.described}, {field_fingerprint(shown)[:12]}",
+        "field": field_as_asked(shown),
     }
     try:
         with (

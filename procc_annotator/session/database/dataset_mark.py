@@ -10,16 +10,22 @@ import json
 import os
 import zlib
 from contextlib import suppress
+from itertools import islice
 from pathlib import Path
 
-from procc_annotator.errors import SaveError
-from procc_annotator.image.suffixes import PICTURE_SUFFIXES
+from procc_annotator.errors import InputError, SaveError
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.folders import walk
 
-Mark = dict[str, str]  # name of a picture -> its size and a checksum of some of it
+Mark = dict[
+    str, str
+]  # path of a picture below the folder, with slashes -> its size and a checksum of some of it
 
 _BYTES = 4096  # looked at in the middle of a picture
 _PICTURES = 24  # as many tell datasets apart, and take no time to look at
+_FOLDERS = 8  # of a tree, whose pictures are chosen from
+_FOLDERS_LOOKED_INTO = 200  # until those are found
 
 
 def mark_of(folder: Path) -> Mark:
@@ -27,15 +33,30 @@ def mark_of(folder: Path) -> Mark:
 
     Chosen by their names alone, so that pictures that come or go change little of it.
     """
-    try:
-        names = [
-            n for n in os.listdir(folder) if os.path.splitext(n)[1].lower() in PICTURE_SUFFIXES
-        ]
-    except OSError:
-        return {}
+    names = _pictures(folder)
     chosen = heapq.nsmallest(_PICTURES, names, key=lambda n: (zlib.crc32(os.fsencode(n)), n))
     looks = ((name, _look(folder / name)) for name in chosen)
     return {name: look for name, look in looks if look}
+
+
+def _pictures(folder: Path) -> list[str]:
+    """The pictures of a folder; of one without any, and without a video, those of the first folders
+    below it that hold some, with their paths."""
+    found: list[str] = []
+    holding = 0
+    with suppress(InputError):  # what is out of reach has no mark
+        for below, names in islice(walk(folder, lambda _: None), _FOLDERS_LOOKED_INTO):
+            here = [below + name for name in names if _suffix(name) in PICTURE_SUFFIXES]
+            found += here
+            holding += bool(here)
+            at_top = not below and (here or any(_suffix(n) in VIDEO_SUFFIXES for n in names))
+            if at_top or holding == _FOLDERS:
+                break
+    return found
+
+
+def _suffix(name: str) -> str:
+    return os.path.splitext(name)[1].lower()
 
 
 def belongs_to(mark: Mark, folder: Path) -> bool:

@@ -17,6 +17,8 @@ from typing import IO, Any, Self
 import numpy as np
 
 from procc_annotator.errors import InputError, SaveError, UsageError
+from procc_annotator.field.fingerprint import field_fingerprint
+from procc_annotator.field.model import Field
 from procc_annotator.session.runs.kept_values import KeptValueError, from_text, to_text
 from procc_annotator.version import __version__
 
@@ -173,6 +175,18 @@ def hex_digest(*parts: object) -> str:
         digest.update(len(data).to_bytes(8, "big"))
         digest.update(data)
     return digest.hexdigest()
+
+
+def field_as_asked(field: Field) -> str:
+    """A field as a term of a run: its words and a digest of all that fits and proposals look at,
+    which is more than tells fields apart."""
+    looked_at = (
+        field.cameras,
+        [(e.name, e.appearance, e.line_width, e.inside) for e in field.elements],
+        [(m.name, m.position, m.covariance, m.instant, m.surveyed) for m in field.landmarks],
+        sorted(field.instants.items()),
+    )
+    return f"{field.described}, {hex_digest(field_fingerprint(field), repr(looked_at))[:12]}"
 
 
 def stamp_of_file(path: Path) -> str:

@@ -273,22 +273,23 @@ def test_write_protected_dataset(
 
 
 def _pictures(dataset: Path, first: int, size: int) -> None:
-    dataset.mkdir(exist_ok=True)
+    dataset.mkdir(exist_ok=True, parents=True)
     for i in range(first, first + 40):
         (dataset / f"{i:05d}.jpg").write_bytes(b"x" * (size + i))
 
 
+@pytest.mark.parametrize("below", ["", "league/game"])
 def test_another_dataset_at_the_same_path_inherits_nothing(
-    tmp_path: Path, opened: Open, own_data: Path
+    tmp_path: Path, opened: Open, own_data: Path, below: str
 ) -> None:
     drive = tmp_path / "drive"
-    _pictures(drive, 0, 1000)
+    _pictures(drive / below, 0, 1000)
     (drive / ".procc").write_bytes(b"")  # nothing can be written there
     database = opened(drive)
     _fill(database)
     database.close()
     drive.rename(tmp_path / "unplugged")
-    _pictures(drive, 0, 5000)  # the same names, other pictures
+    _pictures(drive / below, 0, 5000)  # the same names, other pictures
     (drive / ".procc").write_bytes(b"")
     other = opened(drive)
     assert dict(other.records()) == {}
