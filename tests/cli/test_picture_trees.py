@@ -116,6 +116,29 @@ def test_what_one_match_has_goes_with_the_whole_tree(cli, tree: Tree, tmp_path: 
     assert [bool(scored[name]) for name in sorted(scored)] == [True, True, False, False]
 
 
+def test_clicks_of_one_match_are_not_judged_by_cameras_of_another(cli, tree: Tree) -> None:
+    """Each lies in the only folder of its place, which is otherwise no part of a frame's name."""
+    for match in ("a", "b"):
+        for place in (tree.root / match, tree.cameras / match):
+            for file in (place / "img1").iterdir():
+                file.rename(place / file.name)
+            (place / "img1").rmdir()
+        kept = tree.root / "annotations" / match
+        kept.mkdir(parents=True)
+        for file in (tree.root / match).glob("*.json"):
+            file.rename(kept / file.name)
+    shutil.rmtree(tree.root / "annotations/b")
+    (tree.cameras / "a").rename(tree.root.parent / "a")
+    done = cli("evaluate", tree.root, tree.cameras)
+    assert done.exit_code == 2
+    assert "are of a/, the cameras of b/, which are other pictures" in done.stderr
+    shutil.rmtree(tree.cameras / "b")
+    (tree.root.parent / "a").rename(tree.cameras / "a")
+    assert "2 frames" in cli("evaluate", tree.root, tree.cameras).stdout
+    (tree.cameras / "a").rename(tree.cameras / "any method")
+    assert "2 frames" in cli("evaluate", tree.root, tree.cameras).stdout
+
+
 def test_annotations_may_lie_apart_in_folders_of_the_same_names(
     cli, tree: Tree, tmp_path: Path
 ) -> None:

@@ -82,6 +82,20 @@ def _container(root: Path, folders: Sequence[str]) -> str:
     return "" if any(suffix_of(name) == ".json" for name in beside) else found
 
 
+def are_apart(root: Path, folder: str, other: str) -> bool:
+    """Whether two folders, with a slash at their ends, hold pictures of different frames in the
+    tree of a dataset's pictures: annotations in one are not of the cameras in the other.
+
+    Raises:
+        InputError: as of `find_pictures`.
+    """
+    if not folder or not other or folder == other:
+        return False
+    tree = find_pictures(root)
+    below = [tree.called(name) for name, _ in tree.folders]
+    return all(any(name.startswith(own) for name in below) for own in (folder, other))
+
+
 def has_pictures(root: Path) -> bool:
     """Whether there is any picture in a folder, or below it.
 
