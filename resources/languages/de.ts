@@ -2190,6 +2190,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Für einen Irrtum gehalten: hatte bei der Anpassung nicht mitzureden</translation>
   </message>
   <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>JaC über tau</translation>
+  </message>
+  <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
    <translation>tau (px)</translation>
@@ -2318,11 +2323,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Scores and their plot</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
    <translation>Bewertungen und ihr Diagramm</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC über tau</translation>
   </message>
   <message>
    <source>Copy this explanation</source>

@@ -2190,6 +2190,11 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Tomado por un error: no contó en el ajuste</translation>
   </message>
   <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>JaC según tau</translation>
+  </message>
+  <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
    <translation>tau (px)</translation>
@@ -2318,11 +2323,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>Scores and their plot</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
    <translation>Puntuaciones y su gráfico</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC según tau</translation>
   </message>
   <message>
    <source>Copy this explanation</source>

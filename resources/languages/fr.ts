@@ -2190,6 +2190,11 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Pris pour une erreur : n’a pas compté dans l’ajustement</translation>
   </message>
   <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>JaC selon tau</translation>
+  </message>
+  <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
    <translation>tau (px)</translation>
@@ -2318,11 +2323,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>Scores and their plot</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
    <translation>Scores et leur graphique</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC selon tau</translation>
   </message>
   <message>
    <source>Copy this explanation</source>

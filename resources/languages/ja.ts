@@ -2152,6 +2152,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>誤りとみなされ、当てはめに使われませんでした</translation>
   </message>
   <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>tau に対する JaC</translation>
+  </message>
+  <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
    <translation>tau (px)</translation>
@@ -2280,11 +2285,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Scores and their plot</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
    <translation>スコアとそのグラフ</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>tau に対する JaC</translation>
   </message>
   <message>
    <source>Copy this explanation</source>

@@ -2152,6 +2152,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>视为错误：未参与拟合</translation>
   </message>
   <message>
+   <source>JaC over tau</source>
+   <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
+   <translation>JaC 随 tau 变化</translation>
+  </message>
+  <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/judged/jac_plot.py, procc_annotator/gui/plots/curves.py]</extracomment>
    <translation>tau (px)</translation>
@@ -2280,11 +2285,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Scores and their plot</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
    <translation>得分及其图表</translation>
-  </message>
-  <message>
-   <source>JaC over tau</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/curves.py]</extracomment>
-   <translation>JaC 随 tau 变化</translation>
   </message>
   <message>
    <source>Copy this explanation</source>

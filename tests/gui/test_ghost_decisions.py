@@ -319,8 +319,11 @@ class TestReadOnly:
 def test_accepting_all_says_why_there_is_nothing_to_accept(
     window: MainWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
 ) -> None:
-    """A frame without clicks has no camera, hence no ghosts."""
-    qtbot.waitUntil(lambda: not window.document.live_fit.working)
+    """A frame without clicks has no camera, hence no ghosts; nor is one found in its picture."""
+    document = window.document
+    qtbot.waitUntil(lambda: not document.live_fit.working and not document.proposals.working)
     assert not window.document.ghosts.painted
     hand_on(window).key(Key.Key_Return, SHIFT)
-    assert "no ghosts: " in window.status.hint.text()
+    told = window.status.hint.text()
+    looked = document.proposals.here is not None
+    assert ("no camera was found in this picture" if looked else "no ghosts: annotate") in told

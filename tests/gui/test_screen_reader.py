@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.judged.scores import ScoresPanel
 from procc_annotator.gui.picture.split_view import DividerGrip
 from procc_annotator.gui.window.docks import DESKS
 
@@ -59,11 +60,17 @@ def unnamed(window: QWidget) -> dict[str, str]:
     return found
 
 
-def test_everything_that_takes_the_keyboard_says_what_it_is(audited: MainWindow) -> None:
+def test_everything_that_takes_the_keyboard_says_what_it_is(
+    audited: MainWindow, qtbot: QtBot
+) -> None:
     for desk in DESKS:
         audited.panels.turn_to(desk)
         for name in DESKS[desk]:
             audited.panels.show(name)
+    audited.panels.turn_to("judge")
+    audited.panels.show("scores")
+    audited.findChild(ScoresPanel).tabs.setCurrentIndex(1)  # its plot is made when it is shown
+    qtbot.waitUntil(lambda: audited.findChild(QWidget, "scores_plot") is not None)
     assert len(taking_keys(audited)) > 60
     assert unnamed(audited) == {}
 

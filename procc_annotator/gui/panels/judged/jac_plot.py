@@ -30,6 +30,8 @@ class JacPlot(QWidget):
         self._plot = pg.PlotWidget(background=None)
         follow_theme(self._plot)
         self._plot.setObjectName("scores_plot")
+        self._plot.setAccessibleName(tr("JaC over tau"))
+        self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the threshold has keys of its own
         item = self._plot.getPlotItem()
         item.setMenuEnabled(False)
         item.hideButtons()
