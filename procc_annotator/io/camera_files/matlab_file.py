@@ -33,6 +33,7 @@ _CLASSES = {
 _COMPLEX = 0x0800
 _LARGEST = 64 * 1024 * 1024  # once decompressed
 _DEEPEST = 16
+_MOST_DIMENSIONS = 32
 _MOST_NUMBERS = 1_000_000  # of one array
 
 
@@ -134,7 +135,7 @@ class _File:
         if kind not in _CLASSES and kind not in (_CELL, _STRUCTURE, _CHARACTERS):
             return _name_of(parts), None  # objects, functions, sparse matrices
         shape = self._whole(_next(parts, "dimensions"), "dimensions")
-        if len(shape) < 2 or min(shape) < 0:
+        if not 2 <= len(shape) <= _MOST_DIMENSIONS or min(shape) < 0:
             raise _DamagedError(f"dimensions {shape} of a variable")
         name = self._text(_next(parts, "name"))
         if kind == _CELL:
@@ -177,14 +178,18 @@ class _File:
 
     def _characters(self, element: _Element, shape: list[int]) -> Any:
         rows, text = shape[0], self._text(element)
-        if rows < 2:
+        if rows < 2 or not text:
             return text
+        if math.prod(shape) != len(text):
+            raise _DamagedError(f"expected {math.prod(shape)} characters, found {len(text)}")
         return [text[row::rows].rstrip() for row in range(rows)]
 
     def _numbers(self, element: _Element, shape: list[int], dtype: str) -> Any:
         array = self._array(element, "numbers")
         if len(array) != math.prod(shape):
             raise _DamagedError(f"expected {math.prod(shape)} numbers, found {len(array)}")
+        if not len(array):
+            return []  # whatever its dimensions: a list of so many empty ones may fill the memory
         with np.errstate(all="ignore"):
             array = array.astype(dtype).reshape(shape, order="F").squeeze()
             if array.ndim == 0:

@@ -101,6 +101,30 @@ def test_a_part_that_grows_without_end_is_refused() -> None:
         matlab_content(header + struct.pack("<II", 15, len(bomb)) + bomb, "1.mat")
 
 
+@pytest.mark.parametrize("numbers", [False, True])
+@pytest.mark.parametrize("shape", [(2**31 - 1, 0), (2**31 - 1, 3), (0, 2**31 - 1), (1,) * 70])
+def test_dimensions_of_no_bounds_take_no_memory(shape: tuple[int, ...], numbers: bool) -> None:
+    """Texts of so many lines, or so many empty lists, were more than any machine holds."""
+
+    def part(kind: int, data: bytes) -> bytes:
+        return struct.pack("<II", kind, len(data)) + data + bytes(-len(data) % 8)
+
+    dimensions = struct.pack(f"<{len(shape)}i", *shape)
+    content = part(9, b"") if numbers else part(16, b"" if 0 in shape else b"abc")
+    variable = (
+        part(6, struct.pack("<II", 6 if numbers else 4, 0))
+        + part(5, dimensions)
+        + part(1, b"v")
+        + content
+    )
+    data = b"MATLAB 5.0 MAT-file".ljust(124) + b"\x00\x01IM" + part(14, variable)
+    if len(shape) == 2 and 0 in shape:
+        assert matlab_content(data, "1.mat") == {"v": [] if numbers else ""}
+    else:
+        with pytest.raises(CameraError, match=r"expected|dimensions"):
+            matlab_content(data, "1.mat")
+
+
 @pytest.mark.laps
 def test_damaged_bytes_are_an_error_or_another_value(shared_data: Path, lap: int) -> None:
     """Uncompressed, so that a changed byte is a changed type, length or number."""
