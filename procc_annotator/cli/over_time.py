@@ -150,7 +150,9 @@ class OverTimeCall:
         """The shots of a set, what says so, and its pictures by frame."""
         names = dict.fromkeys(list_annotations(sources[0].annotations))
         for one in sources:
-            names |= dict.fromkeys(one.cameras.frames)
+            cameras = one.cameras.frames  # which may call the same frames otherwise
+            known = {cameras.name_there(name) for name in names}
+            names |= dict.fromkeys(name for name in cameras if name not in known)
         pictures: dict[str, Path] = {}
         ranges: list[range] = []
         table = self._table(sources)

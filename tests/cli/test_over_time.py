@@ -176,3 +176,23 @@ def test_a_recipe_repeats_them(cli, shot: Path) -> None:
     assert "other figure: over time" in done.stdout
     assert "true a: jitter_px" in done.stdout
     assert "mean_jac@" not in done.stdout
+
+
+def test_frames_that_cameras_call_otherwise_are_the_same_frames(cli, tmp_path: Path) -> None:
+    for game in ("g1", "g2"):
+        (tmp_path / "clicks" / game / "img1").mkdir(parents=True)
+        (tmp_path / "cameras" / game).mkdir(parents=True)
+        for n in range(4):
+            annotated = tmp_path / "clicks" / game / "img1" / f"{n:05d}.json"
+            annotated.write_text(annotation_text(float(n)))
+            camera = tmp_path / "cameras" / game / f"camera_{n:05d}.json"
+            camera.write_text(json.dumps(camera_file(float(n))))
+    out = tmp_path / "frames.csv"
+    done = cli(
+        "evaluate", tmp_path / "clicks", tmp_path / "cameras", "--over-time",
+        "--over-time-output", out,
+    )  # fmt: skip
+    assert done.exit_code == 0, done.output
+    rows = list(csv.DictReader(out.read_text().splitlines()))
+    assert len(rows) == 8
+    assert {row["jac"] for row in rows} == {"1.0"}
