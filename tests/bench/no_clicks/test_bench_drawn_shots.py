@@ -14,7 +14,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import cv2
 import numpy as np
 import pytest
 
@@ -113,14 +112,6 @@ def _errors(shot: DrawnShot, found: Track) -> dict[str, np.ndarray]:
         by = np.array([sd.pan_rad, sd.tilt_rad, sd.roll_rad, *sd.position_m, sd.focal_px])
         rows["sds"] += (np.abs([*angles, *place, focal]) / np.maximum(by, 1e-12)).tolist()
     return {name: np.array(values) for name, values in rows.items()}
-
-
-@pytest.fixture(autouse=True)
-def one_core() -> Any:
-    before = cv2.getNumThreads()
-    cv2.setNumThreads(1)
-    yield
-    cv2.setNumThreads(before)
 
 
 @pytest.mark.parametrize("anchored", [True, False], ids=["one camera given", "no click"])

@@ -14,9 +14,6 @@ import time
 from pathlib import Path
 from typing import Any
 
-import cv2
-import pytest
-
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.scaling import scaled
@@ -30,14 +27,6 @@ from tests.bench.no_clicks.test_bench_proposals import Tally
 
 ONLY = os.environ.get("CLIPS", "")
 _EVERY, _SPACING_M = 10, 0.5
-
-
-@pytest.fixture(autouse=True)
-def one_core() -> Any:
-    before = cv2.getNumThreads()
-    cv2.setNumThreads(1)
-    yield
-    cv2.setNumThreads(before)
 
 
 def in_sight(camera: Camera, size: tuple[int, int], field: Field) -> FrameAnnotation:

@@ -16,7 +16,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import cv2
 import numpy as np
 import pytest
 
@@ -101,14 +100,6 @@ def proposed(
     began = time.process_time()
     found = propose_camera(picture, shown, known=known)
     return found, time.process_time() - began
-
-
-@pytest.fixture(autouse=True)
-def one_core() -> Any:
-    before = cv2.getNumThreads()
-    cv2.setNumThreads(1)
-    yield
-    cv2.setNumThreads(before)
 
 
 @pytest.mark.parametrize("known", [False, True], ids=["nothing known", "position known"])

@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import cv2
 import numpy as np
 import pytest
 
@@ -85,14 +84,6 @@ def _followed(clip: Clip, anchors: dict[int, Any]) -> Followed:
     began = time.process_time()
     found = track(clip.frame, range(clip.count), load_field("soccer"), anchors=anchors)
     return Followed(clip, found, time.process_time() - began)
-
-
-@pytest.fixture(autouse=True)
-def one_core() -> Any:
-    before = cv2.getNumThreads()
-    cv2.setNumThreads(1)
-    yield
-    cv2.setNumThreads(before)
 
 
 @pytest.mark.parametrize("begin", ["no click", "one annotated frame"])
