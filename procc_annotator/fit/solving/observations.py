@@ -123,6 +123,17 @@ class Observations:
         first, second = np.split(self.parts.line_ends, 2, axis=1)
         return np.asarray((second - first)[:, self.line_of_pair])
 
+    @cached_property
+    def line_first(self) -> FloatArray:
+        """(3, candidates on lines) metres: the first end of each one's line."""
+        return self.parts.line_ends[:, : self.parts.lines].take(self.line_of_pair, axis=1)
+
+    @cached_property
+    def curve_frames(self) -> FloatArray:
+        """(3, 3, candidates on curves) metres: of each one's curve the `Parts.curve_frames`."""
+        frames = self.parts.curve_frames.reshape(3, 3, self.parts.curves)
+        return frames.take(self.curve_of_pair, axis=2)
+
     def thinned(self, most: int) -> Observations:
         """At most so many points an element, evenly chosen, for a quick look."""
         keep = np.concatenate(
@@ -152,6 +163,8 @@ class Observations:
 
     def leaving_out(self, left_out: NDArray[np.bool_]) -> Observations:
         """The same, with weight 0 for the elements marked in ``left_out`` (E,)."""
+        if not left_out.any():
+            return self
         weights = np.where(left_out[self.element_of_point], 0.0, self.weights)
         return replace(self, weights=weights)
 

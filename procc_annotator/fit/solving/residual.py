@@ -195,26 +195,31 @@ def across_curve(
     """The differences to the feet, their part along the curve taken out except at true ends; those
     to spots as much as these are known."""
     apart = seen.points - pixels
-    length = np.hypot(moved[:, 0], moved[:, 1]) + _TINY
+    length = np.hypot(moved[:, 0], moved[:, 1])
+    length += _TINY
     # Across the curve; at an end: the difference itself, both components.
     one_x = np.where(feet.at_end, 1.0, -moved[:, 1] / length)
     one_y = np.where(feet.at_end, 0.0, moved[:, 0] / length)
-    hidden = feet.hidden
-    if hidden.any():
+    hidden, other = feet.hidden, feet.at_end
+    some_hidden = hidden.any()
+    if some_hidden:
         one_x[hidden] = one_y[hidden] = 0.0
-    other = feet.at_end & ~hidden
+        other = other & ~hidden
     values = np.empty_like(apart)
-    values[:, 0] = one_x * apart[:, 0] + one_y * apart[:, 1]
-    values[:, 1] = other * apart[:, 1]
-    found = np.empty_like(derivatives)
-    found[:, :, 0] = -one_x[:, None] * derivatives[:, :, 0] - one_y[:, None] * derivatives[:, :, 1]
-    found[:, :, 1] = -derivatives[:, :, 1] * other[:, None]
+    first, found = values[:, 0], np.empty_like(derivatives)
+    np.multiply(one_x, apart[:, 0], out=first)
+    first += one_y * apart[:, 1]
+    np.multiply(other, apart[:, 1], out=values[:, 1])
+    across = found[:, :, 0]
+    np.multiply(-one_x[:, None], derivatives[:, :, 0], out=across)
+    across -= one_y[:, None] * derivatives[:, :, 1]
+    np.multiply(derivatives[:, :, 1], np.where(other, -1.0, -0.0)[:, None], out=found[:, :, 1])
     if seen.soft is not None:
         # Of what is not whole the second row is 0, and nothing but whole residuals is softened.
         soft = np.where(other[:, None, None], seen.soft, np.eye(2)[:, :, None])
         values = np.einsum("bijn,bjn->bin", soft, values)
         found = np.einsum("bijn,bpjn->bpin", soft, found)
-    if hidden.any():
+    if some_hidden:
         values[:, 0][hidden] = HIDDEN_PX
     distances = np.hypot(values[:, 0], values[:, 1])
     return Residuals(values, found, distances, other, moved)
