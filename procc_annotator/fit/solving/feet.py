@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
+from procc_annotator.fit.solving.stacked import Stacked
 
 # Nearer than this to the camera's plane nothing is projected: its pixels would be anywhere.
 NEAREST_M = 0.5
@@ -48,7 +49,11 @@ class Feet:
 
 
 def find_feet(
-    linear: FloatArray, undistorted: FloatArray, seen: Observations, *, thorough: bool = True
+    linear: FloatArray,
+    undistorted: FloatArray,
+    seen: Observations | Stacked,
+    *,
+    thorough: bool = True,
 ) -> Feet:
     """Feet of all points.
 
@@ -73,7 +78,7 @@ def find_feet(
         _on_lines(linear, points[:, :, :lines], seen, feet)
     if lines < curves:
         _on_curves(linear, points[:, :, lines:curves], seen, feet, thorough)
-    if curves < total:
+    if isinstance(seen, Observations) and curves < total:
         _on_spots(linear, seen, feet)
     if candidates.of_point is None:
         return feet
@@ -107,11 +112,13 @@ def _on_spots(linear: FloatArray, seen: Observations, feet: Feet) -> None:
     feet.hidden[:, split:] = depths[:, of_pair] < NEAREST_M
 
 
-def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: Feet) -> None:
+def _on_lines(
+    linear: FloatArray, points: FloatArray, seen: Observations | Stacked, feet: Feet
+) -> None:
     split = seen.line_pairs
     table, hidden = _lines_in_sight(linear, seen)
     # Elements are handed to their points in one step, a plane each number.
-    table = table.take(seen.line_of_pair, axis=2)
+    table = seen.of_lines(table)
     across = table[2:4]
     share = _dot(points.transpose(1, 0, 2) - table[0:2], across)
     length = _dot(across, across)
@@ -128,9 +135,9 @@ def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: 
     np.multiply(position[:, None], seen.line_span, out=world)
     world += seen.line_first
     feet.along[:, :, :split] = seen.line_span
-    feet.hidden[:, :split] = False if hidden is None else hidden[:, seen.line_of_pair]
+    feet.hidden[:, :split] = False if hidden is None else seen.of_lines(hidden)
     at_first, at_second = position <= 0.0, position >= 1.0
-    if not seen.parts.all_end:
+    if isinstance(seen, Observations) and not seen.parts.all_end:
         at_first &= seen.parts.ends[0, seen.line_of_pair]
         at_second &= seen.parts.ends[1, seen.line_of_pair]
     at_first |= at_second
@@ -138,7 +145,7 @@ def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: 
 
 
 def _lines_in_sight(
-    linear: FloatArray, seen: Observations
+    linear: FloatArray, seen: Observations | Stacked
 ) -> tuple[FloatArray, NDArray[np.bool_] | None]:
     """What the cameras show of L lines: (8, B, L), u and v of the first end in sight, u and v from
     there to the second, the depths of both, the share of the line before the first and that in
@@ -164,7 +171,10 @@ def _lines_in_sight(
         seen_a += first
         seen_b = high[:, None] * span
         seen_b += first
-        table[4], table[5] = np.where(hidden, 1.0, seen_a[:, 2]), np.where(hidden, 1.0, seen_b[:, 2])
+        table[4], table[5] = (
+            np.where(hidden, 1.0, seen_a[:, 2]),
+            np.where(hidden, 1.0, seen_b[:, 2]),
+        )
         table[6], table[7] = low, high - low
     else:
         seen_a, seen_b = first, first + span
@@ -176,9 +186,9 @@ def _lines_in_sight(
 
 
 def _on_curves(
-    linear: FloatArray, points: FloatArray, seen: Observations, feet: Feet, thorough: bool
+    linear: FloatArray, points: FloatArray, seen: Observations | Stacked, feet: Feet, thorough: bool
 ) -> None:
-    curves, of_pair = seen.parts.curves, seen.curve_of_pair
+    curves = seen.parts.curves
     on_curves = slice(seen.line_pairs, seen.curve_pairs)
     frame = linear[:, :, :3] @ seen.parts.curve_frames
     centres = frame[:, :, :curves]
@@ -191,23 +201,23 @@ def _on_curves(
     one, other = turns[:2], turns[1:]
     crossed = one[:, 1:4] * other[:, 2:] - one[:, 2:] * other[:, 1:4]
     crossed *= np.where((planes[3:6] * crossed[0]).sum(axis=0) < 0, -1.0, 1.0)
-    table = np.concatenate([planes, crossed.reshape(6, -1, curves)]).take(of_pair, axis=2)
+    table = seen.of_curves(np.concatenate([planes, crossed.reshape(6, -1, curves)]))
     points = np.ascontiguousarray(points.transpose(1, 0, 2))
     sine, cosine = _dot(table[12:14], points), _dot(table[9:11], points)
     sine += table[14]
     cosine += table[11]
     angle = np.arctan2(sine, cosine)
-    half = seen.parts.curve_half[of_pair]
+    half = seen.curve_half
     angle, corner = _stepped(table[:9], points, half, angle, thorough)
     cosine, sine = np.cos(angle), np.sin(angle)
     world = seen.curve_frames
     cos_wide, sin_wide = cosine[:, None], sine[:, None]
     place, along = feet.world[:, :, on_curves], feet.along[:, :, on_curves]
-    np.multiply(cos_wide, world[:, 1], out=place)
-    place += world[:, 0]
-    place += sin_wide * world[:, 2]
-    np.multiply(cos_wide, world[:, 2], out=along)
-    along -= sin_wide * world[:, 1]
+    np.multiply(cos_wide, world[..., 1, :], out=place)
+    place += world[..., 0, :]
+    place += sin_wide * world[..., 2, :]
+    np.multiply(cos_wide, world[..., 2, :], out=along)
+    along -= sin_wide * world[..., 1, :]
     depths = cosine * table[5]
     depths += table[2]
     depths += sine * table[8]
@@ -215,8 +225,8 @@ def _on_curves(
     at_end = np.abs(angle) >= half
     if corner is not None:
         corner &= ~at_end
-    if not seen.parts.all_end:
-        ends = seen.parts.ends[:, seen.parts.lines :][:, of_pair]
+    if isinstance(seen, Observations) and not seen.parts.all_end:
+        ends = seen.parts.ends[:, seen.parts.lines :][:, seen.curve_of_pair]
         at_end = ((angle <= -half) & ends[0]) | ((angle >= half) & ends[1])
     feet.at_end[:, on_curves] = at_end if corner is None else at_end | corner
 
@@ -259,7 +269,8 @@ def _stepped(
     if not len(camera):
         return angle, None
     curves = table[:, camera, point].T.reshape(-1, 3, 3)
-    found = nearest_angles(curves, half[point], points[:, camera, point].T, NEAREST_M)
+    half = np.broadcast_to(half, angle.shape)[camera, point]
+    found = nearest_angles(curves, half, points[:, camera, point].T, NEAREST_M)
     angle[camera, point] = np.where(found.seen, found.angles, angle[camera, point])
     corner = np.zeros(angle.shape, dtype=bool)
     corner[camera, point] = found.seen & found.corner

@@ -68,8 +68,9 @@ class Lens:
         curve = _curve_of(vectors, half_diagonal) if is_strong(vectors) else None
         return cls(vectors, rotation, linear, focal, bend, bend_by_kappa, curve)
 
-    def undistorted(self, points: FloatArray) -> FloatArray:
-        """(2, N) solver px -> (B, 2, N) where a lens without distortion would show them.
+    def undistorted(self, points: FloatArray, bent: NDArray[np.bool_] | None = None) -> FloatArray:
+        """(2, N) or (B, 2, N) solver px -> (B, 2, N) where a lens without distortion would show
+        them; of those not in ``bent`` (B,) nothing is to be said but that.
 
         In closed form: the cubic r (1 + bend r^2) = distance has one real root for bend >= 0; for
         bend < 0 the smallest positive one counts. What such a lens does not show, farther out than
@@ -92,7 +93,10 @@ class Lens:
         if barrel.any():
             radius[barrel] = np.sin(np.arcsin(np.minimum(reach[barrel], 1.0)) / 3)
         radius *= 2 / np.sqrt(3 * size)
-        around *= (radius / distance)[:, None]
+        radius /= distance
+        if bent is not None:
+            radius[~bent] = 1.0
+        around *= radius[:, None]
         return around
 
     def beyond_fold(self, world: FloatArray) -> NDArray[np.bool_] | None:

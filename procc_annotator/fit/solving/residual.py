@@ -17,6 +17,7 @@ from procc_annotator.fit.solving.feet import Feet, find_feet
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import CENTRE
 from procc_annotator.fit.solving.observations import FloatArray, Observations
+from procc_annotator.fit.solving.stacked import Stacked
 
 # What a point counts whose element is behind the camera, solver px; no direction is better.
 HIDDEN_PX = 1000.0
@@ -59,7 +60,7 @@ def components(
 
 def pinhole_residuals(
     vectors: FloatArray,
-    seen: Observations,
+    seen: Observations | Stacked,
     half_diagonal: float,
     free: int,
     *,
@@ -69,14 +70,15 @@ def pinhole_residuals(
 
     Args:
         vectors: (B, 11) parameters, see `models`.
-        seen: N points.
+        seen: N points, or those of several frames, each camera of one of them.
         half_diagonal: half the picture's diagonal, solver px.
         free: derivatives by the first so many parameters.
         thorough: see `find_feet`.
     """
     lens = Lens.of(vectors, half_diagonal)
-    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen, thorough=thorough)
-    feet = not_folded(feet, lens)
+    bent = seen.shared(lens.bend[:, 0] != 0) if isinstance(seen, Stacked) else None
+    undistorted = lens.undistorted(seen.points, bent)
+    feet = not_folded(find_feet(lens.linear, undistorted, seen, thorough=thorough), lens)
     world = feet.world
     if feet.hidden.any():
         # Anything in front of the camera will do: its residual is replaced.
@@ -186,7 +188,7 @@ def _ground(world: FloatArray) -> FloatArray:
 
 
 def across_curve(
-    seen: Observations,
+    seen: Observations | Stacked,
     pixels: FloatArray,
     moved: FloatArray,
     derivatives: FloatArray,
