@@ -149,7 +149,7 @@ Groups = Annotated[
         metavar="FILE.csv",
         show_default=False,
         help="Groups of frames that belong together: a column 'frame' and one that names the group"
-        " (and 'set', if there are several).  [default: all frames]",
+        " (and 'set', if there are several).  [default: the stadiums of stadiums.csv, else all]",
     ),
 ]
 CameraFormat = Annotated[
