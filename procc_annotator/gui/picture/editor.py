@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
@@ -104,6 +105,12 @@ class Editor(QObject):
         return self._document.mode == "draw" and self._document.selected_class in self.spots
 
     @property
+    def looks_for_lines(self) -> bool:
+        """Whether the next click may be put on a line of the picture."""
+        drawing = self._document.mode == "draw" and self._document.editable
+        return drawing and self.follows_cursor and self._snapper.wanted
+
+    @property
     def follows_cursor(self) -> bool:
         """Whether something is painted at the cursor."""
         document = self._document
@@ -111,12 +118,16 @@ class Editor(QObject):
         drawing = document.mode == "draw" and (chosen or self._draw.busy)
         return drawing or document.hovered_class is not None
 
-    def draft(self, cursor: Position | None) -> Draft | None:
-        """The polyline under way, with its line to the cursor."""
+    def draft(self, cursor: Position | None, *, looking: bool = True) -> Draft | None:
+        """The polyline under way, with its line to the cursor and where a click would be put;
+        without ``looking`` only if that is known already."""
         document = self._document
         if document.mode != "draw" or not document.editable:
             return None
-        return draft_of(self._draw, self._context(), cursor, self._held)
+        context = self._context()
+        if context.snap is not None and not looking:
+            context = replace(context, snap=self._snapper.remembered)
+        return draft_of(self._draw, context, cursor, self._held)
 
     def hint(self) -> str:
         """What the next click, Enter and Esc will do."""
