@@ -90,25 +90,13 @@ class Editor(QObject):
             return None
         finished = self._draw.class_name if self._draw.busy else document.selected_class
         ghosts = document.ghosts
-        return next_element(
-            document.field,
-            document.annotation,
-            finished,
-            self.seen_before,
-            gains=ghosts.gains,
-            out_of_sight=ghosts.out_of_sight,
-        )
+        terms = document.field, document.annotation, finished, self.seen_before
+        return next_element(*terms, gains=ghosts.gains, out_of_sight=ghosts.out_of_sight)
 
     @property
     def _one_click(self) -> bool:
         """Whether the next click finishes the element that is chosen."""
         return self._document.mode == "draw" and self._document.selected_class in self.spots
-
-    @property
-    def looks_for_lines(self) -> bool:
-        """Whether the next click may be put on a line of the picture."""
-        drawing = self._document.mode == "draw" and self._document.editable
-        return drawing and self.follows_cursor and self._snapper.wanted
 
     @property
     def follows_cursor(self) -> bool:
