@@ -56,8 +56,8 @@ def camera_at(
     Args:
         camera: as a caller gave it.
         size: (width, height) px.
-        camera_size: (width, height) px that cameras belong to which do not say it, and those read
-            from files; None for ``size``.
+        camera_size: (width, height) px that cameras belong to which do not say it; None for
+            ``size``.
         name: how to call it where it is none.
         field: what its picture shows.
 

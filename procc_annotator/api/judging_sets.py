@@ -50,8 +50,8 @@ def evaluate_set(
             dataset, and the usual one (SoccerNet's classes, nominal size) for other annotations.
         size: (width, height) px at which annotations and cameras are compared; cameras are scaled
             to it.
-        camera_size: (width, height) px that the cameras belong to, where they are no fits; if None
-            what their files say, and ``size`` where nothing is said.
+        camera_size: (width, height) px that the cameras belong to, where they are no fits and their
+            files do not say it; ``size`` if None (1280x720 for files of homographies).
         thresholds: px; compared strictly.
         protocol: ``soccernet`` or ``procc``.
         allow_mirrored: whether labels of the turned field may count, where they fit better; for

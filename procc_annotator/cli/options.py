@@ -165,7 +165,8 @@ CameraSize = Annotated[
     typer.Option(
         metavar="WxH",
         callback=checked_size,
-        help="Picture size the cameras refer to, where their files do not say.",
+        help="Picture size the cameras refer to, where their files do not say (a homography's does"
+        " not: 1280x720 is only usual).",
     ),
 ]
 OffPlane = Annotated[
