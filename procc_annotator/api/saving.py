@@ -93,7 +93,7 @@ def _writer(name: str) -> CameraWriter:
 def _with_size(camera: AnyCamera, size: tuple[int, int] | None) -> LoadedCamera:
     """The camera with the size (px) that its pixels belong to."""
     if isinstance(camera, LoadedCamera):
-        return replace(camera, size=camera.size_where(size))
+        return camera if camera.size is not None else replace(camera, size=size)
     if isinstance(camera, FitResult):
         if camera.camera is None:
             raise UsageError(f"there is no camera to write, the fit failed: {camera.failure}")
