@@ -325,7 +325,7 @@ def print_all(scored: list[Scored]) -> None:
     for size in dict.fromkeys(s.setup.size for s in scored):
         of_size = [(name, s) for name, s in fits if s.setup.size == size]
         taus = list(of_size[0][1].summaries)
-        held_out = held_out_sheet(of_size, taus, of_size[0][1].setup.describe())
+        held_out = held_out_sheet(of_size, taus, of_size[0][1].setup)
         if held_out is not None:
             console.print(held_out)
     for by in dict.fromkeys(group.by for s in scored for group in s.groups):
