@@ -26,8 +26,8 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.through_shot import following_shot
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.io.camera_files.fitted_on import annotation_digest
 from procc_annotator.image.video import open_shared
+from procc_annotator.io.camera_files.fitted_on import annotation_digest
 
 
 def fit_camera(
