@@ -22,7 +22,7 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.collections import CAMERA_PREFIX, files_of
 from procc_annotator.io.source import open_source
-from procc_annotator.session.dataset.annotation_source import own_label_map
+from procc_annotator.session.dataset.annotation_source import open_files, own_label_map
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import annotations_or_itself
 from procc_annotator.session.dataset.fit_sizes import told_size
@@ -290,7 +290,7 @@ def _frames(
     else:
         names = read_label_map(as_path(labels, "labels"), field)
     sizes = PictureSizes(picture_folders(dataset, place), tree=picture_tree(dataset))
-    with open_source(place) as source:
+    with open_files(place) as source:
         reader = SetReader(
             source, field, names,
             size_of=sizes.size, pictures=sizes.names(), called=sizes.called,

@@ -20,14 +20,13 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.camera_files.polyline_submission import POLYLINES
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import open_source
 from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.camera_export import export_cameras
 from procc_annotator.report.conversion import convert_annotations
 from procc_annotator.report.conversion_output import Wanted
 from procc_annotator.report.polyline_export import export_polylines
-from procc_annotator.session.dataset.annotation_source import own_label_map
+from procc_annotator.session.dataset.annotation_source import open_files, own_label_map
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.words import count_of
 
@@ -208,7 +207,7 @@ def _convert_to_polylines(given: AskedToConvert) -> int:
     names = None
     with _cameras(given) as (cameras, progress):
         if given.frames is not None:
-            with open_source(annotations_of(given.frames)) as annotated:
+            with open_files(annotations_of(given.frames)) as annotated:
                 names = list(list_annotations(annotated))
         done = export_polylines(
             cameras, given.out, setup, method, names, camera_size=own, progress=progress

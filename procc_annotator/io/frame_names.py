@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterable
 from pathlib import PurePosixPath
 from typing import TypeVar, overload
 
@@ -22,6 +23,7 @@ PICTURE_SUFFIX = re.compile(
 # Where the published sets and other programs keep pictures.
 PICTURE_FOLDERS = ("images", "images/default", "img1", "v3_frames")
 _DRIVE = re.compile(r"[A-Za-z]:")
+_LONGEST_PATH = 600  # of the folders above a picture
 
 
 def leads_out(path: str) -> bool:
@@ -33,6 +35,26 @@ def leads_out(path: str) -> bool:
         or _DRIVE.match(path) is not None
         or ".." in path.split("/")
     )
+
+
+def slashed(path: str) -> str:
+    """A path that may have been written on any system, with slashes and without ``./``."""
+    return path.replace("\\", "/").removeprefix("./")
+
+
+def in_several_folders(pictures: Iterable[str]) -> bool:
+    """Whether the pictures that one file names are called by their paths: they lie in several
+    folders, and none leads out of the dataset.
+
+    Args:
+        pictures: their names, `slashed`.
+    """
+    folders = {picture.rpartition("/")[0] for picture in pictures}
+    return len(folders) > 1 and all(map(_can_be_folder, folders))
+
+
+def _can_be_folder(path: str) -> bool:
+    return not leads_out(path) and path.isprintable() and len(path) <= _LONGEST_PATH
 
 
 def frame_of_file(path: str, prefix: str = "") -> str:

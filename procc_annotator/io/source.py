@@ -78,13 +78,14 @@ class FileSource(Protocol):
     def __exit__(self, *failure: object) -> None: ...
 
 
-def open_source(path: Path, base: Path | None = None) -> FileSource:
+def open_source(path: Path, base: Path | None = None, of_tree: bool = False) -> FileSource:
     """Open a folder, a zip archive, or a single file as a source of one.
 
     Args:
         path: what to open; files are named to a person by it, as it is.
         base: the folder a relative path starts from, where that is not the current one (in a worker
             on another machine).
+        of_tree: as of `FolderSource`.
 
     Raises:
         UsageError: there is nothing at the path.
@@ -98,7 +99,7 @@ def open_source(path: Path, base: Path | None = None) -> FileSource:
     except OSError as error:
         raise InputError(path, f"cannot be read: {error.strerror or error}") from error
     if stat.S_ISDIR(mode):
-        return FolderSource(path, base)
+        return FolderSource(path, base, of_tree)
     if not stat.S_ISREG(mode):
         raise InputError(path, _NOT_REGULAR, advice=_NOT_REGULAR_ADVICE)
     if path.suffix.lower() == ".zip":
@@ -134,16 +135,22 @@ def _in_order(names: tuple[str, ...]) -> tuple[str, ...]:
 
 
 class FolderSource(_Opened):
-    """Files of a folder."""
+    """Files of a folder.
 
-    def __init__(self, path: Path, base: Path | None = None) -> None:
+    Attributes:
+        of_tree: whether its only folder is one of a tree, which others have more of: its files do
+            not count as those at the top.
+    """
+
+    def __init__(self, path: Path, base: Path | None = None, of_tree: bool = False) -> None:
         self.path = path
+        self.of_tree = of_tree
         self._folder = str(path)
         self._place = str(_from(base, path))
 
     def files(self) -> list[str]:
         names, folders = entries(Path(self._place))
-        if not names and len(folders) == 1:
+        if not names and len(folders) == 1 and not self.of_tree:
             inner, _ = entries(Path(self._place, folders[0]))
             names = [f"{folders[0]}/{name}" for name in inner]
         return list(_in_order(tuple(names)))
@@ -163,6 +170,9 @@ class FolderSource(_Opened):
 
     def display(self, name: str) -> str:
         return os.path.join(self._folder, name)
+
+    def opener(self, base: Path) -> Callable[[], FileSource]:
+        return partial(open_source, self.path, base, self.of_tree)
 
 
 class SingleFileSource(_Opened):
@@ -239,6 +249,10 @@ class ZipSource(_Opened):
 
     def _members(self) -> list[str]:
         return [n for n in self._stored if not n.endswith("/") and counts(n)]
+
+    def has(self, name: str) -> bool:
+        """Whether there is such a file."""
+        return name in self._stored
 
     def names(self) -> list[str]:
         """Every name in the archive as stored, however deep, hidden or repeated."""

@@ -18,13 +18,14 @@ from procc_annotator.io.annotation_files.exchange import (
 )
 from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.io.annotation_files.read_set import ReadSet, SetReader, read_set
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.source import FileSource
 from procc_annotator.report.conversion_output import (
     Converted,
     Wanted,
     keep_apart,
     write_converted,
 )
+from procc_annotator.session.dataset.annotation_source import open_files
 from procc_annotator.session.dataset.dataset_folder import annotations_or_itself
 from procc_annotator.session.dataset.picture_names import PicturesByName
 from procc_annotator.session.dataset.picture_sizes import (
@@ -73,7 +74,7 @@ def convert_annotations(
     target = format_named(wanted.to)
     folder = annotations_or_itself(path)
     keep_apart(path, out)
-    with open_source(folder) as source:
+    with open_files(folder) as source:
         if fmt == "auto":
             refuse_other_things(source)
         sizes = PictureSizes(picture_folders(path, folder), size, picture_tree(path))
@@ -150,7 +151,7 @@ def read_annotations(
     Raises:
         UsageError, InputError: as for `convert_annotations`.
     """
-    with open_source(annotations_or_itself(path)) as source:
+    with open_files(annotations_or_itself(path)) as source:
         return read_set(
             source,
             workspace.field,

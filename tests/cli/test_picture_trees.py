@@ -131,12 +131,17 @@ def test_clicks_of_one_match_are_not_judged_by_cameras_of_another(cli, tree: Tre
     (tree.cameras / "a").rename(tree.root.parent / "a")
     done = cli("evaluate", tree.root, tree.cameras)
     assert done.exit_code == 2
-    assert "are of a/, the cameras of b/, which are other pictures" in done.stderr
+    assert "annotations are named like 'a/00001', cameras like 'b/00001'" in done.stderr
     shutil.rmtree(tree.cameras / "b")
     (tree.root.parent / "a").rename(tree.cameras / "a")
-    assert "2 frames" in cli("evaluate", tree.root, tree.cameras).stdout
-    (tree.cameras / "a").rename(tree.cameras / "any method")
-    assert "2 frames" in cli("evaluate", tree.root, tree.cameras).stdout
+    figures = tree.root.parent / "figures.csv"
+    assert cli("evaluate", tree.root, tree.cameras, "-o", figures).exit_code == 0
+    with figures.open(encoding="utf-8") as file:
+        assert {row["name"] for row in csv.DictReader(file)} == {"a/00001", "a/00002"}
+    (tree.cameras / "a").rename(tree.cameras / "any method")  # of which match nobody says
+    assert cli("evaluate", tree.root, tree.cameras).exit_code == 2
+    inside = tree.root / "annotations/a"
+    assert "2 frames" in cli("evaluate", inside, tree.cameras).stdout
 
 
 def test_annotations_may_lie_apart_in_folders_of_the_same_names(

@@ -338,33 +338,35 @@ def test_what_others_write_right_after_it_is_seen(
     qtbot.waitUntil(lambda: window.document.annotation.annotated == ("Circle left",))
 
 
-def leave_meanwhile(window: MainWindow, disk: SlowDisk, leave: Callable[[], object]) -> None:
+def leave_meanwhile(
+    window: MainWindow, disk: SlowDisk, qtbot: QtBot, leave: Callable[[], object]
+) -> None:
     """Leave while the disk is busy; it is done only once the frame is being left."""
-    disk.asked.wait(20)
+    qtbot.waitUntil(disk.asked.is_set)
     window.document.aboutToLeave.connect(disk.let_go)
     leave()
 
 
 def test_a_frame_that_is_left_is_written_before_anybody_else_may_have_it(
-    window: MainWindow, disk: SlowDisk, dataset: Path
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
 ) -> None:
     locked: list[bool] = []
     disk.before = lambda: locked.append(bool(list(locks_folder(dataset).glob("frame_0-*.lock"))))
     click(window)
-    leave_meanwhile(window, disk, window.document.next_frame)
+    leave_meanwhile(window, disk, qtbot, window.document.next_frame)
     assert locked == [True]
     assert points_on_disk(dataset) == {MIDDLE: 1}
     assert not list(locks_folder(dataset).glob("frame_0-*.lock"))
 
 
 def test_the_other_window_reads_what_was_being_written(
-    window: MainWindow, disk: SlowDisk, dataset: Path, make_window: MakeWindow
+    window: MainWindow, disk: SlowDisk, dataset: Path, make_window: MakeWindow, qtbot: QtBot
 ) -> None:
     other = make_window(dataset)
     click(window)
     other.document.presence.look()
     assert not other.document.editable
-    leave_meanwhile(window, disk, window.document.next_frame)
+    leave_meanwhile(window, disk, qtbot, window.document.next_frame)
     click_in_other = Hand(other)
     other.document.presence.look()  # it opens by itself
     assert other.document.annotation.annotated == (MIDDLE,)
@@ -373,17 +375,17 @@ def test_the_other_window_reads_what_was_being_written(
 
 
 def test_closing_waits_for_what_is_written_and_for_what_was_clicked_meanwhile(
-    window: MainWindow, disk: SlowDisk, dataset: Path
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
 ) -> None:
     click(window)
-    disk.asked.wait(20)
+    qtbot.waitUntil(disk.asked.is_set)
     click(window, TOP)
-    leave_meanwhile(window, disk, window.close)
+    leave_meanwhile(window, disk, qtbot, window.close)
     assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 1}
 
 
 def test_closing_asks_where_what_is_written_fails(
-    window: MainWindow, disk: SlowDisk, monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, disk: SlowDisk, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
 ) -> None:
     asked: list[list[str]] = []
 
@@ -394,7 +396,7 @@ def test_closing_asks_where_what_is_written_fails(
     monkeypatch.setattr("procc_annotator.gui.main_window.ask_to_leave_unsaved", answer)
     disk.problem = "No space left on device"
     click(window)
-    leave_meanwhile(window, disk, window.close)
+    leave_meanwhile(window, disk, qtbot, window.close)
     assert window.isVisible()
     assert "No space left" in asked[0][0]
     disk.problem = ""
@@ -402,21 +404,21 @@ def test_closing_asks_where_what_is_written_fails(
 
 
 def test_another_dataset_waits_for_this_one(
-    window: MainWindow, disk: SlowDisk, dataset: Path, tmp_path: Path
+    window: MainWindow, disk: SlowDisk, dataset: Path, tmp_path: Path, qtbot: QtBot
 ) -> None:
     other = tmp_path / "other"
     shutil.copytree(dataset, other)
     click(window)
-    leave_meanwhile(window, disk, lambda: window.document.open_path(other))
+    leave_meanwhile(window, disk, qtbot, lambda: window.document.open_path(other))
     assert points_on_disk(dataset) == {MIDDLE: 1}
     assert window.document.annotation.annotated == ()
 
 
 def test_a_document_that_ends_ends_no_write(
-    window: MainWindow, disk: SlowDisk, dataset: Path
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
 ) -> None:
     click(window)
-    disk.asked.wait(20)
+    qtbot.waitUntil(disk.asked.is_set)
     disk.let_go()
     window.document.close()
     assert points_on_disk(dataset) == {MIDDLE: 1}

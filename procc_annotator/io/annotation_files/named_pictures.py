@@ -6,11 +6,10 @@ from collections.abc import Iterable
 from typing import Any
 
 from procc_annotator.errors import AnnotationError
-from procc_annotator.io.frame_names import PICTURE_SUFFIX, leads_out
+from procc_annotator.io.frame_names import PICTURE_SUFFIX, in_several_folders, slashed
 from procc_annotator.io.json_text import kind_of, printable
 
 _LONGEST_NAME = 200
-_LONGEST_PATH = 600  # of the folders above a picture
 
 
 class PictureNames:
@@ -25,9 +24,7 @@ class PictureNames:
     """
 
     def __init__(self, pictures: Iterable[Any], folder: str = "") -> None:
-        paths = [slashed(p) for p in pictures if type(p) is str]
-        folders = {path.rpartition("/")[0] for path in paths}
-        self._by_path = len(folders) > 1 and all(map(_can_be_folder, folders))
+        self._by_path = in_several_folders(slashed(p) for p in pictures if type(p) is str)
         self._folder = folder
 
     def frame(self, picture: Any, path: str, place: str) -> str:
@@ -64,12 +61,3 @@ def frame_of_picture(picture: Any, path: str, place: str) -> str:
 def picture_name(path: str) -> str:
     """The last part of a path that may have been written on any system."""
     return slashed(path).rpartition("/")[2]
-
-
-def _can_be_folder(path: str) -> bool:
-    return not leads_out(path) and path.isprintable() and len(path) <= _LONGEST_PATH
-
-
-def slashed(path: str) -> str:
-    """A path that may have been written on any system, with slashes and without ``./``."""
-    return path.replace("\\", "/").removeprefix("./")

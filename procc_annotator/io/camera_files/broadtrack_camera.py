@@ -14,7 +14,6 @@ from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.camera_records import (
     CameraRecord,
     CameraRecords,
-    frame_of_image,
 )
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import camera_from, is_soccernet
@@ -44,9 +43,7 @@ def broadtrack_records(content: object, path: str) -> CameraRecords:
     values = JsonValues.of(content, path, kind="a BroadTrack file (picture name -> camera)")
     if not values.content:
         raise CameraError(path, "holds no camera, expected picture names with cameras")
-    found = [
-        (frame_of_image(name), CameraRecord(name, entry)) for name, entry in values.content.items()
-    ]
+    found = [(name, CameraRecord(name, entry)) for name, entry in values.content.items()]
     return CameraRecords.of(path, found, broadtrack_from)
 
 

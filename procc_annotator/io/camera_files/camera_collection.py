@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path, PurePosixPath
@@ -24,16 +24,20 @@ from procc_annotator.io.camera_files.fitted_on import (
 from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE, HeldOutTables
 from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.io.camera_files.paired_files import paired_format, paired_records
-from procc_annotator.io.camera_files.registry import CameraFormat, format_of, plugin_problems
+from procc_annotator.io.camera_files.paired_files import paired_records
+from procc_annotator.io.camera_files.registry import format_of, plugin_problems
 from procc_annotator.io.collections import CAMERA_PREFIX, list_cameras
 from procc_annotator.io.frame_names import PICTURE_FOLDERS, ByFrame
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource, open_source
 
-# Of formats with one camera or several a file, so many files are opened to see; where there are
-# more, each is a frame's: 20,000 files are listed without opening any.
+# So many files are opened to see whether they hold one camera or several; where none of them holds
+# several, nor does any other: of 20,000 files no more are opened when they are listed.
 _LOOKED_INTO = 16
+_ONE_OF_THEM = (
+    "keep one of them, or choose a camera format; files of one match each belong in a folder of the"
+    " match's name (game1/cameras.json)"
+)
 
 
 class CameraCollection:
@@ -50,8 +54,18 @@ class CameraCollection:
             another field cannot be read.
     """
 
-    def __init__(self, source: FileSource, fmt: str = "auto", field: Field | None = None) -> None:
+    def __init__(
+        self,
+        source: FileSource,
+        fmt: str = "auto",
+        field: Field | None = None,
+        about_to_read: Callable[[str], None] = lambda _: None,
+    ) -> None:
         """List the cameras of a source, which the collection closes when it is closed.
+
+        Args:
+            source, fmt, field: see above.
+            about_to_read: told of each file of many cameras before it is read.
 
         Raises:
             UsageError: no such format.
@@ -62,22 +76,28 @@ class CameraCollection:
         self.format = fmt
         self.field = field
         self._source = source
+        self._about_to_read = about_to_read
         self._fitted_on = FittedOn(self._read_beside)
         self._held_out = HeldOutTables(self._read_beside)
         self._records: dict[str, CameraRecords] = {}
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
         self.notices = (*files.notices, *plugin_problems())
-        pair = paired_format(source, files.values() if fmt == "auto" else source.files(), fmt)
-        if pair is None:
-            self._look_into(files)
+        if found := paired_records(source, files, fmt, about_to_read):
+            self._take({own: file for own, file in files.items() if file in found}, found)
         else:
-            self._take(pair[1], paired_records(source, *pair))
+            self._look_into(files)
         self.frames.picture_folders = PICTURE_FOLDERS
+        self.frames.only_folder = files.only_folder
 
     @classmethod
     def open(
-        cls, path: Path, fmt: str = "auto", base: Path | None = None, field: Field | None = None
+        cls,
+        path: Path,
+        fmt: str = "auto",
+        base: Path | None = None,
+        field: Field | None = None,
+        about_to_read: Callable[[str], None] = lambda _: None,
     ) -> CameraCollection:
         """As above, for what is at a path (see `open_source` for what it is relative to).
 
@@ -85,7 +105,7 @@ class CameraCollection:
             UsageError: nothing at the path, or no such format.
             InputError: see above.
         """
-        return cls(open_source(path, base), fmt, field)
+        return cls(open_source(path, base), fmt, field, about_to_read)
 
     def read(self, frame: str, field: Field | None = None) -> LoadedCamera:
         """The camera of a frame of `frames`.
@@ -134,11 +154,6 @@ class CameraCollection:
         """Names of the folders at the top, for advice on what to choose."""
         return self._source.folders()
 
-    @property
-    def decoded(self) -> tuple[str, ...]:
-        """The files of many cameras, which were read when the collection was opened."""
-        return tuple(self._records)
-
     def files(self) -> Iterable[str]:
         """Every file that is read, as shown to a person."""
         return (self._source.display(name) for name in dict.fromkeys(self.frames.values()))
@@ -173,17 +188,13 @@ class CameraCollection:
     def __exit__(self, *failure: object) -> None:
         self._source.__exit__(*failure)
 
-    def _take(self, file: str, records: CameraRecords) -> None:
-        """Have the cameras of one file and no others."""
-        self._records = {file: records}
-        self.frames = ByFrame((frame, file) for frame in natsorted(records.entries))
-        self.notices = (*self.notices, *records.notices)
-
     def _look_into(self, files: dict[str, str]) -> None:
         """Replace files of many cameras by the frames they hold."""
         found: dict[str, CameraRecords] = {}
         left_out: set[str] = set()
-        for file in self._worth_a_look(files):
+        for at, (own, file) in enumerate(self._worth_a_look(files)):
+            if at == _LOOKED_INTO and not found and not left_out:
+                break
             try:
                 records = self._many(file)
             except CameraError as error:
@@ -199,49 +210,42 @@ class CameraCollection:
                 self.notices = (*self.notices, f"passed over: {error}")
                 continue
             if records is not None:
-                found[file] = records
-                self.notices = (*self.notices, *records.notices)
+                found[file] = records.below(own.rpartition("/")[0])
         if found or left_out:
-            self._records = found
-            self.frames = self._expanded(files, found, left_out)
+            self._take({o: file for o, file in files.items() if file not in left_out}, found)
 
-    def _worth_a_look(self, files: dict[str, str]) -> list[str]:
-        names = dict.fromkeys(files.values())
-        if self.format != "auto":
-            fmt = format_of("", self.format)
-            if fmt.records is None or not (fmt.always_many or len(names) <= _LOOKED_INTO):
-                return []
-            return list(names)
-        if len(names) == 1:
-            return list(names)
-        # A file called camera_* is one frame's.
-        plain = [n for n in names if not PurePosixPath(n).name.startswith(CAMERA_PREFIX)]
-        some = [n for n in plain if _may_hold_many(format_of(n, self.format))]
-        return some if len(some) <= _LOOKED_INTO else []
+    def _worth_a_look(self, files: dict[str, str]) -> Iterator[tuple[str, str]]:
+        for own, file in files.items():
+            # A file called camera_* is one frame's.
+            is_one = self.format == "auto" and PurePosixPath(file).name.startswith(CAMERA_PREFIX)
+            has_many = format_of(file, self.format).records is not None
+            if has_many and (len(files) == 1 or not is_one):
+                yield own, file
 
     def _many(self, file: str) -> CameraRecords | None:
         fmt = format_of(file, self.format)
         if fmt.records is None:
             return None
+        self._about_to_read(file)
         return fmt.records(self._read_file(file), path=self._source.display(file))
 
-    def _expanded(
-        self, files: dict[str, str], found: dict[str, CameraRecords], left_out: set[str]
-    ) -> ByFrame[str]:
+    def _take(self, files: dict[str, str], found: dict[str, CameraRecords]) -> None:
+        """Have the cameras of these files; those of many frames are given with what they hold."""
         frames: dict[str, str] = {}
         for own, file in files.items():
-            if file in left_out:
-                continue
             for frame in found[file].entries if file in found else (own,):
                 if frame in frames:
                     raise InputError(
                         self._source.display(file),
                         f"is the second file for frame {printable(frame)!r},"
                         f" beside {frames[frame]}",
-                        advice="keep one of them, or choose a camera format",
+                        advice=_ONE_OF_THEM,
                     )
                 frames[frame] = file
-        return ByFrame((frame, frames[frame]) for frame in natsorted(frames))
+        self._records = found
+        self.frames = ByFrame((frame, frames[frame]) for frame in natsorted(frames))
+        remarks = (remark for records in found.values() for remark in records.notices)
+        self.notices = (*self.notices, *dict.fromkeys(remarks))
 
     def _read_file(self, file: str) -> bytes:
         try:
@@ -252,7 +256,3 @@ class CameraCollection:
             raise CameraError(
                 error.path, error.problem, place=error.place, advice=error.advice
             ) from error
-
-
-def _may_hold_many(fmt: CameraFormat) -> bool:
-    return fmt.records is not None

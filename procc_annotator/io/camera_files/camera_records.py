@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from typing import Any
 
 from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.frame_names import in_several_folders, slashed
 from procc_annotator.io.json_text import printable
 
 _PICTURE_SUFFIXES = frozenset(
@@ -51,11 +52,21 @@ class CameraRecords:
         read_record: ReadRecord,
         notices: tuple[str, ...] = (),
     ) -> CameraRecords:
-        """From (frame name, record) pairs in file order."""
+        """From (picture's name, record) pairs in file order; frames are called by the last parts of
+        these names, or by their paths where they lie in several folders."""
+        pairs = list(found)
+        by_path = in_several_folders(slashed(name) for name, _ in pairs)
         entries: dict[str, tuple[CameraRecord, ...]] = {}
-        for frame, record in found:
+        for name, record in pairs:
+            frame = frame_of_image(name, by_path)
             entries[frame] = (*entries.get(frame, ()), record)
         return cls(path, entries, read_record, notices)
+
+    def below(self, folder: str) -> CameraRecords:
+        """The same cameras of frames in a folder of a tree."""
+        if not folder:
+            return self
+        return replace(self, entries={f"{folder}/{name}": e for name, e in self.entries.items()})
 
     def read(self, frame: str) -> LoadedCamera:
         """The camera of a frame.
@@ -70,7 +81,8 @@ class CameraRecords:
                 self.path,
                 f"holds {len(records)} cameras for frame {printable(frame)!r}",
                 place=places,
-                advice="keep one of them",
+                advice="keep one of them; pictures of several folders are told apart by paths below"
+                " the dataset",
             )
         return self.read_record(records[0].content, self.path, records[0].place)
 
@@ -79,7 +91,9 @@ class CameraRecords:
         return self.entries[frame][0].place
 
 
-def frame_of_image(name: str) -> str:
-    """The frame a picture's name stands for: without folders and the suffix of a picture."""
-    path = PurePosixPath(name.replace("\\", "/"))
-    return path.stem if path.suffix.lower() in _PICTURE_SUFFIXES else path.name
+def frame_of_image(name: str, by_path: bool = False) -> str:
+    """The frame a picture's name stands for: without the suffix of a picture, and without folders
+    unless it is called by its path."""
+    path = PurePosixPath(slashed(name))
+    frame = path.stem if path.suffix.lower() in _PICTURE_SUFFIXES else path.name
+    return str(path.parent / frame) if by_path else frame

@@ -63,7 +63,7 @@ def colmap_records(images: bytes, cameras: bytes, *, path: str, cameras_path: st
         name = " ".join(words[_POSE_WORDS - 1 :])
         if not frame_of_image(name):
             raise CameraError(path, "expected the name of a picture", place=place)
-        found.append((frame_of_image(name), CameraRecord(place, (words, lenses))))
+        found.append((name, CameraRecord(place, (words, lenses))))
     if not found:
         raise CameraError(path, "lists no picture, expected IMAGE_ID QW QX QY QZ TX TY TZ ...")
     return CameraRecords.of(path, found, _camera)

@@ -13,7 +13,6 @@ from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.camera_records import (
     CameraRecord,
     CameraRecords,
-    frame_of_image,
 )
 from procc_annotator.io.camera_files.free_world import with_doubt
 from procc_annotator.io.camera_files.krt_camera import krt_from
@@ -39,7 +38,7 @@ def easymocap_records(
     poses = _by_name(extrinsics, path, _POSE)
     lenses = _by_name(intrinsics, intrinsics_path, _LENS)
     found = [
-        (frame_of_image(name), CameraRecord(f"camera {name}", {**lenses.get(name, {}), **pose}))
+        (name, CameraRecord(f"camera {name}", {**lenses.get(name, {}), **pose}))
         for name, pose in poses.items()
     ]
     if not found:

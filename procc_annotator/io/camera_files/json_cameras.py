@@ -14,7 +14,6 @@ from procc_annotator.io.camera_files.broadtrack_camera import broadtrack_records
 from procc_annotator.io.camera_files.camera_records import (
     CameraRecord,
     CameraRecords,
-    frame_of_image,
 )
 from procc_annotator.io.camera_files.deepsportradar_camera import (
     deepsportradar_records,
@@ -106,7 +105,7 @@ def _by_frame(
     def records(content: object, path: str) -> CameraRecords | None:
         if type(content) is not dict or is_one(content) or not any(map(is_one, content.values())):
             return None
-        found = [(frame_of_image(name), CameraRecord(name, v)) for name, v in content.items()]
+        found = [(name, CameraRecord(name, v)) for name, v in content.items()]
         return CameraRecords.of(path, found, read)
 
     return records

@@ -19,7 +19,6 @@ from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.camera_records import (
     CameraRecord,
     CameraRecords,
-    frame_of_image,
 )
 from procc_annotator.io.camera_files.homography_file import (
     CONVENTIONS,
@@ -79,7 +78,7 @@ def _records(content: object, path: str, read: Any) -> CameraRecords:
     if not entries:
         raise CameraError(path, "holds no camera, expected annotation(i) with image_name")
     found = [
-        (frame_of_image(str(entry["image_name"])), CameraRecord(f"annotation({i})", entry))
+        (str(entry["image_name"]), CameraRecord(f"annotation({i})", entry))
         for i, entry in enumerate(entries, 1)
     ]
     return CameraRecords.of(path, found, read)
@@ -94,7 +93,9 @@ def _homography(content: Any, path: str, inside: str) -> LoadedCamera:
         raise values.error("cannot be inverted", "homography") from error
     world = CONVENTIONS["wc14"].world_from_units
     camera = camera_from_homography(matrix, world, HOMOGRAPHY_SIZE, path=path, place=inside)
-    return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE, assumed_field=_FIELD)
+    return LoadedCamera(
+        camera, "homography", HOMOGRAPHY_SIZE, assumed_field=_FIELD, size_is_usual=True
+    )
 
 
 def _ptz(content: Any, path: str, inside: str) -> LoadedCamera:

@@ -15,7 +15,6 @@ from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.camera_records import (
     CameraRecord,
     CameraRecords,
-    frame_of_image,
 )
 from procc_annotator.io.camera_files.free_world import with_doubt
 from procc_annotator.io.camera_files.krt_camera import KrtKeys, camera_of_matrices, is_krt, krt_from
@@ -55,10 +54,7 @@ def nested_records(content: object, path: str) -> CameraRecords:
     Raises:
         CameraError: there is none.
     """
-    found = [
-        (frame_of_image(name), CameraRecord(place, entry))
-        for name, place, entry in _nested(content)
-    ]
+    found = [(name, CameraRecord(place, entry)) for name, place, entry in _nested(content)]
     if not found:
         raise CameraError(path, "holds no camera, expected K, R and t under 'cameras'")
     return CameraRecords.of(path, found, _nested_from)
@@ -85,7 +81,7 @@ def stack_records(content: object, path: str) -> CameraRecords:
             for k, v in content.items()
             if k not in NAME_KEYS
         }
-        entries.append((frame_of_image(name.strip()), CameraRecord(f"[{i}]", own)))
+        entries.append((name.strip(), CameraRecord(f"[{i}]", own)))
     return CameraRecords.of(path, entries, _own_from, () if key else (BY_ORDER,))
 
 

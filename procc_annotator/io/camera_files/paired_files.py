@@ -5,7 +5,7 @@ They are known by their names, and belong together where they lie side by side.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
@@ -60,46 +60,61 @@ PAIRED_FORMATS = (
 )
 
 
-def paired_format(
-    source: FileSource, names: Iterable[str], fmt: str = "auto"
-) -> tuple[PairedFormat, str, str] | None:
-    """The format whose two files a source has, with both their names; None for none.
+def paired_records(
+    source: FileSource,
+    files: Mapping[str, str],
+    fmt: str,
+    about_to_read: Callable[[str], None],
+) -> dict[str, CameraRecords]:
+    """File of poses -> its cameras, for each pair that a source has, of one format: at its top, or
+    in each folder of a tree.
 
     Args:
-        source: where they are. names: of the files to look at.
+        source: where they are.
+        files: frame name, as if each file were a frame's -> file to look at.
         fmt: what was asked for: ``auto``, or a name.
+        about_to_read: told of each file of poses before it is read.
 
     Raises:
         CameraError: one of a pair is there without the other, or it was asked for and none is.
-    """
-    wanted = [known for known in PAIRED_FORMATS if fmt in ("auto", known.name)]
-    by_name = {PurePosixPath(name).name.lower(): name for name in names} if wanted else {}
-    for known in wanted:
-        poses, lenses = (by_name.get(name) for name in (known.poses, known.lenses))
-        if poses is not None and lenses is not None:
-            return known, poses, lenses
-        if poses is None and fmt == "auto":
-            continue  # cameras.txt and intri.yml alone may be anything
-        missing = known.poses if poses is None else known.lenses
-        raise CameraError(
-            source.path,
-            f"is without {missing}, expected {known.poses} and {known.lenses} side by side",
-            advice="give the folder that holds both",
-        )
-    return None
-
-
-def paired_records(
-    source: FileSource, known: PairedFormat, poses: str, lenses: str
-) -> CameraRecords:
-    """The cameras of a pair.
-
-    Raises:
         InputError: damaged, or not readable.
     """
-    return known.records(
-        source.read(poses), source.read(lenses), source.display(poses), source.display(lenses)
-    )
+    for known in PAIRED_FORMATS:
+        if fmt not in ("auto", known.name):
+            continue
+        pairs = _pairs(source, known, files, asked_for=fmt != "auto")
+        found = {}
+        for folder, (poses, lenses) in pairs.items():
+            about_to_read(poses)
+            data = source.read(poses), source.read(lenses)
+            shown = source.display(poses), source.display(lenses)
+            found[poses] = known.records(*data, *shown).below(folder)
+        if found:
+            return found
+    return {}
+
+
+def _pairs(
+    source: FileSource, known: PairedFormat, files: Mapping[str, str], asked_for: bool
+) -> dict[str, tuple[str, str]]:
+    """Folder that frames are called by -> both files of the pair in it."""
+    by_folder: dict[str, dict[str, str]] = {"": {}} if asked_for and not files else {}
+    for frame, file in files.items():
+        name = PurePosixPath(file).name.lower()
+        by_folder.setdefault(frame.rpartition("/")[0], {})[name] = file
+    found = {}
+    for folder, by_name in by_folder.items():
+        poses, lenses = (by_name.get(name) for name in (known.poses, known.lenses))
+        if poses is not None and lenses is not None:
+            found[folder] = poses, lenses
+        elif poses is not None or asked_for:  # cameras.txt and intri.yml alone may be anything
+            missing = known.poses if poses is None else known.lenses
+            raise CameraError(
+                source.path / folder,
+                f"is without {missing}, expected {known.poses} and {known.lenses} side by side",
+                advice="give the folder that holds both",
+            )
+    return found
 
 
 def half_of_pair(data: bytes, *, path: str, known: PairedFormat) -> LoadedCamera:

@@ -15,7 +15,6 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.io.camera_files.camera_records import (
     CameraRecord,
     CameraRecords,
-    frame_of_image,
 )
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.json_text import is_finite_number, kind_of, printable, spelled
@@ -43,7 +42,7 @@ def polylines_records(content: object, path: str) -> CameraRecords | None:
         return None
     if not any(type(value) is dict for value in content.values()):
         return None
-    found = [(frame_of_image(name), CameraRecord(name, value)) for name, value in content.items()]
+    found = [(name, CameraRecord(name, value)) for name, value in content.items()]
     return CameraRecords.of(path, found, polylines_from)
 
 

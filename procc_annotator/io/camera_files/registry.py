@@ -88,7 +88,13 @@ FORMATS: tuple[CameraFormat, ...] = (
         for name, rule in CONVENTIONS.items()
     ),
     *(
-        CameraFormat(known.name, known.title, (), (), partial(half_of_pair, known=known))
+        CameraFormat(
+            known.name,
+            known.title,
+            (os.path.splitext(known.poses)[1],),
+            (),
+            partial(half_of_pair, known=known),
+        )
         for known in PAIRED_FORMATS
     ),
 )  # fmt: skip

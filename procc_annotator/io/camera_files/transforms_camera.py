@@ -56,7 +56,7 @@ def transforms_records(content: object, path: str) -> CameraRecords:
         name = own.content.get("file_path")
         if type(name) is not str or not frame_of_image(name):
             raise own.error("expected the path of a picture", "file_path")
-        found.append((frame_of_image(name), CameraRecord(f"frames[{i}]", {**shared, **frame})))
+        found.append((name, CameraRecord(f"frames[{i}]", {**shared, **frame})))
     return CameraRecords.of(path, found, _camera)
 
 

@@ -42,7 +42,7 @@ def tvcalib_records(data: bytes, *, path: str) -> CameraRecords:
     for place, read in _parts(data, path):
         try:
             content = read()
-            found.append((_frame(content, path, place), CameraRecord(place, content)))
+            found.append((_picture(content, path, place), CameraRecord(place, content)))
         except CameraError as error:
             problems.append(error)
     if not found:
@@ -101,14 +101,14 @@ def _decoded(line: bytes, path: str, number: int) -> object:
         ) from error
 
 
-def _frame(content: object, path: str, place: str) -> str:
+def _picture(content: object, path: str, place: str) -> str:
     values = JsonValues.of(content, path, place, KIND)
     name = values.content[values.need("the name of a picture", *_NAME_KEYS)]
     while type(name) is list and len(name) == 1:
         name = name[0]
     if type(name) is not str or not frame_of_image(name):
         raise values.error(f"expected the name of a picture, found {kind_of(name)}", _NAME_KEYS[0])
-    return frame_of_image(name)
+    return name
 
 
 def _notices(problems: list[CameraError]) -> tuple[str, ...]:

@@ -16,7 +16,8 @@ from procc_annotator.io.annotation_files.exchange import ExchangedFrame
 from procc_annotator.io.annotation_files.label_map import LABELS_FILE, LabelMap, read_label_map
 from procc_annotator.io.annotation_files.read_set import ReadSet, read_set
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.collections import list_frame_files
+from procc_annotator.io.source import FileSource, FolderSource, open_source
 from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 from procc_annotator.session.dataset.fit_sizes import told_size
 from procc_annotator.session.dataset.picture_sizes import (
@@ -24,6 +25,7 @@ from procc_annotator.session.dataset.picture_sizes import (
     picture_folders,
     picture_tree,
 )
+from procc_annotator.session.dataset.picture_tree import find_pictures
 from procc_annotator.session.dataset.what_lies_there import refuse_other_things
 from procc_annotator.words import count_of
 
@@ -50,13 +52,14 @@ def open_annotations(
         InputError: what is there cannot be opened or listed, or none of it can be read; or the
             dataset's own ``labels.toml`` cannot be used.
     """
-    source = open_source(path, base)
-    names = names or own_label_map(path if base is None else base / path, field)
+    source = open_files(path, base)
+    place = path if base is None else base / path
+    names = names or own_label_map(place, field)
     try:
         told = [known.name for known in told_formats(source)]
         if not told or (PLAIN in told and names is None):
             return source
-        found = _read(source, path if base is None else base / path, field, names)
+        found = _read(source, place, field, names)
     except BaseException:
         source.__exit__()
         raise
@@ -64,6 +67,21 @@ def open_annotations(
     if not found.frames:
         raise next(iter(found.unread.values()), _nothing_in(path, found))
     return ReadSource(path, found, names, partial(open_annotations, path, field, names))
+
+
+def open_files(path: Path, base: Path | None = None) -> FileSource:
+    """Open the files of annotations, whatever their format.
+
+    Where their only folder is called like one that pictures of their dataset, a tree, lie in,
+    frames are called by their paths as those of the tree are.
+
+    Args, Raises: as of `open_source`.
+    """
+    source = open_source(path, base)
+    if isinstance(source, FolderSource) and (folder := list_frame_files(source).only_folder):
+        root = folder_of_dataset(path if base is None else base / path)
+        source.of_tree = root is not None and find_pictures(root).has(folder)
+    return source
 
 
 def read_labels(path: Path, field: Field) -> ReadSet:

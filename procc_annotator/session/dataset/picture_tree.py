@@ -43,6 +43,10 @@ class PictureTree:
         """What the names of the frames in one of the folders begin with."""
         return below.removeprefix(self.container) if self.in_tree else ""
 
+    def has(self, folder: str) -> bool:
+        """Whether the names of frames begin with a folder, with a slash at its end."""
+        return any(self.called(below).startswith(folder) for below, _ in self.folders)
+
     def frames(self) -> Iterator[tuple[str, str]]:
         """The name of each frame, and its picture below the dataset, with slashes."""
         for below, names in self.folders:
@@ -80,20 +84,6 @@ def _container(root: Path, folders: Sequence[str]) -> str:
     found = next(inside, "")
     beside = (name for folder in folders if found for name in os.listdir(root / folder))
     return "" if any(suffix_of(name) == ".json" for name in beside) else found
-
-
-def are_apart(root: Path, folder: str, other: str) -> bool:
-    """Whether two folders, with a slash at their ends, hold pictures of different frames in the
-    tree of a dataset's pictures: annotations in one are not of the cameras in the other.
-
-    Raises:
-        InputError: as of `find_pictures`.
-    """
-    if not folder or not other or folder == other:
-        return False
-    tree = find_pictures(root)
-    below = [tree.called(name) for name, _ in tree.folders]
-    return all(any(name.startswith(own) for name in below) for own in (folder, other))
 
 
 def has_pictures(root: Path) -> bool:

@@ -16,8 +16,6 @@ from procc_annotator.io.camera_files.fitted_on import fitted_words
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
-from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
-from procc_annotator.session.dataset.picture_tree import are_apart
 from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
 from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.held_out import HeldOutFigures
@@ -102,7 +100,6 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
             FrameFiles(name, file, name in with_camera, tags.of(name))
             for name, file in annotated.items()
         ]
-        _refuse_folders_apart(annotations, annotated.only_folder, with_camera.only_folder)
         super().__init__(frames, task, executor)
         self.chunk = chunk or CHUNK
         self.matched = sum(frame.has_camera for frame in frames)
@@ -137,10 +134,11 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
                 raise UsageError(f"nothing to do: no camera in {cameras.path}{instead}")
             if cameras.path.is_file() and len(cameras.frames) == 1:
                 cameras.read(first)  # of a file of many that cannot be read only this is known
+            annotated, called = self.frames[0].name, cameras.frames.only_folder + first
             raise UsageError(
                 "nothing to do: no camera has the name of an annotation (annotations are named"
-                f" like {self.frames[0].name!r}, cameras like {first!r})"
-                + (choice_of(annotations) if "/" in self.frames[0].name else "")
+                f" like {annotated!r}, cameras like {called!r})"
+                + (choice_of(annotations) if "/" in annotated else "")
             )
 
     def _take(self, results: Sequence[T], sums: Tally) -> None:
@@ -256,12 +254,3 @@ def run_digested(
 
 def _itself(evaluated: Evaluated) -> FrameResult:
     return evaluated.result
-
-
-def _refuse_folders_apart(annotations: FileSource, folder: str, of_cameras: str) -> None:
-    root = folder_of_dataset(annotations.path)
-    if root is not None and are_apart(root, folder, of_cameras):
-        raise UsageError(
-            f"nothing to do: the annotations in {annotations.path} are of {folder}, the cameras of"
-            f" {of_cameras}, which are other pictures"
-        )

@@ -377,11 +377,11 @@ def test_broadtracks_cameras(tmp_path: Path, fmt: str) -> None:
         encoded(
             {
                 "img/000010.jpg": broadtrack_entry(SQUARE),
-                "000011.jpg": damaged,
-                "000012": {"cp": json.loads(write_camera(SQUARE)), "score": 1},
-                "000013.jpg": {"score": 0},
-                "000014.jpg": {"cp": {**damaged["cp"], "horizontalFieldOfViewDegrees": 180}},
-                "000015.jpg": [],
+                "img/000011.jpg": damaged,
+                "img/000012": {"cp": json.loads(write_camera(SQUARE)), "score": 1},
+                "img/000013.jpg": {"score": 0},
+                "img/000014.jpg": {"cp": {**damaged["cp"], "horizontalFieldOfViewDegrees": 180}},
+                "img/000015.jpg": [],
             }
         )
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import math
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -141,6 +142,12 @@ def test_colmap(tmp_path: Path) -> None:
     with CameraCollection.open(tmp_path) as cameras:
         assert list(cameras.frames) == ["7"]
         agree(cameras.read("7"), BENT)
+    for game in ("one", "two"):
+        shutil.copytree(tmp_path, tmp_path / "season" / game, ignore=lambda *_: ["season"])
+    for fmt in ("auto", "colmap"):
+        with CameraCollection.open(tmp_path / "season", fmt) as cameras:
+            assert list(cameras.frames) == ["one/7", "two/7"]
+            agree(cameras.read("two/7"), BENT)
 
 
 def test_easymocap(tmp_path: Path) -> None:
