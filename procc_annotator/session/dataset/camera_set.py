@@ -105,7 +105,8 @@ class CameraSet:
         Args:
             path: where they are.
             fmt: one of `CAMERA_FORMATS`.
-            camera_size: (width, height) the cameras' pixels belong to; None goes by the files.
+            camera_size: (width, height) the cameras' pixels belong to, where their files do
+                not say.
             field: as of `CameraCollection`; None where it may change while the cameras are open.
             name: shown to the user; by default that of the folder, or of the file without suffix.
             base: what a relative path starts from, see `open_source`.
