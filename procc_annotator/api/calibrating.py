@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation, as_size
@@ -26,6 +27,7 @@ from procc_annotator.fit.through_shot import following_shot
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.video import open_shared
+from procc_annotator.io.camera_files.fitted_on import annotation_digest
 
 
 def fit_camera(
@@ -68,7 +70,8 @@ def fit_camera(
         raise UsageError("start: expected a camera, found a fit (its `camera` is one)")
     if start is not None:
         as_camera(start, "start")
-    return fitting.fit_camera(*given, model=model, size=as_size(size), start=start)
+    fit = fitting.fit_camera(*given, model=model, size=as_size(size), start=start)
+    return fit if fit.camera is None else replace(fit, fitted_on=annotation_digest(given[0]))
 
 
 def propose_camera(
@@ -142,6 +145,8 @@ def track(
         count, frame = _length(frames), lambda number: as_pixels(frames[number])
     known = dict(anchors or {})
     for number, camera in known.items():
+        if number not in range(count):
+            raise UsageError(f"anchors: no frame {number!r} among {count}, of which 0 is the first")
         as_camera(camera, f"anchors[{number}]")
     told = on_frame or (lambda _: None)
     return following_shot.track(frame, range(count), as_field(field), anchors=known, on_frame=told)

@@ -54,8 +54,8 @@ def draw_overlay(
         field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
         size: (width, height) px at which annotation and camera are compared, which ``tau`` belongs
             to; that of the picture if None.
-        camera_size: (width, height) px that the camera belongs to, where it is no fit; if None what
-            its file says, and ``size`` where nothing is said.
+        camera_size: (width, height) px that the camera belongs to, where it is no fit and its file
+            does not say it; ``size`` if None (1280x720 for files of homographies).
         tau: px of ``size``.
         protocol: ``soccernet`` or ``procc``.
         scale: px of the result per px of the picture; lines and text grow with it.

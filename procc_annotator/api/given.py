@@ -56,8 +56,8 @@ def camera_at(
     Args:
         camera: as a caller gave it.
         size: (width, height) px.
-        camera_size: (width, height) px that cameras belong to which do not say it, and those read
-            from files; None for ``size``.
+        camera_size: (width, height) px that cameras belong to which do not say it; None for
+            ``size``.
         name: how to call it where it is none.
         field: what its picture shows.
 
@@ -75,7 +75,7 @@ def camera_at(
             raise UsageError(f"there is no camera to evaluate, the fit failed: {camera.failure}")
         of_fit = camera.camera
         at = of_fit if camera.size == size else scaled(of_fit, camera.size, size)
-        return CameraAt(at, camera.model)
+        return CameraAt(at, camera.model, camera.fitted_on)
     own = as_camera(camera, name)
     at = own if camera_size in (None, size) else scaled(own, camera_size, size)
     return CameraAt(at, str(getattr(own, "model", type(own).__name__)))

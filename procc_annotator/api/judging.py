@@ -58,8 +58,8 @@ def evaluate(
             classes, nominal size) if None.
         size: (width, height) px at which annotation and camera are compared; if None that of the
             fit, and 960x540 (the official size) for any other camera. Cameras are scaled to it.
-        camera_size: (width, height) px that the camera belongs to, where it is no fit; if None what
-            its file says, and ``size`` where nothing is said.
+        camera_size: (width, height) px that the camera belongs to, where it is no fit and its file
+            does not say it; ``size`` if None (1280x720 for files of homographies).
         tau: the threshold, px; compared strictly.
         protocol: ``soccernet`` or ``procc``.
         allow_mirrored: whether labels of the turned field may count, where they fit better; for

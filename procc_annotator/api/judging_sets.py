@@ -15,7 +15,7 @@ from procc_annotator.api.given import (
     camera_at,
     kind_of,
 )
-from procc_annotator.api.reading import Dataset, load_annotations, load_cameras
+from procc_annotator.api.reading import Dataset, load_cameras, load_dataset
 from procc_annotator.api.set_score import SetScore, score_set
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -50,8 +50,8 @@ def evaluate_set(
             dataset, and the usual one (SoccerNet's classes, nominal size) for other annotations.
         size: (width, height) px at which annotations and cameras are compared; cameras are scaled
             to it.
-        camera_size: (width, height) px that the cameras belong to, where they are no fits; if None
-            what their files say, and ``size`` where nothing is said.
+        camera_size: (width, height) px that the cameras belong to, where they are no fits and their
+            files do not say it; ``size`` if None (1280x720 for files of homographies).
         thresholds: px; compared strictly.
         protocol: ``soccernet`` or ``procc``.
         allow_mirrored: whether labels of the turned field may count, where they fit better; for
@@ -70,12 +70,13 @@ def evaluate_set(
     """
     if not isinstance(thresholds, Iterable):
         raise UsageError(f"thresholds: expected numbers of pixels, found {thresholds!r}")
-    known = annotations.field if isinstance(annotations, Dataset) and field is None else None
-    known = known or as_field(field)
+    if isinstance(annotations, str | Path):
+        annotations = load_dataset(annotations, field)
     if isinstance(annotations, Dataset):
+        known = annotations.field if field is None else as_field(field)
         annotations = annotations.annotations
-    elif isinstance(annotations, str | Path):
-        annotations = load_annotations(annotations, known)
+    else:
+        known = as_field(field)
     if isinstance(cameras, str | Path):
         cameras = load_cameras(cameras)
     _require_by_frame("annotations", annotations)

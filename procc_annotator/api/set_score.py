@@ -176,6 +176,9 @@ class SetScore:
         """
         if other._terms != self._terms:
             raise UsageError(f"scored differently: {self._terms} and {other._terms}")
+        if other._sums.thresholds != self._sums.thresholds:
+            own, others = (_px_words(s._sums.thresholds) for s in (self, other))
+            raise UsageError(f"scored at other thresholds: {own} and {others}")
         both = same_frames((self._sums, other._sums))
         certainty = _certainty(both, cluster, method, Draws(draws, seed, level))
         found: dict[float, dict[str, PairedDifference]] = {tau: {} for tau in self.summaries}
@@ -294,6 +297,10 @@ def _certainty(
     else:
         raise UsageError(f"unknown clusters {cluster!r}; give shot, none, or one a frame by name")
     return Certainty(tuple(sources), clusters, draws, method)
+
+
+def _px_words(thresholds: Iterable[float]) -> str:
+    return ", ".join(f"{tau:g} px" for tau in thresholds)
 
 
 def _plain(value: Any) -> Any:

@@ -189,12 +189,14 @@ def compare(given: AskedToCompare) -> None:
         report.fitted = of_a, fitted
     if given.intervals or others or given.cluster is not None:
         compared.chance = _chance(compared, versus_others, alike, Draws(seed=given.seed))
-    _print_comparison(compared, given.worst or count)
-    for path in written_to:
+    told = [f"written: {path}" for path in written_to]
+    for path in written_to:  # before the tables: whoever reads them may stop after the first
         write_comparison(compared, comparison, path)
-        typer.echo(f"written: {path}")
     if given.pictures is not None:
-        _draw(compared, comparison, given.pictures, images, given.worst or None)
+        told += _draw(compared, comparison, given.pictures, images, given.worst or None)
+    _print_comparison(compared, given.worst or count)
+    for line in told:
+        typer.echo(line)
     _report_frames(comparison, compared)
     raise typer.Exit(report_unreadable(compared.errors))
 
@@ -364,14 +366,15 @@ def _draw(
     out: Path,
     images: dict[str, Path],
     count: int | None,
-) -> None:
+) -> list[str]:
+    """Draw the frames that disagree most; what to say of it."""
     painter = pair_painter()
     if painter is None:
-        return
+        return []
     painted = paint_frames(compared, comparison, out, painter, pictures=images, count=count)
     total = min(count or compared.summary.frames, compared.summary.frames)
     drawn = sum(1 for _ in with_progress(painted, total, "drawing"))
-    typer.echo(f"{count_of(drawn, 'disagreement picture')} written to {out}")
+    return [f"{count_of(drawn, 'disagreement picture')} written to {out}"]
 
 
 def _report_frames(comparison: ComparisonRun, compared: ComparisonReport) -> None:

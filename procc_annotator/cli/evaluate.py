@@ -180,9 +180,11 @@ def evaluate(context: typer.Context, given: AskedToEvaluate) -> None:
     # The figures took long to make: a file that cannot be written must not take them along.
     unwritten: dict[Path, ProccError] = {}
     scored, told, steadiness = _score(call, given.workers, given.dask, unwritten)
+    if call.over_time is not None:  # before the tables: whoever reads them may stop after the first
+        call.over_time.write(steadiness, unwritten)
     code = _tell(call, scored, told, unwritten)
     if call.over_time is not None:
-        call.over_time.tell(steadiness)
+        call.over_time.tell(steadiness, unwritten)
         known = {error for one in scored for error in one.errors}
         code = max(code, report_unreadable(over_time.errors(steadiness, known)))
     for failure in unwritten.values():
@@ -323,7 +325,7 @@ def print_all(scored: list[Scored]) -> None:
     for size in dict.fromkeys(s.setup.size for s in scored):
         of_size = [(name, s) for name, s in fits if s.setup.size == size]
         taus = list(of_size[0][1].summaries)
-        held_out = held_out_sheet(of_size, taus, of_size[0][1].setup.describe())
+        held_out = held_out_sheet(of_size, taus, of_size[0][1].setup)
         if held_out is not None:
             console.print(held_out)
     for by in dict.fromkeys(group.by for s in scored for group in s.groups):

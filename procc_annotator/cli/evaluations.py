@@ -117,19 +117,19 @@ class Plan:
         Raises:
             UsageError, InputError: something is not there or cannot be listed.
         """
-        own_sizes = [camera_size] + [camera_size or setups[0].size for _ in setups[1:]]
+        first = setups[0].size if len(setups) > 1 else None
         asked: list[Asked] = []
         for set_name, path in self.sets:
             source = files.enter_context(self._annotations(path, fields[set_name]))
-            own_setups = [_with_field(setup, fields[set_name]) for setup in setups]
+            own_setups = [_with_field(setup, fields[set_name], first) for setup in setups]
             grouping = tags.grouping(by, set_name) if tags else Grouping(by)
             for method in self.methods:
                 spec = method.for_set(set_name)
                 cameras = CameraCollection.open(spec.path, spec.format)
                 files.enter_context(cameras)
                 asked += [
-                    Asked(set_name, method.name, source, cameras, setup, grouping, own_size)
-                    for setup, own_size in zip(own_setups, own_sizes, strict=True)
+                    Asked(set_name, method.name, source, cameras, setup, grouping, camera_size)
+                    for setup in own_setups
                 ]
         return asked
 
@@ -155,8 +155,11 @@ class Plan:
         return said
 
 
-def _with_field(setup: EvaluationSetup, field: Field) -> EvaluationSetup:
-    return setup if setup.field == field else replace(setup, field=field)
+def _with_field(
+    setup: EvaluationSetup, field: Field, unsized: tuple[int, int] | None
+) -> EvaluationSetup:
+    own = setup.field if setup.field == field else field  # what was computed of it is kept
+    return replace(setup, field=own, unsized=unsized)
 
 
 def set_name_of(annotations: Path) -> str:

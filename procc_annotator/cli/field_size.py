@@ -39,12 +39,12 @@ from procc_annotator.words import count_of, first_of
 
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations; its frames are of one
-stadium, or --groups names the stadium of each. Length and width are fitted, or whatever --dimension
-names that the rules of the sport leave open; every frame keeps a camera of its own. A dimension
-that the frames do not determine to half a metre is told, and counts as it was.
+stadium, or --groups, else its stadiums.csv, names the stadium of each. Length and width are fitted,
+or whatever --dimension names that the rules of the sport leave open; every frame keeps a camera of
+its own. A dimension that the frames do not determine to half a metre is told, and counts as it was.
 
 With --save the dimensions are kept in the workspace of the dataset, with its field and where its
-lines lie: its window and the other commands then go by them. With --groups they go to stadiums.csv
+lines lie: its window and the other commands then go by them. Those of stadiums go to stadiums.csv
 in its folder, a row a frame, and every frame is fitted, judged and drawn with those of its stadium.
 The official evaluation uses nominal ones, as does --field with the name alone. A single frame tells
 no dimensions: nothing is kept then.
@@ -106,12 +106,14 @@ def field_size(
         fitted = fit_set(source, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:
         found = find_field_sizes(fitted.fits, fitted.frames, setup, thresholds, names, progress)
-    _print_sizes(found, fitted, setup)
-    if kept_in is not None:
-        if fitted.fits.groups is None:
-            _save(kept_in, setup.field, found)
-        else:
-            _save_stadiums(kept_in, setup.field, found, fitted.fits.groups)
+    told: list[str] = []
+    try:  # before the table: whoever reads it may stop after the first lines
+        if kept_in is not None:
+            told = _save(kept_in, setup.field, found, fitted.fits.groups or {})
+    finally:
+        _print_sizes(found, fitted, setup)
+    for line in told:
+        typer.echo(line)
     errors = [frame.error for frame in fitted.frames if frame.error is not None]
     raise typer.Exit(report_unreadable(errors))
 
@@ -143,22 +145,51 @@ def _workspace_of(dataset: Path) -> Path:
     return folder
 
 
-def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
+def _save(
+    dataset: Path, field: Field, sizes: list[FieldSize], groups: Mapping[str, str | None]
+) -> list[str]:
+    """Keep the dimensions of each stadium, and those of the frames that are of none.
+
+    Returns:
+        What was kept where, a line each.
+
+    Raises:
+        UsageError: nothing was kept. FieldError, InputError, SaveError: see below.
+    """
+    named, of_set = [s for s in sizes if s.group], [s for s in sizes if not s.group]
+    told, problems = [], []
+    try:
+        told += [_save_stadiums(dataset, field, named, groups)] if named else []
+    except UsageError as error:
+        problems.append(str(error))
+    try:
+        told += [_save_of_set(dataset, field, size) for size in of_set]
+    except UsageError as error:
+        problems.append(str(error))
+    if not told:
+        raise UsageError("; ".join(problems))
+    for problem in problems:
+        typer.echo(f"note: {problem}", err=True)
+    return told
+
+
+def _save_of_set(dataset: Path, field: Field, size: FieldSize) -> str:
     """Keep the dimensions that are determined, beside those that were kept before.
+
+    Returns:
+        What was kept where.
 
     Raises:
         UsageError: none is, or a single frame says so.
         FieldError: together with what was kept before they are no field.
         SaveError: they could not be written.
     """
-    if sum(size.stadium.frames for size in sizes if size.stadium is not None) == 1:
+    if size.stadium is not None and size.stadium.frames == 1:
         raise UsageError(
             "nothing kept: a single frame tells no dimensions, they absorb what belongs to its"
             " camera; annotate more frames of the stadium"
         )
-    values = {
-        k: v for size in sizes if size.stadium is not None for k, v in size.stadium.values.items()
-    }
+    values = size.stadium.values if size.stadium is not None else {}
     if not values:
         raise UsageError("nothing to save: no dimension is determined")
     database = WorkspaceDatabase.open(dataset, default_author())
@@ -169,11 +200,11 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
         written = database.close()
     if not written or database.problem:
         raise SaveError(f"{dataset}: {database.problem or 'the dimensions were not written'}")
-    typer.echo(f"kept in the workspace of {dataset}: {sized.described}")
     if (dataset / STADIUMS_FILE).is_file():
         typer.echo(
             f"note: frames in {dataset / STADIUMS_FILE} go by the dimensions there", err=True
         )
+    return f"kept in the workspace of {dataset}: {sized.described}"
 
 
 def _kept_stadiums(dataset: Path, field: Field) -> Stadiums:
@@ -184,8 +215,11 @@ def _kept_stadiums(dataset: Path, field: Field) -> Stadiums:
 
 def _save_stadiums(
     dataset: Path, field: Field, sizes: list[FieldSize], groups: Mapping[str, str | None]
-) -> None:
+) -> str:
     """Keep the dimensions of each stadium, beside those of others that were kept before.
+
+    Returns:
+        What was written where.
 
     Raises:
         UsageError: none is determined.
@@ -203,17 +237,17 @@ def _save_stadiums(
         )
     path = dataset / STADIUMS_FILE
     known = _kept_stadiums(dataset, field)
-    frames = {f: s for f, s in known.frames.items() if groups.get(f) is None}
+    frames = {f: s for f, s in known.frames.items() if groups.get(f) in (None, s)}
     frames |= {frame: group for frame, group in groups.items() if group in found}
     dimensions = {s: {**known.dimensions.get(s, {}), **found.get(s, {})} for s in frames.values()}
     stadiums = Stadiums(frames, dimensions)
     with_stadiums(field, stadiums)  # a field can have them, or nothing is written
     write_stadiums(path, stadiums)
     counted = f"{count_of(len(found), 'stadium')}, {count_of(len(frames), 'frame')}"
-    typer.echo(f"written: {path} ({counted})")
     left_out = sorted({s.group for s in sizes} - found.keys())
     if left_out:
         typer.echo(
             f"note: not determined, or of a single frame, and not kept: {first_of(left_out)}",
             err=True,
         )
+    return f"written: {path} ({counted})"

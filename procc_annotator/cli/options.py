@@ -149,7 +149,7 @@ Groups = Annotated[
         metavar="FILE.csv",
         show_default=False,
         help="Groups of frames that belong together: a column 'frame' and one that names the group"
-        " (and 'set', if there are several).  [default: all frames]",
+        " (and 'set', if there are several).  [default: the stadiums of stadiums.csv, else all]",
     ),
 ]
 CameraFormat = Annotated[
@@ -165,7 +165,8 @@ CameraSize = Annotated[
     typer.Option(
         metavar="WxH",
         callback=checked_size,
-        help="Picture size the cameras refer to, where their files do not say.",
+        help="Picture size the cameras refer to, where their files do not say (a homography's does"
+        " not: 1280x720 is only usual).",
     ),
 ]
 OffPlane = Annotated[

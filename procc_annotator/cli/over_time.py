@@ -12,7 +12,7 @@ import typer
 
 from procc_annotator.cli import outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.report.over_time import (
@@ -177,18 +177,22 @@ class OverTimeCall:
         beside += [one.cameras.path / _TRACK_FILE for one in sources if one.cameras.path.is_dir()]
         return next((path for path in beside if path.is_file()), None)
 
-    def tell(self, found: Sequence[SourceOverTime]) -> None:
-        """Print the tables, write the files.
+    def write(self, found: Sequence[SourceOverTime], unwritten: dict[Path, ProccError]) -> None:
+        """Write the files; what could not be written goes to ``unwritten``."""
+        for path in self.written_to:
+            try:
+                write_atomic(path, over_time_bytes(found, path))
+            except ProccError as error:
+                unwritten[path] = error
 
-        Raises:
-            SaveError: a file cannot be written.
-        """
+    def tell(self, found: Sequence[SourceOverTime], unwritten: Collection[Path]) -> None:
+        """Print the tables, and which files were written."""
         console = stdout_console()
         for sheet in shown_sheets(shots_sheet(found)):
             console.print(terminal_table(sheet))
         for path in self.written_to:
-            write_atomic(path, over_time_bytes(found, path))
-            typer.echo(f"written: {path}")
+            if path not in unwritten:
+                typer.echo(f"written: {path}")
 
 
 def errors(found: Sequence[SourceOverTime], known: Collection[str]) -> list[str]:

@@ -207,6 +207,7 @@ def evaluation_of(
         setup.planar_only,
         tuple(summaries),
         one.camera_size,
+        setup.unsized,
         _picture_sizes(one.annotations),
         set_figures(summaries),
     )

@@ -77,7 +77,7 @@ def with_landmarks(
         classes_without_geometry=(*own.classes_without_geometry, *unplaced),
         landmarks=given,
         instant=instant,
-        instants=dict(instants or {}) if any(map(is_moving, given)) else {},
+        instants=instants if instants and any(map(is_moving, given)) else {},
     )
 
 

@@ -101,6 +101,7 @@ class FitResult:
         offset_px: standard deviation of what an element lies beside the model by, all its points
             together, px of the picture; see `fit.solving.element_offsets`.
         of_clicks: (n, n) the part of the covariance that the noise of the clicks makes alone.
+        fitted_on: `annotation_digest` of what it was fitted to, where that is kept.
     """
 
     model: str
@@ -119,6 +120,7 @@ class FitResult:
     other_end: bool = False
     offset_px: float = 0.0
     of_clicks: FloatArray | None = None
+    fitted_on: str | None = None
 
     @property
     def mean_px(self) -> float | None:

@@ -250,6 +250,10 @@ class ZipSource(_Opened):
     def _members(self) -> list[str]:
         return [n for n in self._stored if not n.endswith("/") and counts(n)]
 
+    def has(self, name: str) -> bool:
+        """Whether there is such a file."""
+        return name in self._stored
+
     def names(self) -> list[str]:
         """Every name in the archive as stored, however deep, hidden or repeated."""
         return self._archive.namelist()

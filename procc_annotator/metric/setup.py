@@ -40,6 +40,8 @@ class EvaluationSetup:
             ``missed`` (as false negatives when annotated) or ``left_out`` (not at all).
         planar_only: whether elements off the ground take no part for any camera, neither annotated
             nor projected; ``off_plane`` then has nothing to say.
+        unsized: (width, height) in px that cameras belong to where nothing says it; None for
+            ``size``.
 
     Raises:
         UsageError: an unknown protocol or choice, or a size that is no picture.
@@ -51,6 +53,7 @@ class EvaluationSetup:
     allow_mirrored: bool = False
     off_plane: str = "missed"
     planar_only: bool = False
+    unsized: tuple[int, int] | None = None
     _of_field: _OfField | None = dataclass_field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:

@@ -61,7 +61,7 @@ def _read(
         except CameraError as error:
             yield frame, error
         else:
-            yield frame, replace(loaded, size=loaded.size or camera_size)
+            yield frame, replace(loaded, size=loaded.size_where(camera_size))
 
 
 def _keep_off_the_source(source: Path, out: Path) -> None:

@@ -40,7 +40,7 @@ from procc_annotator.report.scores.score_files import (
     replacing,
     score_format,
 )
-from procc_annotator.report.targets import Target, is_archive, open_target
+from procc_annotator.report.targets import Target, is_archive, make_folder, open_target
 from procc_annotator.session.dataset.annotated_frames import AnnotatedFrames
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.evaluation_run import FrameResult
@@ -161,6 +161,8 @@ def export_split(
     exported = Exported(out)
     paths = split_scores(out) if scoring.cameras is not None else ()
     with _open_target(frames, out, split) as target, ExitStack() as open_files:
+        for path in paths:
+            make_folder(path.parent)
         streams = [(open_files.enter_context(replacing(path)), path) for path in paths]
         totals = _Totals(scoring, exported, [_writer(*stream, scoring) for stream in streams])
         for name, annotation in _annotated(frames, exported, progress):

@@ -195,8 +195,9 @@ def frames_over_time_sheet(found: Sequence[SourceOverTime]) -> Sheet:
     return Sheet("over_time_frames", "Frames over time", _OF_FRAME, tuple(rows))
 
 
-def breaks_sheet(found: Sequence[SourceOverTime]) -> Sheet:
-    """A row a jump or outage, in the order of the frames."""
+def breaks_sheet(found: Sequence[SourceOverTime], *, shown: bool = False) -> Sheet:
+    """A row a jump or outage, in the order of the frames; where it is shown, a source that was
+    fitted to the clicks is marked."""
     rows: list[tuple[Value, ...]] = []
     for one in found:
         for shot in one.shots:
@@ -207,8 +208,9 @@ def breaks_sheet(found: Sequence[SourceOverTime]) -> Sheet:
             events += [
                 (o.frame, ("outage", None, o.length, o.back_after)) for o in shot.broken.outages
             ]
+            name = one.marked_name if shown else one.source
             rows += [
-                (one.set_name, one.source, shot.shot.name, names[at], *rest)
+                (one.set_name, name, shot.shot.name, names[at], *rest)
                 for at, rest in sorted(events, key=lambda event: event[0])
             ]
     return Sheet("over_time_breaks", "Jumps and outages", _OF_BREAK, tuple(rows))

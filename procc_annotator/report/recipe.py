@@ -98,6 +98,7 @@ class RecipeEvaluation:
 
     Attributes:
         annotations, cameras: paths of inputs.
+        camera_size, unsized: see `fit_to_size`.
         picture_sizes: ``1920x1080`` -> how many pictures beside the annotations have it.
     """
 
@@ -114,6 +115,7 @@ class RecipeEvaluation:
     planar_only: bool
     thresholds: tuple[float, ...]
     camera_size: tuple[int, int] | None
+    unsized: tuple[int, int] | None
     picture_sizes: dict[str, int]
     figures: dict[str, dict[str, float | int | None]]
 
@@ -192,7 +194,7 @@ def setup_of(evaluation: RecipeEvaluation, shown: Field) -> EvaluationSetup:
     """
     return EvaluationSetup(
         shown, evaluation.size, evaluation.protocol, evaluation.mirrored, evaluation.off_plane,
-        evaluation.planar_only,
+        evaluation.planar_only, evaluation.unsized,
     )  # fmt: skip
 
 

@@ -72,6 +72,17 @@ def test_every_method_is_scored_on_every_set_at_every_size(cli, sets) -> None:
     assert sum("480x270" in row for row in rows) == 4
 
 
+def test_homographies_belong_to_their_own_size_at_every_size(cli, sets, sample_data) -> None:
+    """They know it, as no SoccerNet camera does."""
+    cameras = f"H={sample_data / 'cameras' / 'homography'}"
+    for sizes in (("960x540", "1280x720"), ("1280x720", "960x540")):
+        asked = [part for size in sizes for part in ("--size", size)]
+        done = cli("evaluate", sample_data, "--cameras", cameras, *asked, "-o", "h.json")
+        assert done.exit_code == 0, done.output
+        for one in load(sets / "h.json")["evaluations"]:
+            assert one["summary"]["5"]["mean_error"] < 3, one["size"]
+
+
 def test_each_part_of_several_is_what_it_is_alone(cli, sets) -> None:
     cli("evaluate", *SEVERAL, "-o", "all.json")
     cli("evaluate", *SEVERAL, "-o", "all.csv")

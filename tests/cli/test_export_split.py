@@ -62,6 +62,13 @@ def test_a_folder_holds_the_split_and_scores_above_it(cli, dataset, tmp_path: Pa
     assert names == ["1.json", "10.json", "11.json", "2.json", "3.json"]
 
 
+def test_a_folder_is_made_for_scores_too(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "new" / "set"
+    done = cli("export", dataset.root, out, "--split", "valid", "--cameras", dataset.cameras)
+    assert done.exit_code == 0, done.output
+    assert sorted(p.name for p in out.iterdir()) == ["jac.csv", "jac.json", "valid"]
+
+
 def test_what_the_evaluation_stops_at_is_left_out_told_and_not_scored(
     cli, dataset, tmp_path: Path
 ) -> None:

@@ -50,6 +50,19 @@ def passed(found: list[dict[str, str]], column: str, tau: float) -> float:
     return sum(bool(row[column]) and float(row[column]) < tau for row in found) / len(found)
 
 
+def test_frames_annotated_alike_count_once_each(cli, clicked, tmp_path) -> None:
+    (alike := tmp_path / "alike").mkdir()
+    for name in ("a", "b", "c"):
+        shutil.copy(clicked / ("3.json" if name == "c" else "1.json"), alike / f"{name}.json")
+    done = cli("calibrate", alike, tmp_path / "fits", "--held-out", *TAUS)
+    assert done.exit_code == 0, done.stderr
+    told = [row for row in rows(tmp_path / "fits" / "held_out.csv") if row["class"]]
+    out = tmp_path / "s.json"
+    done = cli("evaluate", alike, tmp_path / "fits", *TAUS, "-o", out)
+    assert done.exit_code == 0, done.stderr
+    assert json.loads(out.read_text())["held_out"]["elements"] == len(told)
+
+
 @pytest.mark.usefixtures("no_charts")
 def test_the_report_tells_them_beside_the_fit(cli, clicked, fits, tmp_path) -> None:
     report = tmp_path / "r"

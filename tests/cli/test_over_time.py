@@ -91,6 +91,14 @@ def test_fits_are_marked_wherever_they_are_told(cli, shot: Path) -> None:
     assert [
         (row["source"], row["frame"]) for row in rows if row["fitted_on_these_clicks"] == "true"
     ] == [("ours", f"a_{n:03d}") for n in range(4, FRAMES, 3)]
+    frames.unlink()  # in a dataset a table of this name tells of shots
+    page = shot / "page.html"
+    few = ("--worst", 0, "--random", 0, "--over-time", "-o", page)
+    done = cli("report", shot / "annotations", *sources, *few)
+    assert done.exit_code == 0, done.output
+    tables = (t.split("</table>")[0] for t in page.read_text().split("<table"))
+    (breaks,) = (table for table in tables if "Jumps and outages</" in table)
+    assert breaks.count("ours (fitted") == breaks.count("ours") > 0
 
 
 def test_cameras_of_the_ground_alone_leave_out_the_same_everywhere(

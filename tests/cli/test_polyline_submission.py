@@ -142,3 +142,23 @@ def test_only_an_archive_takes_polylines(cli, data: Path, tmp_path: Path) -> Non
     done = cli("convert", data / "cameras" / "true", tmp_path / "out", "--to", "polylines")
     assert done.exit_code == 2
     assert ".zip" in done.output
+
+
+def test_names_may_begin_at_the_top_of_the_archive_and_be_composed_otherwise(
+    cli, data: Path, tmp_path: Path
+) -> None:
+    composed, apart = "caf\u00e9.json", "cafe\u0301.json"
+    (data / "00001.json").rename(data / composed)
+    (data / "cameras/true/camera_00001.json").rename(data / f"cameras/true/camera_{apart}")
+    plain, dotted = tmp_path / "s.zip", tmp_path / "d.zip"
+    submit(cli, data, "true", plain)
+    with zipfile.ZipFile(plain) as archive, zipfile.ZipFile(dotted, "w") as other:
+        for name in archive.namelist():
+            other.writestr(f"./{name.replace(composed, apart)}", archive.read(name))
+    (data / composed).rename(data / apart)  # as a Mac would copy them
+    for path in (plain, dotted):
+        looked = cli("check-submission", path, "--annotations", data)
+        assert looked.output == "nothing to say: every polyline will be read\n"
+        scored = cli("evaluate", data, "--submission", path, "-o", tmp_path / "o.json")
+        assert scored.exit_code == 0, scored.output
+        assert summary(tmp_path / "o.json")["completeness"] == 1

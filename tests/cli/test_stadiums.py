@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from procc_annotator.cli import field_size
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from tests.cli.conftest import PANS, SIZE, camera_file
 
 SIZES = {"old": {"length": 100.0, "width": 64.0}, "new": {"length": 105.0, "width": 68.0}}
@@ -151,6 +153,20 @@ def test_what_was_kept_of_others_stays(cli, known, tmp_path) -> None:
     assert {line for line in before if ",new," in line} <= set(after)
     assert len(after) == len(before)
     assert all(line.split(",")[2] for line in after)  # the length found before
+
+
+def test_the_stadiums_that_are_known_need_no_groups(cli, known, tmp_path) -> None:
+    """What is not asked for stays as it is in each stadium, before and after."""
+    path = known / "stadiums.csv"
+    before = path.read_text()
+    path.write_text(re.sub(r"(?m)^(old.*,)[\d.]+$", r"\g<1>66", before))
+    done = cli("field-size", known, "--dimension", "width", "--save", "-t", 1)
+    assert done.exit_code == 0, done.output
+    widths = [line for line in done.stdout.splitlines() if "Width" in line]
+    assert len(widths) == 2
+    assert all("→ 100.00" in line for line in widths), done.stdout
+    assert path.read_text() == before
+    assert field_of_dataset(known).field.dimensions == load_field("soccer").dimensions
 
 
 @pytest.mark.parametrize(

@@ -252,6 +252,9 @@ def test_pictures_that_are_none(tmp_path) -> None:
     picture = np.zeros((90, 160, 3), np.uint8)
     with pytest.raises(UsageError, match=r"anchors\[0\]: expected a camera"):
         procc_annotator.track([picture], anchors={0: "camera"})  # type: ignore[dict-item]
+    for nowhere in (7, -1, "0"):
+        with pytest.raises(UsageError, match=f"no frame {nowhere!r} among 1"):
+            procc_annotator.track([picture], anchors={nowhere: HomographyCamera(np.eye(3))})
     assert procc_annotator.propose_camera(picture).state == "none"
     assert procc_annotator.track([]).frames == ()
 

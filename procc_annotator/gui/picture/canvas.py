@@ -28,6 +28,7 @@ from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.gui.picture.shown_picture import ShownPicture
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.roles import give_role
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.adjust import Look
 from procc_annotator.interact.gesture import Modifiers
@@ -81,8 +82,7 @@ class Canvas(PictureView):
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
         self._hint = ""
-        self._hint_soon = QTimer(self, singleShot=True, interval=0)  # after the paint
-        self._hint_soon.timeout.connect(self._say_hint)
+        self._hint_soon = soon(self, self._say_hint)
         # While the hand carries something, who only reads where it is can wait for the next frame.
         self._carried_on = QTimer(self, singleShot=True, interval=_SCREEN_FRAME_MS)
         self._carried_on.timeout.connect(self._say_cursor)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, QTimer, Slot
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, Slot
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.picture.comparison import OtherSources
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.pinned import Pinned
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.corner_legend import OnPicture, corner_legend
 from procc_annotator.interact.legend import LegendEntry
@@ -38,8 +39,7 @@ class CornerLegend(Pinned):
         self._others: tuple[tuple[str, str], ...] = ()
         self._by: ColourBy = "criterion"
         self._hand: QPointF | None = None
-        self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self._look)
+        self._soon = soon(self, self._look)
         viewport.installEventFilter(self)
         for beneath in self._beneath():
             beneath.installEventFilter(self)

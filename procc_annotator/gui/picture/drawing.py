@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.picture.camera_hand import CameraHand
 from procc_annotator.gui.picture.comparison import OtherSources
@@ -15,6 +15,7 @@ from procc_annotator.gui.picture.metre_maps import MetreMaps
 from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.gui.picture.overlay_layer import BY_ORIGIN, OverlayLayer
 from procc_annotator.gui.picture.view import PictureView
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.gesture import Position
 from procc_annotator.interact.overlay import ColourBy
@@ -54,7 +55,7 @@ class OverlayDrawing(QObject):
         super().__init__(view)
         self._document, self._view = document, view
         self._item, self._comparison, self._maps, self._legend = item, comparison, maps, legend
-        self._hand, self._cursor = hand, cursor
+        self._editor, self._hand, self._cursor = editor, hand, cursor
         self._layer = OverlayLayer(document, editor)
         self._other_layer = OverlayLayer(document, editor)
         self._ghosts = GhostLayer(document)
@@ -63,8 +64,7 @@ class OverlayDrawing(QObject):
         self._hidden_by_action = self._hidden_by_key = False
         self._due = False  # once all that changed was told
         self._everywhere = False  # not only where the overlay differs
-        self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self.refresh)
+        self._soon = soon(self, self.refresh)
         self._listen()
 
     def _listen(self) -> None:
@@ -78,7 +78,7 @@ class OverlayDrawing(QObject):
             document.modeChanged,
         ):
             signal.connect(self.refresh)
-        document.store.rested.connect(self._refresh_if_due)
+        document.store.rested.connect(self._follow_state)
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
         # Comes beside signals that draw at once: one drawing is enough for both.
@@ -139,6 +139,14 @@ class OverlayDrawing(QObject):
         if self._due and not self._document.store.busy:
             self._refresh()
 
+    def _follow_state(self) -> None:
+        """The hand did not move: where its next click would be put is looked for after the paint,
+        which would have to wait for it."""
+        if self._due and not self._document.store.busy:
+            self._refresh(looking=False)
+            if self._document.mode == "draw" and self._editor.follows_cursor:
+                self._soon.start()
+
     def _refresh_others(self) -> None:
         """Other sources are drawn, or otherwise; whatever changes the one in front says so too."""
         comparison = self._comparison
@@ -151,7 +159,7 @@ class OverlayDrawing(QObject):
         if self.colour_by in BY_ORIGIN:
             self.refresh()
 
-    def _refresh(self) -> None:
+    def _refresh(self, *, looking: bool = True) -> None:
         self.count += 1
         everywhere, self._everywhere, self._due = self._everywhere, False, False
         self._soon.stop()
@@ -162,9 +170,10 @@ class OverlayDrawing(QObject):
         overlay = other = NOTHING
         if not self.hidden:
             terms = self._cursor(), self.colour_by
-            overlay = self._layer.overlay(comparison.judged, *terms)
+            overlay = self._layer.overlay(comparison.judged, *terms, looking=looking)
             if comparison.split.shown:
-                other = self._other_layer.overlay(comparison.judged_right, *terms)
+                right = comparison.judged_right
+                other = self._other_layer.overlay(right, *terms, looking=looking)
         self._item.set_overlay(overlay, scale, everywhere=everywhere)
         comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
         self._draw_ghosts()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
@@ -89,14 +90,8 @@ class Editor(QObject):
             return None
         finished = self._draw.class_name if self._draw.busy else document.selected_class
         ghosts = document.ghosts
-        return next_element(
-            document.field,
-            document.annotation,
-            finished,
-            self.seen_before,
-            gains=ghosts.gains,
-            out_of_sight=ghosts.out_of_sight,
-        )
+        terms = document.field, document.annotation, finished, self.seen_before
+        return next_element(*terms, gains=ghosts.gains, out_of_sight=ghosts.out_of_sight)
 
     @property
     def _one_click(self) -> bool:
@@ -111,12 +106,16 @@ class Editor(QObject):
         drawing = document.mode == "draw" and (chosen or self._draw.busy)
         return drawing or document.hovered_class is not None
 
-    def draft(self, cursor: Position | None) -> Draft | None:
-        """The polyline under way, with its line to the cursor."""
+    def draft(self, cursor: Position | None, *, looking: bool = True) -> Draft | None:
+        """The polyline under way, with its line to the cursor and where a click would be put;
+        without ``looking`` only if that is known already."""
         document = self._document
         if document.mode != "draw" or not document.editable:
             return None
-        return draft_of(self._draw, self._context(), cursor, self._held)
+        context = self._context()
+        if context.snap is not None and not looking:
+            context = replace(context, snap=self._snapper.remembered)
+        return draft_of(self._draw, context, cursor, self._held)
 
     def hint(self) -> str:
         """What the next click, Enter and Esc will do."""

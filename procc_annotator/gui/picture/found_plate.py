@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QRect, QTimer
+from PySide6.QtCore import QEvent, QObject, QRect
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.fit.from_picture.proposal import NONE, SURE
 from procc_annotator.gui.picture.split_view import NamePlate
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
 from procc_annotator.language import tr, tr_count
@@ -22,8 +23,7 @@ class FoundPlate(NamePlate):
     def __init__(self, document: Document, viewport: QWidget) -> None:
         super().__init__(viewport, "foundPlate")
         self._document, self._viewport = document, viewport
-        self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self._show)
+        self._soon = soon(self, self._show)
         for signal in (
             document.foresight.changed,
             document.frameChanged,

@@ -30,13 +30,16 @@ class OverlayLayer:
         self._remembered = Remembered(self._builder.build)
         self._with_strips = Remembered(_with_strips)
 
-    def overlay(self, judged: Judged, cursor_px: XY | None, colour_by: ColourBy) -> Overlay:
+    def overlay(
+        self, judged: Judged, cursor_px: XY | None, colour_by: ColourBy, *, looking: bool = True
+    ) -> Overlay:
         """What to draw; the same object as long as nothing changed.
 
         Args:
             judged: measurement and score of the source to draw.
             cursor_px: the mouse, picture px.
             colour_by: see `ToDraw`.
+            looking: whether to look in the picture where a click would be put.
         """
         document, size = self._document, self._document.picture_size
         if size is None:
@@ -51,7 +54,7 @@ class OverlayLayer:
             picture_size=size,
             highlight=document.hovered_class,
             selection=document.selected_point or document.selected_class,
-            draft=self._editor.draft(cursor_px),
+            draft=self._editor.draft(cursor_px, looking=looking),
             pointer=cursor_px if document.hovered_class is not None else None,
             with_projection=document.projection_visible,
             colour_by=colour_by,

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import same
 from procc_annotator.image.paint import snap
@@ -13,17 +11,21 @@ from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
 _KEPT = 16
 
+Sought = tuple[str, Position, Position | None]
+
 
 class ScreenSnapper:
     """A `Snapper` that knows the picture, the field and the fitted camera as they are now.
 
-    It looks for each line once: a click, its hint and what is drawn of it ask for the same.
+    It looks for each line once: a click, its hint and what is drawn of it ask for the same. Who
+    draws before the hand moved takes what is `remembered`: looking takes as long as painting.
     """
 
     def __init__(self, document: Document) -> None:
         self._document = document
         self._made_of: tuple[object, ...] = ()
         self._snap: Snapper | None = None
+        self._found: dict[Sought, Position | None] = {}  # the latest last
         document.frameChanged.connect(self._forget)
 
     @property
@@ -35,23 +37,41 @@ class ScreenSnapper:
     def __call__(
         self, class_name: str, position: Position, direction: Position | None
     ) -> Position | None:
+        if not self._is_ready() or self._snap is None:
+            return None
+        sought = class_name, position, direction
+        if sought not in self._found:
+            if len(self._found) == _KEPT:
+                del self._found[next(iter(self._found))]
+            self._found[sought] = self._snap(*sought)
+        return self._found[sought]
+
+    def remembered(
+        self, class_name: str, position: Position, direction: Position | None
+    ) -> Position | None:
+        """The same, if it was looked for before."""
+        return self._found.get((class_name, position, direction)) if self._is_ready() else None
+
+    def _is_ready(self) -> bool:
+        """Whether there is something to look in; what was found in another picture, or with another
+        camera, is forgotten."""
         document = self._document
         # Nobody waits for the whole picture who only looks: a press does (`Canvas`).
         picture, fit = document.state.picture, document.live_fit.result
         size = document.picture_size
         if picture is None or size is None:
-            return None
+            return False
         camera = fit.camera if fit is not None and fit.size == size else None
         made_of = picture, document.field, camera
         if self._snap is None or not same(made_of, self._made_of):
             self._made_of = made_of
             expected = ExpectedPaint(document.field, size[0], camera)
-            self._snap = lru_cache(_KEPT)(_snapper(picture, expected))
-        return self._snap(class_name, position, direction)
+            self._snap, self._found = _snapper(picture, expected), {}
+        return True
 
     def _forget(self) -> None:
         """They hold the picture."""
-        self._snap, self._made_of = None, ()
+        self._snap, self._found, self._made_of = None, {}, ()
 
 
 def _snapper(picture: PixelArray, expected: ExpectedPaint) -> Snapper:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from functools import partial
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.saying import say
@@ -38,8 +39,7 @@ class Auditing(QObject):
         self._source_frames, self._set_scores = source_frames, set_scores
         self._edited = False  # the frame on screen, since it was judged
         self._refitted: dict[CameraSource, None] = {}  # to the frame on screen, since then
-        self._soon = QTimer(self, singleShot=True, interval=0)  # after the next paint
-        self._soon.timeout.connect(self.settle)
+        self._soon = soon(self, self.settle)
         source_frames.set_setup(store.state.setup)
         set_scores.changed.connect(self._tell)
         set_scores.failed.connect(self._say_failed)

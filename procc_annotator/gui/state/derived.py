@@ -9,9 +9,10 @@ from enum import Enum, auto
 from functools import partial
 from typing import Generic, TypeVar
 
-from PySide6.QtCore import QObject, QTimer, Signal, SignalInstance
+from PySide6.QtCore import QObject, Signal, SignalInstance
 
 from procc_annotator.errors import ProccError
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
 
@@ -102,10 +103,8 @@ class Derived(QObject, Generic[T]):
         self._job: Job | None = None
         self._told = ""
         self._wanted = wanted
-        self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self.changed)
-        self._later = QTimer(self, singleShot=True, interval=0)
-        self._later.timeout.connect(self.look)
+        self._soon = soon(self, self.changed)
+        self._later = soon(self, self.look)
         for signal in after:
             signal.connect(self.look)
 

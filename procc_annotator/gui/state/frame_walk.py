@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError
 from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.editing import Editing, held
 from procc_annotator.gui.state.outside_changes import OutsideChanges
@@ -45,8 +46,7 @@ class FrameWalk(QObject):
         self._whole = Latest(self, self._fail_whole, at_once=True, wait_ms=0)
         self._bringing = Latest(self, self._say, at_once=True)  # the picture of a frame to come to
         self._aim = -1  # the frame that is come to once its picture is there
-        self._soon = QTimer(self, singleShot=True, interval=0)  # after the paint
-        self._soon.timeout.connect(self._foresee)
+        self._soon = soon(self, self._foresee)
 
     def go_to(self, index: int) -> None:
         """Show another frame; what is under way on this one is finished first."""

@@ -10,6 +10,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.check import with_paint
 from procc_annotator.fit.labels.finding import Rule, Severity
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.check_queue import CheckQueue
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.ignored_findings import IgnoredFindings
@@ -80,6 +81,7 @@ class LabelCheck(QObject):
         # Of the frame on screen, remembered already: what its clicks tell, what its picture shows.
         self._taken: tuple[Insight, Evidence | None] | None = None
         self._told: tuple[object, ...] = ()
+        self._look_soon = soon(self, self.look)
         self._bent: str | None = None  # the finding that is told as a notice
         self._connect(signals, review)
 
@@ -89,8 +91,8 @@ class LabelCheck(QObject):
         self.framesChanged.connect(self.known.look_at_set_again)
         self.ignored.changed.connect(self._tell)
         review.statusChanged.connect(self.known.look_at_set_again)  # committed elsewhere
-        self._live_fit.changed.connect(self.look)
-        self._paint.changed.connect(self.look)
+        self._live_fit.changed.connect(self._look_soon.start)
+        self._paint.changed.connect(self._look_soon.start)
         signals.datasetChanged.connect(self._forget)
         signals.fieldChanged.connect(self._take_field)
         signals.frameChanged.connect(self.look)
@@ -307,6 +309,7 @@ class LabelCheck(QObject):
 
     def close(self) -> None:
         """Stop everything that runs in the background."""
+        self._look_soon.stop()
         self._without_fit.close()
         self._queue.close()
 

@@ -277,7 +277,8 @@ class Landmarks(QObject):
         if workspace is None or name is None:
             return ()
         names = (n for n in self.groups.others(name) if n in workspace.index)
-        return tuple((workspace.index[n], n, self.groups.view_of(n)) for n in names)
+        places = ((workspace.index[n], self.groups.view_of(n)) for n in names)
+        return tuple((index, workspace.frames[index].name, view) for index, view in places)
 
     @property
     def ellipses(self) -> tuple[ShownEllipse, ...]:

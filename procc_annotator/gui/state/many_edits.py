@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from time import perf_counter
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.editing import Editing
 from procc_annotator.gui.state.signals import Signals
@@ -63,8 +64,7 @@ class ManyEdits(QObject):
         self._waiting: list[int] = []
         self._batch: list[int] = []  # edited and not handed over to be written yet
         self._written: list[int] = []  # being written
-        self._next = QTimer(self, singleShot=True, interval=0)
-        self._next.timeout.connect(self._take_some)
+        self._next = soon(self, self._take_some)
 
     @property
     def running(self) -> bool:

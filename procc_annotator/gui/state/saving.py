@@ -10,6 +10,7 @@ from datetime import datetime
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.errors import ChangedOnDiskError, InputError, SaveError
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.pending_save import Written
@@ -49,8 +50,7 @@ class Saver(QObject):
         self._problems: dict[int, SaveError] = {}
         self._writing: _Writing | None = None
         self._again: set[int] = set()  # edited since, or not begun with yet
-        self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self._begin)
+        self._soon = soon(self, self._begin)
         self.saved_at: datetime | None = None
         self.retry_timer = QTimer(self)
         self.retry_timer.setInterval(RETRY_MS)

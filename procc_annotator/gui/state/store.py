@@ -11,8 +11,9 @@ from typing import Any, Protocol, TypeVar
 from weakref import WeakMethod
 
 import shiboken6
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.state import State, same
 
 T = TypeVar("T")
@@ -72,8 +73,7 @@ class Store(QObject):
         self._begun: State | None = None  # what changes together with what is there now
         self._watches: list[_Watch] = []
         self._only_carried = True  # nothing else that those who watch were not told of
-        self._after_paint = QTimer(self, singleShot=True, interval=0)
-        self._after_paint.timeout.connect(self._tell_of_carried)
+        self._after_paint = soon(self, self._tell_of_carried)
 
     @property
     def state(self) -> State:

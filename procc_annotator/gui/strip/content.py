@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterable, Mapping
 from itertools import islice
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.fit.through_shot.track import TrackedFrame
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.band import Band
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
@@ -41,8 +42,7 @@ class StripContent(QObject):
         self.dragged: tuple[int, ...] = ()
         self.statuses: dict[int, Status] = {}
         self._pending: dict[int, TrackedFrame] = {}  # to be taken down
-        self._go_on = QTimer(self, singleShot=True, interval=0)
-        self._go_on.timeout.connect(self._take_down)
+        self._go_on = soon(self, self._take_down)
         document.sequence.changed.connect(self._begin_anew)
         document.datasetChanged.connect(self._begin_anew)
         document.shot_track.followed.connect(self._take_followed)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QModelIndex, QRect, QRectF, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QModelIndex, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QKeyEvent, QPainter, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.gui.panels.frames.delegate import paint_thumbnail
 from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.panels.rows import Index
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.turned_rows import TurnedRows
 from procc_annotator.gui.theme import blend, paint_row
@@ -64,8 +65,7 @@ class Filmstrip(QTableView):
         self._size_cells()
         self.clicked.connect(self._go)
         # After the picture was painted: nobody looks here first.
-        self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self._follow)
+        self._soon = soon(self, self._follow)
         document.frameChanged.connect(self._soon.start)
         self._rows.modelReset.connect(self._soon.start)
         document.frameScoresChanged.connect(self.viewport().update)

@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, QTimer
 from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWidget
 
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.gui.window.apart import Apart
 from procc_annotator.interact.hints import SEPARATOR
@@ -31,8 +32,7 @@ class PaintedText(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._text = ""
-        self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self.update)
+        self._soon = soon(self, self.update)
 
     def text(self) -> str:
         """All of it."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path, PurePosixPath
@@ -54,8 +54,18 @@ class CameraCollection:
             another field cannot be read.
     """
 
-    def __init__(self, source: FileSource, fmt: str = "auto", field: Field | None = None) -> None:
+    def __init__(
+        self,
+        source: FileSource,
+        fmt: str = "auto",
+        field: Field | None = None,
+        about_to_read: Callable[[str], None] = lambda _: None,
+    ) -> None:
         """List the cameras of a source, which the collection closes when it is closed.
+
+        Args:
+            source, fmt, field: see above.
+            about_to_read: told of each file of many cameras before it is read.
 
         Raises:
             UsageError: no such format.
@@ -66,13 +76,14 @@ class CameraCollection:
         self.format = fmt
         self.field = field
         self._source = source
+        self._about_to_read = about_to_read
         self._fitted_on = FittedOn(self._read_beside)
         self._held_out = HeldOutTables(self._read_beside)
         self._records: dict[str, CameraRecords] = {}
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
         self.notices = (*files.notices, *plugin_problems())
-        if found := paired_records(source, files, fmt):
+        if found := paired_records(source, files, fmt, about_to_read):
             self._take({own: file for own, file in files.items() if file in found}, found)
         else:
             self._look_into(files)
@@ -81,7 +92,12 @@ class CameraCollection:
 
     @classmethod
     def open(
-        cls, path: Path, fmt: str = "auto", base: Path | None = None, field: Field | None = None
+        cls,
+        path: Path,
+        fmt: str = "auto",
+        base: Path | None = None,
+        field: Field | None = None,
+        about_to_read: Callable[[str], None] = lambda _: None,
     ) -> CameraCollection:
         """As above, for what is at a path (see `open_source` for what it is relative to).
 
@@ -89,7 +105,7 @@ class CameraCollection:
             UsageError: nothing at the path, or no such format.
             InputError: see above.
         """
-        return cls(open_source(path, base), fmt, field)
+        return cls(open_source(path, base), fmt, field, about_to_read)
 
     def read(self, frame: str, field: Field | None = None) -> LoadedCamera:
         """The camera of a frame of `frames`.
@@ -137,11 +153,6 @@ class CameraCollection:
     def folders(self) -> list[str]:
         """Names of the folders at the top, for advice on what to choose."""
         return self._source.folders()
-
-    @property
-    def decoded(self) -> tuple[str, ...]:
-        """The files of many cameras, which were read when the collection was opened."""
-        return tuple(self._records)
 
     def files(self) -> Iterable[str]:
         """Every file that is read, as shown to a person."""
@@ -215,6 +226,7 @@ class CameraCollection:
         fmt = format_of(file, self.format)
         if fmt.records is None:
             return None
+        self._about_to_read(file)
         return fmt.records(self._read_file(file), path=self._source.display(file))
 
     def _take(self, files: dict[str, str], found: dict[str, CameraRecords]) -> None:

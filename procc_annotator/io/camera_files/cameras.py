@@ -34,25 +34,30 @@ def fit_to_size(
     loaded: LoadedCamera,
     size: tuple[int, int],
     camera_size: tuple[int, int] | None = None,
+    unsized: tuple[int, int] | None = None,
 ) -> tuple[CameraOrProjections, str | None]:
     """The camera in pixels of the evaluation size, and a remark when it had to be scaled.
 
     Args:
         loaded: as read.
         size: (width, height) of the evaluation, px.
-        camera_size: what the user says the camera's pixels belong to; beats the file.
+        camera_size: what the user says the camera's pixels belong to, where its file does not say.
+        unsized: what they belong to where nothing says it; None for ``size``.
     """
     camera = loaded.camera
     if isinstance(camera, ElementProjections):
         # Shares of the picture, which belong to any size: nothing to remark.
         return scaled(camera, loaded.size or size, size), None
-    own = camera_size or loaded.size
-    if own is None:
+    told = loaded.size_where(camera_size)
+    own = told or unsized or size
+    said = f"{own[0]}x{own[1]}"
+    if loaded.size not in (None, own):
+        said += f" (usual: {loaded.size[0]}x{loaded.size[1]})"
+    if own != size:
+        return scaled(camera, own, size), f"scaled from {said} to {size[0]}x{size[1]}"
+    if told is None:
         return camera, _doubt(camera, size)
-    if own == size:
-        return camera, None
-    notice = f"scaled from {own[0]}x{own[1]} to {size[0]}x{size[1]}"
-    return scaled(camera, own, size), notice
+    return camera, None if loaded.size in (None, own) else f"taken for {said}"
 
 
 def _doubt(camera: CameraOrProjections, size: tuple[int, int]) -> str | None:

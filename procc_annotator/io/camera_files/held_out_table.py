@@ -101,7 +101,8 @@ def _read_table(data: bytes | None) -> tuple[Mapping[str, HeldOut], str]:
     if data is None:
         return {}, ""
     reader = csv.DictReader(io.StringIO(data.decode("utf-8-sig", "replace"), newline=""))
-    rows: dict[str, list[HeldOutElement]] = {}
+    # Frames that are annotated alike have the same camera, and the same rows: each counts once.
+    rows: dict[str, dict[str, HeldOutElement]] = {}
     terms: dict[str, HeldOutTerms] = {}
     try:
         if not set(COLUMNS) <= set(reader.fieldnames or ()):
@@ -111,15 +112,18 @@ def _read_table(data: bytes | None) -> tuple[Mapping[str, HeldOut], str]:
             terms[digest] = HeldOutTerms(
                 row["protocol"], (int(row["width"]), int(row["height"])), row["field_sha256"]
             )
-            of_camera = rows.setdefault(digest, [])
+            of_camera = rows.setdefault(digest, {})
             if row["class"]:
-                of_camera.append(_element(row))
+                element = _element(row)
+                of_camera[element.name] = element
     except (csv.Error, ValueError, TypeError) as error:
         return {}, (
             f"{HELD_OUT_FILE}, line {reader.line_num}: {error}; its figures are left out, calibrate"
             " --held-out writes it anew"
         )
-    return {digest: HeldOut(terms[digest], tuple(found)) for digest, found in rows.items()}, ""
+    return {
+        digest: HeldOut(terms[digest], tuple(found.values())) for digest, found in rows.items()
+    }, ""
 
 
 def _element(row: Mapping[str, str]) -> HeldOutElement:

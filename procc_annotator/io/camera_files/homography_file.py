@@ -84,7 +84,7 @@ def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
         matrix = np.array(numbers).reshape(3, 3)
     world_from_units = CONVENTIONS[convention].world_from_units
     camera = camera_from_homography(matrix, world_from_units, HOMOGRAPHY_SIZE, path=path)
-    return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE)
+    return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE, size_is_usual=True)
 
 
 def camera_from_homography(

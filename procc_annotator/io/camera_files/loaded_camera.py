@@ -29,6 +29,7 @@ class LoadedCamera:
         fitted_on: `annotation_digest` of the annotation it was fitted to, where that is told.
         held_out: how well the elements it was fitted to are shown by the cameras of the others,
             where that is told.
+        size_is_usual: whether no file says ``size``, which is the usual one of the format.
     """
 
     camera: CameraOrProjections
@@ -40,3 +41,12 @@ class LoadedCamera:
     fitted_on: str | None = None
     held_out: HeldOut | None = None
     assumed_field: str = ""
+    size_is_usual: bool = False
+
+    def size_where(self, told: tuple[int, int] | None) -> tuple[int, int] | None:
+        """(width, height) of the picture the pixels refer to; None where nothing says it.
+
+        Args:
+            told: what a person says; the file knows better, what is usual for its format does not.
+        """
+        return (told or self.size) if self.size_is_usual else (self.size or told)

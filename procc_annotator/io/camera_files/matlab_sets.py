@@ -93,7 +93,9 @@ def _homography(content: Any, path: str, inside: str) -> LoadedCamera:
         raise values.error("cannot be inverted", "homography") from error
     world = CONVENTIONS["wc14"].world_from_units
     camera = camera_from_homography(matrix, world, HOMOGRAPHY_SIZE, path=path, place=inside)
-    return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE, assumed_field=_FIELD)
+    return LoadedCamera(
+        camera, "homography", HOMOGRAPHY_SIZE, assumed_field=_FIELD, size_is_usual=True
+    )
 
 
 def _ptz(content: Any, path: str, inside: str) -> LoadedCamera:

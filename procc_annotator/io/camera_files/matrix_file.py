@@ -114,7 +114,7 @@ def _of_stack(content: FloatArray, path: str, inside: str) -> LoadedCamera:
         return projection_from(content.tolist(), path, inside)
     world = CONVENTIONS["carwc"].world_from_units
     camera = camera_from_homography(content, world, HOMOGRAPHY_SIZE, path=path, place=inside)
-    loaded = LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE)
+    loaded = LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE, size_is_usual=True)
     return assumed_homography(loaded, "carwc")
 
 

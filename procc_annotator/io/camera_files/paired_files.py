@@ -61,7 +61,10 @@ PAIRED_FORMATS = (
 
 
 def paired_records(
-    source: FileSource, files: Mapping[str, str], fmt: str = "auto"
+    source: FileSource,
+    files: Mapping[str, str],
+    fmt: str,
+    about_to_read: Callable[[str], None],
 ) -> dict[str, CameraRecords]:
     """File of poses -> its cameras, for each pair that a source has, of one format: at its top, or
     in each folder of a tree.
@@ -70,6 +73,7 @@ def paired_records(
         source: where they are.
         files: frame name, as if each file were a frame's -> file to look at.
         fmt: what was asked for: ``auto``, or a name.
+        about_to_read: told of each file of poses before it is read.
 
     Raises:
         CameraError: one of a pair is there without the other, or it was asked for and none is.
@@ -79,14 +83,14 @@ def paired_records(
         if fmt not in ("auto", known.name):
             continue
         pairs = _pairs(source, known, files, asked_for=fmt != "auto")
-        if pairs:
-            return {
-                poses: known.records(
-                    source.read(poses), source.read(lenses),
-                    source.display(poses), source.display(lenses),
-                ).below(folder)
-                for folder, (poses, lenses) in pairs.items()
-            }  # fmt: skip
+        found = {}
+        for folder, (poses, lenses) in pairs.items():
+            about_to_read(poses)
+            data = source.read(poses), source.read(lenses)
+            shown = source.display(poses), source.display(lenses)
+            found[poses] = known.records(*data, *shown).below(folder)
+        if found:
+            return found
     return {}
 
 

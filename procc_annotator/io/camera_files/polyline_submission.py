@@ -8,6 +8,7 @@ they were made for. Nothing in such an archive is ever executed or unpacked.
 from __future__ import annotations
 
 import hashlib
+import unicodedata
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,7 +21,7 @@ from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.camera_files.submission import IGNORED, LOWERS, REFUSED, SubmissionRemark
-from procc_annotator.io.collections import MANIFEST_FILE, list_cameras
+from procc_annotator.io.collections import MANIFEST_FILE, CameraFiles, list_cameras
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import ZipSource
 from procc_annotator.words import count_of, first_of
@@ -56,8 +57,9 @@ class Manifest:
 
 
 def names_sha256(names: Iterable[str]) -> str:
-    """SHA-256 of the names of frames, sorted, one a line."""
-    return hashlib.sha256("\n".join(sorted(names)).encode()).hexdigest()
+    """SHA-256 of the names of frames, letters composed, sorted, one a line."""
+    composed = sorted(unicodedata.normalize("NFC", name) for name in names)
+    return hashlib.sha256("\n".join(composed).encode("utf-8", "surrogatepass")).hexdigest()
 
 
 def encode_manifest(manifest: Manifest) -> bytes:
@@ -88,7 +90,7 @@ def holds_manifest(path: Path) -> bool:
     if path.suffix.lower() != ".zip" or not path.is_file():
         return False
     with ZipSource(path) as archive:
-        return MANIFEST_FILE in archive.names()
+        return archive.has(MANIFEST_FILE)
 
 
 def read_manifest(path: Path) -> Manifest:
@@ -98,7 +100,7 @@ def read_manifest(path: Path) -> Manifest:
         InputError: the archive cannot be opened, or holds no manifest that can be used.
     """
     with ZipSource(path) as archive:
-        if MANIFEST_FILE not in archive.names():
+        if not archive.has(MANIFEST_FILE):
             raise InputError(
                 path,
                 f"holds no {MANIFEST_FILE}, so it is no submission of polylines",
@@ -161,8 +163,9 @@ def check_polylines(
     ]
     with ZipSource(path) as archive:
         files = list_cameras(archive, POLYLINES)
-        found += _frames_remarks(set(files), frames)
-        others = [n for n in archive.names() if n not in {*files.values(), MANIFEST_FILE}]
+        found += _frames_remarks(files, frames)
+        known = {*files.values(), MANIFEST_FILE, ""}
+        others = [n for n in archive.names() if n.removeprefix("./") not in known]
         if others:
             what = f"{count_of(len(others), 'file')} ({first_of(others)}) of no frame"
             found.append(SubmissionRemark(IGNORED, "", what))
@@ -191,16 +194,16 @@ def _made_for_another(
 
 
 def _frames_remarks(
-    given: Collection[str], frames: Collection[str] | None
+    given: CameraFiles, frames: Collection[str] | None
 ) -> Iterator[SubmissionRemark]:
     if not given:
         yield SubmissionRemark(REFUSED, "", "holds no polylines: expected files named FRAME.json")
     if frames is None:
         return
-    if missing := natsorted(set(frames) - set(given)):
+    if missing := natsorted(frame for frame in frames if frame not in given):
         what = f"{len(missing)} of {len(frames)} annotated frames are missing ({first_of(missing)})"
         yield SubmissionRemark(LOWERS, "", what)
-    if unknown := natsorted(set(given) - set(frames)):
+    if unknown := natsorted(set(given) - {given.name_there(frame) for frame in frames}):
         what = f"{count_of(len(unknown), 'frame')} ({first_of(unknown)}) not annotated"
         yield SubmissionRemark(IGNORED, "", what)
 

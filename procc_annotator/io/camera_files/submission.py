@@ -113,6 +113,8 @@ def _names_findings(names: list[str], split: str, any_camera: bool) -> Iterator[
     others = [n for n in dict.fromkeys(names) if not n.endswith("/") and not _is_camera(n, split)]
     if not any_camera:
         found = f"; there is, for example, {printable(others[0])}" if others else ""
+        if others and others[0].startswith("./"):
+            found += " (./ is not looked past: pack the files without it)"
         yield SubmissionRemark(
             REFUSED,
             "",

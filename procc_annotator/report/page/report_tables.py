@@ -104,7 +104,7 @@ def _rests_on(report: AuditReport) -> str:
 def fits_table(report: AuditReport) -> Sheet | None:
     """The fits among the sources by elements left out; None without fits."""
     sources = [(source.name, source) for source in report.evaluated]
-    return held_out_sheet(sources, sorted(report.thresholds), report.setup.describe())
+    return held_out_sheet(sources, sorted(report.thresholds), report.setup)
 
 
 def frames_table(report: AuditReport) -> Sheet:

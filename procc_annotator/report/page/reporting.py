@@ -203,7 +203,7 @@ def _marked(pairs: Sequence[ReportedPair], report: AuditReport) -> list[Reported
 
 def _breaks(material: Material) -> list[Sheet]:
     """The jumps and outages, where there are any and not too many to be read."""
-    found = breaks_sheet(material.over_time)
+    found = breaks_sheet(material.over_time, shown=True)
     return [found] if 0 < len(found.rows) <= _MOST_BREAKS else []
 
 

@@ -7,6 +7,7 @@ from typing import Any, Protocol
 
 from procc_annotator.io.camera_files.fitted_on import FITTED
 from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE
+from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.sheet.counts import FRAMES, HELD_OUT_ELEMENTS
 from procc_annotator.report.sheet.figure import shortest
 from procc_annotator.report.sheet.figures import HELD_OUT, IN_SAMPLE
@@ -24,16 +25,18 @@ class WithHeldOut(Protocol):
     def held_out(self) -> HeldOutFigures: ...
     @property
     def fitted(self) -> int: ...
+    @property
+    def ground_only(self) -> bool: ...
 
 
 def held_out_sheet(
-    sources: Sequence[tuple[str, WithHeldOut]], thresholds: Sequence[float], described: str
+    sources: Sequence[tuple[str, WithHeldOut]], thresholds: Sequence[float], setup: EvaluationSetup
 ) -> Sheet | None:
     """The fits among the sources, each with the share of elements that are correct left out, and in
     sample; of fits without such figures the notes say how to get them. None without fits.
 
     Args:
-        sources: with their names. thresholds: px. described: protocol, size and options.
+        sources: with their names. thresholds: px. setup: of them all.
     """
     fits = [(name, source) for name, source in sources if source.fitted]
     if not fits:
@@ -56,7 +59,10 @@ def held_out_sheet(
         " frame's other elements; in sample, the same elements by the camera of all."
     ]
     notes += [f"{name}: {why}" for name, source in fits if (why := _why_none(source))]
-    title = "Fits, and elements left out in turn"
+    all_on_ground = all(source.ground_only for _, source in fits)
+    if not all_on_ground:
+        notes += [f"{name}: {setup.describe(True)}" for name, source in fits if source.ground_only]
+    title, described = "Fits, and elements left out in turn", setup.describe(all_on_ground)
     return Sheet("held_out", title, tuple(columns), tuple(rows), described, tuple(notes))
 
 

@@ -112,6 +112,7 @@ class Scored:
     sums: SourceSums | None = None
     fitted: int = 0
     held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
+    ground_only: bool = False
 
     @property
     def first_threshold(self) -> float:
@@ -368,11 +369,12 @@ class _Scoring:
             SourceSums.of(self._asked.method, self._thresholds, self._sums),
             run.fitted,
             run.held_out,
+            run.ground_only,
         )
 
     def write_end(self, more: Mapping[str, Any]) -> None:
         """Write the end of the outputs, with more entries where they hold any."""
-        scored, ground_only = self.scored, self.run.ground_only
+        scored, groups = self.scored, self.scored.groups
         more = {**held_out_entry(scored, self._thresholds), **more}
         for writer in self._writers:
-            writer.end(scored.summaries, ground_only=ground_only, groups=scored.groups, more=more)
+            writer.end(scored.summaries, ground_only=scored.ground_only, groups=groups, more=more)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections import OrderedDict
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -17,9 +18,10 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
-from procc_annotator.session.dataset.file_stamps import FileStamps, stamp_of
+from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp_of
 
 _KEPT = 64
+_COARSEST_NS = 2_000_000_000  # between two times that a file system tells apart
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +105,8 @@ class CameraSet:
         Args:
             path: where they are.
             fmt: one of `CAMERA_FORMATS`.
-            camera_size: (width, height) the cameras' pixels belong to; None goes by the files.
+            camera_size: (width, height) the cameras' pixels belong to, where their files do
+                not say.
             field: as of `CameraCollection`; None where it may change while the cameras are open.
             name: shown to the user; by default that of the folder, or of the file without suffix.
             base: what a relative path starts from, see `open_source`.
@@ -113,14 +116,19 @@ class CameraSet:
             InputError: two files for one frame, or an archive that cannot be opened.
         """
         # Before the look: what is written meanwhile is found by the next.
-        stamp = stamp_of(_from(base, path))
-        found = cls(
-            CameraCollection.open(path, fmt, base, field), name or _name_of(path), camera_size, base
-        )
-        found._stamps.take("", stamp)
-        if found._is_folder:
-            for file in (*_folders_of(found.frames.values()), *found._cameras.decoded):
-                found._stamps.note(file, found._file(file))
+        place, begun = _from(base, path), time.time_ns()
+        stamps = FileStamps[str]()
+        stamps.note("", place)
+
+        def note(file: str) -> None:
+            if place.is_dir():
+                stamps.note(file, place / file)
+
+        collection = CameraCollection.open(path, fmt, base, field, note)
+        found = cls(collection, name or _name_of(path), camera_size, base)
+        for folder in _folders_of(found.frames.values()) if found._is_folder else ():
+            stamps.take(folder, _unless_since(begun, stamp_of(place / folder)))
+        found._stamps.keep(stamps, without={})
         return found
 
     def written_since(self, frame_name: str) -> bool:
@@ -230,6 +238,12 @@ class CameraSet:
 
 def _from(base: Path | None, path: Path) -> Path:
     return path if base is None else base / path
+
+
+def _unless_since(begun: int, stamp: Stamp) -> Stamp:
+    """A folder's stamp, taken after the look; None, so that the next look finds another, where
+    something may have been written since the look began (ns)."""
+    return stamp if stamp is not None and stamp[0] < begun - _COARSEST_NS else None
 
 
 def _folders_of(files: Iterable[str]) -> set[str]:

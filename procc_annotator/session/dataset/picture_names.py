@@ -2,41 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from typing import Generic, TypeVar
 
-from procc_annotator.io.frame_names import PICTURE_FOLDERS
+from procc_annotator.io.frame_names import PICTURE_FOLDERS, ByFrame, FrameTable
+
+T = TypeVar("T")
 
 
-class PicturesByName:
+class PicturesByName(Generic[T]):
     """Names of the frames that have a picture, to find those that files tell otherwise: they leave
     out the folder that only keeps pictures (``game/img1/000001`` is game/000001 to game state), or
     all folders."""
 
-    def __init__(self, pictures: Mapping[str, object]) -> None:
+    def __init__(self, pictures: FrameTable[T]) -> None:
         """Look at nothing yet.
 
         Args:
             pictures: by frame.
         """
         self._pictures = pictures
-        self._of_stem: dict[str, str | None] | None = None
+        self._of_stem: ByFrame[str | None] | None = None
 
     def called(self, frame: str) -> str:
         """The name that a frame has by its picture; its own where no picture can be meant."""
-        if frame in self._pictures:
-            return frame
-        above, slash, name = frame.rpartition("/")
-        for inner in PICTURE_FOLDERS:
-            for path in (f"{above}{slash}{inner}/{name}", f"{inner}/{frame}"):
-                if path in self._pictures:
-                    return path
-        return (None if above else self._by_stem().get(name)) or frame
+        for path in (frame, *(f"{inner}/{frame}" for inner in PICTURE_FOLDERS)):
+            if (there := self._pictures.name_there(path)) is not None:
+                return there
+        return (None if "/" in frame else self._by_stem().get(frame)) or frame
 
     def _by_stem(self) -> dict[str, str | None]:
         """Frames of a tree by the last part of their name; None where several have it."""
         if self._of_stem is None:
-            self._of_stem = {}
+            self._of_stem = ByFrame()
             for frame in self._pictures:
                 stem = frame.rpartition("/")[2]
-                self._of_stem[stem] = None if stem in self._of_stem else frame
+                self._of_stem[stem] = None if dict.__contains__(self._of_stem, stem) else frame
         return self._of_stem

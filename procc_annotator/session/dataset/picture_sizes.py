@@ -11,7 +11,7 @@ from procc_annotator.image.header import upright_size
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
-from procc_annotator.io.frame_names import PICTURE_FOLDERS, ByFrame
+from procc_annotator.io.frame_names import PICTURE_FOLDERS, FrameTable
 from procc_annotator.session.dataset.dataset_folder import is_known_dataset, lies_below
 from procc_annotator.session.dataset.picture_names import PicturesByName
 from procc_annotator.session.dataset.picture_tree import find_pictures
@@ -31,7 +31,7 @@ class PictureSizes:
             tree: a folder that is looked through, however deep, where neither pictures nor
                 annotations lie at its top.
         """
-        self._paths = ByFrame[Path]()
+        self._paths = FrameTable[Path]()
         self._names = PicturesByName(self._paths)
         self._otherwise = otherwise
         for folder in folders:

@@ -10,6 +10,7 @@ from procc_annotator.errors import AnnotationError, InputError, SaveError, Usage
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import read_if_there
 from procc_annotator.language import word
 from procc_annotator.session.dataset import edits
@@ -58,7 +59,7 @@ class Workspace:
         self.frames = frames
         self.field = field
         self.notices = notices
-        self.index = {frame.name: i for i, frame in enumerate(frames)}
+        self.index = FrameTable((frame.name, i) for i, frame in enumerate(frames))
         self.given: FrameAnnotations | None = None
         self._states: dict[int, FrameState] = {}
         self._stamps: FileStamps[int] = FileStamps()

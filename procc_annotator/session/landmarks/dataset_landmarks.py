@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from procc_annotator.errors import FieldError, InputError
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER, frame_in_tree
+from procc_annotator.io.folders import walk
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile, load_landmarks
-from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE, folder_of_dataset, json_stems
+from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE, folder_of_dataset
+from procc_annotator.session.dataset.picture_tree import suffix_of
 from procc_annotator.session.landmarks.view_groups import ViewGroups, load_views
 
 if TYPE_CHECKING:
@@ -48,7 +53,7 @@ def strange_rows_of(groups: ViewGroups, workspace: Workspace) -> str:
     """
     if not workspace.frames or not groups.strange_names(workspace.index):
         return ""
-    there = {*workspace.index, *json_stems(workspace.frames[0].annotation_folder)}
+    there = {*workspace.index, *_annotated_in(workspace.annotations)}
     count = len(groups.strange_names(there))
     if not count:
         return ""
@@ -56,6 +61,14 @@ def strange_rows_of(groups: ViewGroups, workspace: Workspace) -> str:
     if count == 1:
         return first
     return f"{first} (and {count - 1:,} more {'row' if count == 2 else 'rows'} like it)"
+
+
+def _annotated_in(folder: Path) -> Iterator[str]:
+    """The frames that annotations in a folder or below it belong to, with a picture or without."""
+    for below, names in walk(folder, lambda _: None) if folder.is_dir() else ():
+        for name in names:
+            if suffix_of(name) == ".json":
+                yield frame_in_tree(below + name, ANNOTATIONS_FOLDER)
 
 
 def field_with(field: Field, landmarks: LandmarkFile, groups: ViewGroups, path: Path) -> Field:
@@ -67,7 +80,7 @@ def field_with(field: Field, landmarks: LandmarkFile, groups: ViewGroups, path: 
     Raises:
         InputError: a landmark has the name of a class of the field; which entry it is.
     """
-    instants = {frame: of.instant for frame, of in groups.frames.items()}
+    instants = FrameTable((frame, of.instant) for frame, of in groups.frames.items())
     try:
         return with_landmarks(field, landmarks.landmarks, None, instants)
     except FieldError as error:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Container, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -21,6 +21,7 @@ from procc_annotator.errors import InputError, SaveError
 from procc_annotator.field.words import did_you_mean, printed
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
+from procc_annotator.io.frame_names import FrameTable
 
 _FRAME, _INSTANT, _VIEW = "frame", "instant", "view"
 _ADVICE = "the file needs a header like: frame,instant,view"
@@ -44,7 +45,7 @@ class ViewGroups:
         lines: frame -> its line in the file that says so.
     """
 
-    frames: Mapping[str, ViewOf] = field(default_factory=dict)
+    frames: FrameTable[ViewOf] = field(default_factory=FrameTable)
     told_by: str = field(default="", compare=False)
     lines: Mapping[str, int] = field(default_factory=dict, compare=False)
 
@@ -59,18 +60,21 @@ class ViewGroups:
         return "" if found is None else found.view
 
     def others(self, frame: str) -> tuple[str, ...]:
-        """The other frames of a frame's instant, in natural order."""
-        instant = self.instant_of(frame)
-        group = () if instant is None else self.groups[instant]
-        return tuple(name for name in group if name != frame)
+        """The other frames of a frame's instant, in natural order, as they are called here."""
+        own = self.frames.name_there(frame)
+        if own is None:
+            return ()
+        group = self.groups[self.frames[own].instant]
+        return tuple(name for name in group if name != own)
 
-    def strange_names(self, frames: Container[str]) -> tuple[str, ...]:
+    def strange_names(self, frames: Iterable[str]) -> tuple[str, ...]:
         """The frames that rows name and which there are not, in the file's order.
 
         Args:
             frames: names of all there are.
         """
-        return tuple(name for name in self.lines if name not in frames)
+        there = FrameTable.fromkeys(frames)
+        return tuple(name for name in self.lines if name not in there)
 
     def strange_rows(self, frames: Iterable[str], most: int | None = None) -> tuple[str, ...]:
         """One sentence for each row that names a frame which there is not.
@@ -79,7 +83,7 @@ class ViewGroups:
             frames: names of all there are.
             most: so many sentences at most; finding what was meant takes long in a large set.
         """
-        there = set(frames)
+        there = FrameTable.fromkeys(frames)
         return tuple(
             f"{self.told_by}: line {self.lines[name]}: there is neither a picture nor an annotation"
             f" of {printed(name)}{did_you_mean(name, there)}"
@@ -191,4 +195,4 @@ def _read(path: Path, table: list[tuple[int, list[str]]]) -> ViewGroups:
                 place=place,
                 advice="a camera takes one frame at a time: correct one of them",
             )
-    return ViewGroups(found, path.name, lines)
+    return ViewGroups(FrameTable(found), path.name, lines)

@@ -11,6 +11,7 @@ from itertools import takewhile
 from natsort import natsorted
 
 from procc_annotator.errors import UsageError
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.session.landmarks.view_groups import ViewGroups, ViewOf
 
 INSTANT, VIEW = "instant", "view"
@@ -70,7 +71,7 @@ def views_by_name(names: Iterable[str], pattern: str) -> NamedViews:
             alone.append(name)
         else:
             found[name] = of
-    groups = ViewGroups(found, f"the pattern {pattern!r}")
+    groups = ViewGroups(FrameTable(found), f"the pattern {pattern!r}")
     problem = _same_view(groups, pattern) or _no_group(groups, pattern, len(found) + len(alone))
     return NamedViews(groups, tuple(natsorted(alone)), problem)
 

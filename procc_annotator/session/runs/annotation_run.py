@@ -67,8 +67,7 @@ class AnnotatePictures:
         except InputError as error:
             return PaintedFrame(frame.name, error=str(error))
         size = picture.shape[1], picture.shape[0]
-        own = self.camera_size or loaded.size or OFFICIAL_SIZE
-        camera, _ = fit_to_size(loaded, size, own)
+        camera, _ = fit_to_size(loaded, size, self.camera_size, OFFICIAL_SIZE)
         if not isinstance(camera, PinholeCamera | HomographyCamera):
             shown = self.cameras.opened.display(frame.name)
             why = f"{shown}: a camera of the kind {loaded.model} is of no use here"

@@ -207,7 +207,8 @@ class MeasureShots(AnnotationTask):
             return None, None
         try:
             loaded = cameras.read(name, self.setup.field)
-            camera = fit_to_size(loaded, self.setup.size, self.camera_size)[0]
+            setup = self.setup
+            camera = fit_to_size(loaded, setup.size, self.camera_size, setup.unsized)[0]
             return camera, loaded.fitted_on
         except InputError as error:
             errors.append(str(error))

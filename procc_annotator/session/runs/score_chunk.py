@@ -250,8 +250,9 @@ def _load_camera(
             cameras.path, f"holds no camera of frame {name!r} any more", advice="try again"
         )
     loaded = cameras.read(name, task.setup.field)
-    camera, scaled = fit_to_size(loaded, task.setup.size, task.camera_size)
+    setup = task.setup
+    camera, scaled = fit_to_size(loaded, setup.size, task.camera_size, setup.unsized)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
-    model = model_name(camera, loaded.model, task.setup.size)
+    model = model_name(camera, loaded.model, setup.size)
     fitted = is_fitted_on(loaded.fitted_on, annotation)
     return camera, model, notices, fitted, loaded.held_out

@@ -302,9 +302,11 @@ def _field_size(
     annotations, alone = _own(members)
     if not any(fit.camera is not None for fit in alone.values()):
         return FieldSize(group, None, "no frame has a camera that dimensions could be told from")
-    stadium = fit_dimensions(annotations, alone, setup.field, names=names, on_step=steps.step)
-    there = {d.name: d.value for d in setup.field.dimensions} | stadium.values
-    sized = replace(resized(setup.field, there, related=False), stadiums=None)
+    # What is kept of the stadium already: a dimension that is not determined stays so.
+    known = replace(field_of_stadium(setup.field, group), stadiums=None)
+    stadium = fit_dimensions(annotations, alone, known, names=names, on_step=steps.step)
+    there = {d.name: d.value for d in known.dimensions} | stadium.values
+    sized = resized(known, there, related=False)
     again = []
     for frame in members:
         steps.step()

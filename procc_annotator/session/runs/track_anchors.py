@@ -47,7 +47,7 @@ class Anchors:
         Args:
             frames: by number.
             collection: of cameras.
-            camera_size: (width, height) their pixels belong to, where that is known better.
+            camera_size: (width, height) their pixels belong to, where their files do not say.
         """
         for number, frame in enumerate(frames):
             if number in self.cameras or frame.name not in collection.frames:
@@ -58,8 +58,7 @@ class Anchors:
             except (CameraError, InputError) as error:
                 self.errors.append(str(error))
                 continue
-            own = camera_size or loaded.size or OFFICIAL_SIZE
-            camera, _ = fit_to_size(loaded, size, own)
+            camera, _ = fit_to_size(loaded, size, camera_size, OFFICIAL_SIZE)
             if isinstance(camera, ElementProjections):
                 self.errors.append(f"{collection.display(frame.name)}: holds no camera to follow")
             else:

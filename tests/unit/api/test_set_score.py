@@ -71,6 +71,8 @@ def test_cameras_fitted_to_the_clicks_they_are_judged_by_are_marked(
     fits = load_cameras(tmp_path)
     found = evaluate_set({name: annotations[name] for name in names}, fits)
     assert found.described == "soccernet, 960x540, fitted on these clicks"
+    at_hand = {name: fit_camera(annotations[name], model="R") for name in names}
+    assert evaluate_set({n: annotations[n] for n in names}, at_hand).described == found.described
     moved = annotations | {"00001": annotations["00003"]}
     some = evaluate_set(moved, fits)
     assert some.described == "soccernet, 960x540, fitted on these clicks in 1 of 2 frames"
@@ -175,6 +177,27 @@ def test_what_cannot_be_scored(sample_data: Path) -> None:
         evaluate_set({"00002": {"Middle line": []}}, {"00002": fit_camera(annotations["00002"])})
     with pytest.raises(UsageError, match="at least one threshold"):
         evaluate_set(annotations, {}, thresholds=())
+
+
+def test_the_path_of_a_dataset_tells_its_field_as_well(sample_data: Path) -> None:
+    place = sample_data / "basketball"
+    by_path = evaluate_set(place, place / "cameras" / "bad")
+    assert (
+        by_path.described == evaluate_set(load_dataset(place), place / "cameras" / "bad").described
+    )
+    assert "basketball_fiba" in by_path.described
+    assert by_path.summaries[5.0].mean_jac > 0.1
+    nominal = evaluate_set(place, place / "cameras" / "bad", field="soccer")
+    assert nominal.described == "soccernet, 960x540"
+
+
+def test_other_thresholds_are_no_other_frames(sample_data: Path) -> None:
+    one, other = (
+        evaluate_set(sample_data, sample_data / "cameras" / "bad", thresholds=taus)
+        for taus in ((5.0,), (5.0, 2.0))
+    )
+    with pytest.raises(UsageError, match=r"other thresholds: 5 px and 5 px, 2 px"):
+        one.differences(other)
 
 
 def test_annotations_in_pixels_are_told(sample_data: Path) -> None:

@@ -291,9 +291,21 @@ def test_a_camera_of_another_size_is_scaled_and_says_so() -> None:
     own, _ = sized.camera.project(points)
     px, _ = camera.project(points)
     np.testing.assert_allclose(px, own * (959 / 1919, 539 / 1079))
+    assert fit_to_size(sized, (960, 540), (1280, 720))[1] == notice  # the file knows better
     plain = read_camera_file(changed(), path="camera_1.json")
     assert fit_to_size(plain, (960, 540)) == (plain.camera, None)
+    assert fit_to_size(plain, (960, 540), None, (1280, 720))[1] == "scaled from 1280x720 to 960x540"
     assert fit_to_size(plain, (960, 540), (1920, 1080))[1] == "scaled from 1920x1080 to 960x540"
+
+
+def test_a_homography_belongs_to_another_size_where_that_is_told() -> None:
+    usual = read_camera_file(b"1 0 0 0 1 0 0 0 1", path="1.homographyMatrix")
+    assert fit_to_size(usual, (1280, 720), None, (960, 540)) == (usual.camera, None)
+    taken, notice = fit_to_size(usual, (960, 540), (960, 540))
+    assert taken is usual.camera
+    assert notice == "taken for 960x540 (usual: 1280x720)"
+    notice = fit_to_size(usual, (480, 270), (960, 540))[1]
+    assert notice == "scaled from 960x540 (usual: 1280x720) to 480x270"
 
 
 @pytest.mark.parametrize(

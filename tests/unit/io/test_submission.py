@@ -141,3 +141,9 @@ def test_a_damaged_member_is_refused_and_the_others_are_read(tmp_path: Path) -> 
     (found,) = check_submission(path)
     assert found.place == "test/camera_1.json"
     assert "cannot be read" in found.text
+
+
+def test_names_that_begin_with_a_dot_are_not_found_by_the_evaluation(tmp_path: Path) -> None:
+    (found,) = check_submission(archive(tmp_path, [("./test/camera_1.json", GOOD)]))
+    assert found.kind == "refused"
+    assert "./ is not looked past" in found.text

@@ -8,6 +8,7 @@ from time import perf_counter
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.session.dataset.frame_folders import Folder
 from procc_annotator.session.facts.origins import Status
@@ -31,8 +32,7 @@ class FolderFigures(QObject):
         self._at = 0
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._begin)
-        self._go_on = QTimer(self, singleShot=True, interval=0)
-        self._go_on.timeout.connect(self._count)
+        self._go_on = soon(self, self._count)
 
     def reset(self, names: list[str]) -> None:
         """Other frames; none, where no folder is shown."""

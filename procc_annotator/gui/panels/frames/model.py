@@ -13,7 +13,6 @@ from PySide6.QtCore import (
     QAbstractListModel,
     QModelIndex,
     Qt,
-    QTimer,
 )
 from PySide6.QtGui import QImage
 
@@ -22,6 +21,7 @@ from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.frames.folder_figures import FolderFigures
 from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
 from procc_annotator.gui.panels.rows import Index
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.language import tr, tr_count
@@ -86,8 +86,7 @@ class FramesModel(QAbstractListModel):
         self._thumbnails = Thumbnails(cache, self)
         self._thumbnails.arrived.connect(self._show_thumbnails)
         self._without_thumbnail: dict[Path, int] = {}  # frames
-        self._count_soon = QTimer(self, singleShot=True, interval=0)
-        self._count_soon.timeout.connect(self._count_some)
+        self._count_soon = soon(self, self._count_some)
         self.scores = document.frame_scores
 
     # --- rows and frames -----------------------------------------------------------------------

@@ -22,6 +22,7 @@ from procc_annotator.gui.panels.frames.filter import FrameFilter
 from procc_annotator.gui.panels.frames.model import FramesModel
 from procc_annotator.gui.panels.parts import SEARCH_KEYS, empty_state, note_label, show_note
 from procc_annotator.gui.panels.rows import list_rows
+from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.language import tr, tr_count
@@ -54,8 +55,7 @@ class FramesPanel(QWidget):
         self._build()
         document.datasetChanged.connect(self._take_dataset)
         # After the canvas was painted: nobody looks at the list first.
-        self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self._follow_frames)
+        self._soon = soon(self, self._follow_frames)
         self._revealed = -1  # the frame whose folders were unfolded last
         self._due: set[int] = set()  # frames on screen since the list was brought up to date
         document.frameChanged.connect(self._follow_soon)

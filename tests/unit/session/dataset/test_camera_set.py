@@ -12,6 +12,7 @@ import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
+from procc_annotator.io.camera_files import camera_collection
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.session.dataset.camera_set import CameraSet
 
@@ -109,3 +110,25 @@ def test_changed_cameras_are_told_by_the_names_they_are_asked_for(tmp_path: Path
     found = cameras.look_again(asked)
     assert found is not None
     assert found[1] == {"g1/1"}
+
+
+def test_a_file_that_comes_while_the_folders_are_listed_is_seen_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for game in ("game1", "game2"):
+        (tmp_path / game).mkdir()
+        (tmp_path / game / "1.json").write_bytes(write_camera(CAMERA))
+    list_cameras = camera_collection.list_cameras
+
+    def listed(*args: object) -> object:
+        found = list_cameras(*args)
+        (tmp_path / "game2/2.json").write_bytes(write_camera(CAMERA))
+        return found
+
+    monkeypatch.setattr(camera_collection, "list_cameras", listed)
+    cameras = CameraSet.open(tmp_path)
+    monkeypatch.undo()
+    asked = ["game1/1", "game2/1", "game2/2"]
+    newer, others = cameras.look_again(asked)
+    assert others == {"game2/2"}
+    assert list(newer.frames) == asked

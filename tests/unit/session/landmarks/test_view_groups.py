@@ -7,6 +7,10 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import InputError
+from procc_annotator.field.load import load_field
+from procc_annotator.io.frame_names import FrameTable
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.landmarks.dataset_landmarks import strange_rows_of
 from procc_annotator.session.landmarks.view_groups import (
     ViewGroups,
     ViewOf,
@@ -16,11 +20,13 @@ from procc_annotator.session.landmarks.view_groups import (
 )
 
 GROUPS = ViewGroups(
-    {
-        "17_left": ViewOf("17", "left"),
-        "17_right": ViewOf("17", "right"),
-        "9_left": ViewOf("9", "left"),
-    }
+    FrameTable(
+        {
+            "17_left": ViewOf("17", "left"),
+            "17_right": ViewOf("17", "right"),
+            "9_left": ViewOf("9", "left"),
+        }
+    )
 )
 
 
@@ -55,7 +61,7 @@ def test_rows_of_frames_that_there_are_not_are_named(tmp_path: Path) -> None:
 
 def test_groups_are_written_as_they_are_read(tmp_path: Path) -> None:
     path = tmp_path / "views.csv"
-    strange = ViewGroups({**GROUPS.frames, "=1+1": ViewOf("-3", 'a "b", c')})
+    strange = ViewGroups(FrameTable({**GROUPS.frames, "=1+1": ViewOf("-3", 'a "b", c')}))
     save_views(path, strange)
     assert load_views(path) == strange
     assert "\n=1" not in path.read_text()
@@ -65,7 +71,7 @@ def test_a_name_that_is_no_utf_8_does_not_keep_the_others_from_being_written(
     tmp_path: Path,
 ) -> None:
     file = tmp_path / "views.csv"
-    save_views(file, ViewGroups({**GROUPS.frames, "caf\udce9": ViewOf("18")}))
+    save_views(file, ViewGroups(FrameTable({**GROUPS.frames, "caf\udce9": ViewOf("18")})))
     assert GROUPS.frames.items() < load_views(file).frames.items()
 
 
@@ -115,6 +121,31 @@ def test_another_file_is_replaced_only_where_it_is_known(tmp_path: Path) -> None
 
 def test_only_so_many_strange_rows_are_told() -> None:
     lines = {"a": 2, "b": 3, "c": 4}
-    groups = ViewGroups({}, "views.csv", lines)
+    groups = ViewGroups(FrameTable(), "views.csv", lines)
     assert groups.strange_names({"b"}) == ("a", "c")
     assert [row.split(":")[1] for row in groups.strange_rows(["b"], 1)] == [" line 2"]
+
+
+def test_frames_are_found_however_they_are_spelled(tmp_path: Path) -> None:
+    """Letters composed otherwise, as a Mac's file system has them, and folders of pictures."""
+    path = tmp_path / "views.csv"
+    path.write_text("frame,instant,view\ncaf\u00e9/1,7,left\ncaf\u00e9/2,7,right\n", "utf-8")
+    groups = load_views(path)
+    there = "cafe\u0301/img1/1"
+    assert groups.instant_of(there) == "7"
+    assert groups.view_of(there) == "left"
+    assert groups.others(there) == ("caf\u00e9/2",)
+    assert groups.strange_names([there, "cafe\u0301/img1/2"]) == ()
+    assert groups.strange_rows([there])[0].startswith("views.csv: line 3: ")
+
+
+def test_annotations_of_a_tree_may_have_no_picture(tmp_path: Path) -> None:
+    for game in ("game1", "game2"):
+        (tmp_path / game / "annotations").mkdir(parents=True)
+        (tmp_path / game / "1.png").touch()
+    (tmp_path / "game2/annotations/5.json").write_text("{}")
+    rows = "game2/img1/5,7\ngame2/5,7\ngame2/6,7\n"
+    (tmp_path / "views.csv").write_text(f"frame,instant\ngame1/1,7\n{rows}")
+    groups = load_views(tmp_path / "views.csv")
+    said = strange_rows_of(groups, Workspace.open(tmp_path, load_field("soccer")))
+    assert said.startswith("views.csv: line 5: there is neither a picture nor an annotation of")
