@@ -192,10 +192,11 @@ def pytest_collection_finish() -> None:
 
 @pytest.fixture(scope="module", autouse=True)
 def garbage_goes_between_modules(request: pytest.FixtureRequest) -> Iterator[None]:
-    """What a module leaves goes, back to the system too.
+    """What a module leaves goes, back to the system too; what stays, such as libraries, is not
+    looked through again: that is 100 ms after each of hundreds of modules.
 
     As in the program, no thread but the interface's ends what Qt owns: garbage is looked for here
-    only, where there are windows.
+    only, where there are windows. There everything is looked through: windows stay, and go later.
     """
     has_windows = "gui" in request.path.parts or "interaction" in request.path.parts
     if has_windows:
@@ -206,6 +207,8 @@ def garbage_goes_between_modules(request: pytest.FixtureRequest) -> Iterator[Non
         proposing.at_places.cache_clear()
     gc.collect()
     gc.enable()
+    if not has_windows:
+        gc.freeze()
     _give_memory_back()
 
 

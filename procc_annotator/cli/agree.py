@@ -13,9 +13,15 @@ import typer
 
 from procc_annotator.cli import chance_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
-from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_remarks,
+    report_unreadable,
+)
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
+from procc_annotator.io.collections import list_annotations, told_by_trees
 from procc_annotator.io.source import FileSource
 from procc_annotator.report import agreement
 from procc_annotator.report.agreement import Agreed, agree_sets
@@ -27,7 +33,7 @@ from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.session.runs.clusters import Clusters, clusters_of
 from procc_annotator.session.runs.consensus_run import MOST, ConsensusRun
 from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.set_run import WORTH_WORKERS
+from procc_annotator.session.runs.set_run import WORTH_WORKERS, folders_taken_for_one
 from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import listed
 
@@ -122,6 +128,8 @@ def agree(given: AskedToAgree) -> None:
         for source, letter in zip(sources, ascii_uppercase, strict=False):
             report_mismatch(source, shown, f"{letter}: ")
             report_like_cameras(source, f"{letter}: ")
+        lists = told_by_trees([list_annotations(source) for source in sources])
+        report_remarks(folders_taken_for_one(zip(given.annotators, lists, strict=True)))
         alike = _clusters_of(sources, given.tags, given.cluster)
         call = shown, options.parse_size(given.size), thresholds
         if len(sources) > 2:

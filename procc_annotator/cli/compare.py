@@ -16,6 +16,7 @@ from procc_annotator.cli.datasets import (
     report_like_cameras,
     report_mismatch,
     report_notices,
+    report_remarks,
     report_unreadable,
 )
 from procc_annotator.cli.field_option import chosen_field
@@ -46,6 +47,7 @@ from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.clusters import Clusters, clusters_of
 from procc_annotator.session.runs.comparison_run import ComparisonRun
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.set_run import folders_taken_for_one
 from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import count_of, listed
 
@@ -165,6 +167,7 @@ def compare(given: AskedToCompare) -> None:
     names, images = frames_of(given.dataset, shown_field)
     if given.dataset is None:
         _report_field_around((source_a, source_b), shown_field)
+        report_remarks(folders_taken_for_one((s.path, s.frames) for s in sources))
     if given.pictures is not None and any(
         p.parent.resolve() == given.pictures.resolve() for p in images.values()
     ):

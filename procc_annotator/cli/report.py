@@ -26,6 +26,7 @@ from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.page.audit_report import AuditReport, NamedCameras, Work, gather_report
+from procc_annotator.report.page.html_report import is_of_others
 from procc_annotator.report.page.report_pairs import PairPainters
 from procc_annotator.report.page.report_pictures import Painters
 from procc_annotator.report.page.reporting import (
@@ -69,6 +70,7 @@ Example:
 """
 
 DEFAULT_THRESHOLDS = (5.0, 2.0, 10.0)
+_USUAL = Path("report.html")
 _NARROWEST, _WIDEST = 160, 4096
 _COMPARED_FRAME = 20  # scored frames that take as long
 
@@ -83,7 +85,8 @@ Output = Annotated[
         "--output",
         "-o",
         metavar="FILE",
-        help="A .html, .csv, .json or .tex file; repeat for several.  [default: report.html]",
+        help="A .html, .csv, .json or .tex file; repeat for several.  [default: report.html in the"
+        " current folder, unless a file there is another's]",
     ),
 ]
 Thresholds = Annotated[
@@ -265,7 +268,11 @@ def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]
     """
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
-    written = output or [Path("report.html")]
+    if output is None and is_of_others(_USUAL):
+        raise UsageError(
+            f"{_USUAL}: is there already, and no report wrote it; name a file with --output"
+        )
+    written = output or [_USUAL]
     for path in written:
         report_kind(path)
         outputs.check_output_folder(path)

@@ -12,7 +12,13 @@ from posixpath import splitext
 
 from procc_annotator.errors import InputError
 from procc_annotator.io.camera_files.registry import suffixes_of
-from procc_annotator.io.frame_names import PICTURE_SUFFIX, ByFrame, file_of_frame, frame_of_file
+from procc_annotator.io.frame_names import (
+    PICTURE_SUFFIX,
+    ByFrame,
+    FrameTable,
+    file_of_frame,
+    frame_of_file,
+)
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import stray_notices, strays_among
@@ -70,12 +76,29 @@ def may_be_annotation(file_name: str) -> bool:
     return not file_name.startswith(CAMERA_PREFIX) and file_name not in OWN_FILES
 
 
-class AnnotationFiles(ByFrame[str]):
+class AnnotationFiles(FrameTable[str]):
     """Frame name -> annotation file; ``notices`` are remarks a person should see, ``in_tree`` says
     whether the frames are called by their paths."""
 
     notices: tuple[str, ...] = ()
     in_tree: bool = False
+
+    def is_part_of(self, other: AnnotationFiles) -> bool:
+        """Whether all lie in an only folder that another tree has."""
+        called = (name.startswith(self.only_folder) for name in other)
+        return bool(self.only_folder) and other.in_tree and any(called)
+
+    def by_path(self) -> AnnotationFiles:
+        """The same, frames called with the only folder that they lie in."""
+        found = AnnotationFiles((self.only_folder + name, file) for name, file in self.items())
+        found.notices, found.in_tree = self.notices, True
+        return found
+
+
+def told_by_trees(lists: Sequence[AnnotationFiles]) -> list[AnnotationFiles]:
+    """The same lists of several annotators, in each of which frames are called by their paths where
+    they lie in an only folder that the tree of another has."""
+    return [own.by_path() if any(map(own.is_part_of, lists)) else own for own in lists]
 
 
 def list_annotations(source: FileSource) -> AnnotationFiles:

@@ -44,7 +44,9 @@ class Cluster:
     workers: list[subprocess.Popen[bytes]] = field(default_factory=list)
 
     def start(self) -> None:
-        told = self.folder / "scheduler.json"
+        self.remove_workers()
+        self.address, told = "", self.folder / "scheduler.json"
+        told.unlink(missing_ok=True)
         self.scheduler = self._run(
             "scheduler", "--port", "0", "--no-dashboard", "--scheduler-file", str(told)
         )
@@ -66,6 +68,12 @@ class Cluster:
                 )
             )  # fmt: skip
 
+    def remove_workers(self) -> None:
+        for worker in self.workers:
+            worker.kill()
+            worker.wait()
+        self.workers.clear()
+
     def _run(self, kind: str, *arguments: str) -> subprocess.Popen[bytes]:
         paths = os.pathsep.join([str(HERE), os.environ.get("PYTHONPATH", os.getcwd())])
         with open(self.folder / "log", "ab") as log:
@@ -80,11 +88,17 @@ class Cluster:
 
 
 @pytest.fixture(scope="module")
-def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
+def one_cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
     with ExitStack() as files:
-        made = Cluster(tmp_path_factory.mktemp("cluster"), files)
-        made.start()
-        yield made
+        yield Cluster(tmp_path_factory.mktemp("cluster"), files)
+
+
+@pytest.fixture
+def cluster(one_cluster: Cluster) -> Cluster:
+    """Its scheduler lives, whatever the test before has done."""
+    if one_cluster.scheduler is None or one_cluster.scheduler.poll() is not None:
+        one_cluster.start()
+    return one_cluster
 
 
 @pytest.fixture
@@ -169,7 +183,13 @@ def same(a: tuple[list[FrameResult], Any], b: tuple[list[FrameResult], Any]) -> 
 
 
 def test_a_cluster_without_workers_is_said_so(cluster: Cluster, monkeypatch) -> None:
-    assert not cluster.workers, "this one comes first"
+    if cluster.workers:
+        with make_executor(dask=cluster.address) as executor:
+            cluster.remove_workers()
+            until = time.monotonic() + PATIENCE_S
+            while executor._client.nthreads():  # type: ignore[attr-defined]
+                assert time.monotonic() < until
+                time.sleep(0.05)
     monkeypatch.setattr(dask_executor, "WORKERS_S", 0.2)
     with pytest.raises(ProccError, match="has no workers"), make_executor(dask=cluster.address):
         pass
@@ -298,12 +318,12 @@ def test_without_the_library_the_extra_is_advised(monkeypatch) -> None:
 def test_a_scheduler_that_is_lost_midway_is_one_line(
     tasks, cluster: Cluster, workers: Executor, tmp_path: Path, capfd
 ) -> None:
-    """The last one: the cluster is gone afterwards."""
     gate = tmp_path / "gate"
     results = workers.map(tasks.Waiting(gate), range(12))
     next(results)
     assert cluster.scheduler is not None
     cluster.scheduler.kill()
+    cluster.scheduler.wait()
     with pytest.raises(ProccError, match=r"the connection to the Dask scheduler .* was lost"):
         list(results)
     gate.touch()
