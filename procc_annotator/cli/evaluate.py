@@ -23,7 +23,7 @@ from procc_annotator.cli.evaluations import Plan
 from procc_annotator.cli.recipe_further import Further
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, recipe_for
 from procc_annotator.cli.submissions import Submission, require_submitted_for, submitted_source
-from procc_annotator.errors import ProccError
+from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.over_time import SourceOverTime
@@ -249,6 +249,8 @@ def _chance(
     """How intervals are found, if anything asks for them."""
     told = given.click_noise is not None or given.cluster is not None
     if not (asked or told or given.intervals or given.power):
+        if (given.interval_method, given.draws, given.seed) != ("t", 10_000, 1):
+            raise UsageError("--interval-method, --draws and --seed need --intervals or the like")
         return None
     return chance_options.chance_terms(
         tags, dict(plan.sets), given.cluster, [name for name in by if name != MODEL],
