@@ -213,6 +213,7 @@ def _convert_to_polylines(given: AskedToConvert) -> int:
             cameras, given.out, setup, method, names, camera_size=own, progress=progress
         )
         datasets.report_remarks(cameras.notices)
+    datasets.report_notices(done.losses)
     unreadable = datasets.report_unreadable(done.problems, "left out")
     typer.echo(
         f"polylines of {count_of(done.written, 'frame')} written to {given.out}"

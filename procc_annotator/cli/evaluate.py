@@ -37,6 +37,7 @@ from procc_annotator.report.scores.scoring import Evaluations, Outcome, Scored
 from procc_annotator.report.scores.tables import EvaluationRow, evaluations_table
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.strata import DERIVED
 from procc_annotator.session.runs.tags import MODEL, Tags, check_by
 from procc_annotator.words import count_of, first_of, listed
 
@@ -211,7 +212,7 @@ def _call_of(context: typer.Context, given: AskedToEvaluate) -> _Call:
     thresholds = options.thresholds_or_default(given.threshold)
     tags = None if given.tags is None else Tags.read(given.tags)
     grouped, derived = chance_options.parted_by(given.by, tags, given.cluster)
-    groups = () if grouped is None else check_by(grouped, tags)
+    groups = () if grouped is None else check_by(grouped, tags, DERIVED)
     chance = _chance(given, plan, tags, (*groups, *derived), asked=bool(derived))
     noise = chance_options.noise_file(given.click_noise)
     beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}

@@ -143,8 +143,8 @@ def track(
         shots = _shots(pictures, anchors, start)
     if prepared is not None:
         prepared.result()
-    if overwrite:
-        for shot in shots:
+    for shot in shots:
+        if overwrite or _has_new_anchors(shot, table):
             table.forget(shot.frames)
     kept = [shot for shot in shots if table.has_all(shot.frames)]
     for shot in kept:
@@ -181,6 +181,12 @@ def _follow(
     run.executor = executor
     with progress_bar(label) as progress:
         write_tracks(run, out, table, progress)
+
+
+def _has_new_anchors(shot: ShotToFollow, table: TrackTable) -> bool:
+    """Whether a shot that was followed before has anchors that it had not then."""
+    names = (shot.frames[number - shot.first].name for number in shot.anchors)
+    return any(row["state"] != "anchor" for name in names if (row := table.rows.get(name)))
 
 
 def _worth_another_look(
