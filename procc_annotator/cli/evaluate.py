@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
+from itertools import chain
 from pathlib import Path
 from typing import Annotated
 
@@ -25,6 +26,7 @@ from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, rec
 from procc_annotator.cli.submissions import Submission, require_submitted_for, submitted_source
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.over_time import SourceOverTime
 from procc_annotator.report.scores import tables
@@ -383,15 +385,18 @@ def report_problems(scored: list[Scored]) -> int:
 
 def _tags_of_no_frame(tags: Tags, frames: Mapping[str, tuple[str, ...]]) -> list[str]:
     """What to say of rows of the file of tags whose frame is annotated in none of the sets."""
-    every = {frame for names in frames.values() for frame in names}
-    strange = [
-        frame for of_set, frame in tags.rows
-        if frame not in (every if of_set is None else frames.get(of_set, ()))
-    ]  # fmt: skip
+    there: dict[str | None, FrameTable[str]]
+    there = {of_set: _table(names) for of_set, names in frames.items()}
+    there[None] = _table(chain.from_iterable(frames.values()))
+    strange = [frame for of_set, frame in tags.rows if frame not in there.get(of_set, ())]
     if not strange:
         return []
     rows = count_of(len(strange), "row")
     return [f"{tags.path}: {rows} of no annotated frame ({first_of(strange)})"]
+
+
+def _table(names: Iterable[str]) -> FrameTable[str]:
+    return FrameTable((name, name) for name in names)
 
 
 def _add_to_table(table: Path, scored: list[Scored]) -> str:
