@@ -377,3 +377,18 @@ def test_annotations_without_the_folder_of_pictures_are_those_of_the_pictures(
     done = cli("evaluate", tree.root, tree.cameras, "--tags", tmp_path / "tags.csv")
     assert "4 frames" in done.stdout
     assert done.stderr == ""
+
+
+def test_annotations_of_one_match_go_with_cameras_of_the_whole_tree(
+    cli, tree: Tree, tmp_path: Path
+) -> None:
+    """Without pictures nothing but the cameras tells that their only folder is one of several."""
+    kept = tmp_path / "kept/a"
+    kept.mkdir(parents=True)
+    for frame in FRAMES:
+        shutil.copy(tree.root / f"a/img1/{frame}.json", kept)
+    figures = tmp_path / "figures.csv"
+    done = cli("evaluate", kept.parent, tree.cameras, "-o", figures)
+    assert done.exit_code == 0, done.stderr
+    with figures.open(encoding="utf-8") as file:
+        assert {row["name"] for row in csv.DictReader(file)} == {f"a/{frame}" for frame in FRAMES}
