@@ -239,6 +239,9 @@ def _convert_cameras(given: AskedToConvert) -> int:
             f"nothing to do: no camera of {given.source} could be written to {given.out}"
         )
     typer.echo(f"{count_of(done.written, 'camera')} written to {given.out}")
+    if given.to == "world":
+        told = "nothing in these files tells them from wc14: read them with --camera-format world"
+        datasets.report_remarks([told])
     return unreadable
 
 

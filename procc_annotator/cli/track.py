@@ -56,7 +56,7 @@ visible model on paint), residual in px, standard deviations, frames to the near
 
 Cameras are written as they come, and once more when their shot is done, refined over all of it; its
 rows come with that. A run that was interrupted is started again to go on: shots whose frames all
-have a row are not followed again, unless --overwrite.
+have a row are not followed again, unless they have new anchors, or --overwrite.
 
 --from FRAME follows only the shot of that frame (its name or number), in both directions.
 
