@@ -102,6 +102,9 @@ class AskedToAgree:
             " or more.",
         ),
     ] = None
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace files of --consensus that are there.")
+    ] = False
     labels: options.LabelsFile = None
     workers: options.FitWorkers = None
     output: options.FigureFiles = None
@@ -134,7 +137,7 @@ def agree(given: AskedToAgree) -> None:
             count = several.total
             with make_executor(given.workers, frames=count, worth_from=WORTH_WORKERS) as executor:
                 several.executor = executor
-                errors = _agree_all(several, alike, given.consensus, files, power=given.power)
+                errors = _agree_all(several, alike, given, files)
         elif given.consensus is not None:
             raise UsageError("a consensus is that of three annotators or more")
         else:
@@ -171,23 +174,22 @@ def _clusters_of(
 def _agree_all(
     run: ConsensusRun,
     clusters: Callable[[Sequence[str]], Clusters],
-    consensus: Path | None,
+    given: AskedToAgree,
     files: Sequence[Path],
-    *,
-    power: bool,
 ) -> list[str]:
     """Compare, print and write; the errors of files that could not be read."""
+    consensus = given.consensus
     if consensus is not None:
         outputs.check_place(consensus, run.sources)
         names = [f"{name}.json" for name in run.names]
-        outputs.check_replaces_nothing(consensus, names, overwrite=False)
+        outputs.check_replaces_nothing(consensus, names, overwrite=given.overwrite)
     agreed = agree_all(run, clusters, consensus=consensus, progress=with_progress)
     for path in files:  # before the tables: whoever reads them may stop after the first
         write_agreed(agreed, run, path)
     console = stdout_console()
     for sheet in sheets_of(agreed):
         console.print(sheet)
-    if power:
+    if given.power:
         console.print(needed_sheet(agreed.floor, agreed.described, agreed.known))
     console.print(floor_line(agreed))
     if consensus is not None:

@@ -156,6 +156,9 @@ class AskedToCompare:
 
 
 def compare(given: AskedToCompare) -> None:
+    by_chance = given.intervals or given.versus is not None or given.cluster is not None
+    if not by_chance and (given.tags is not None or given.seed != 1):
+        raise UsageError("--tags and --seed need --intervals, --cluster or --versus")
     written_to = outputs.figure_files(given.output)
     shown_field = chosen_field(given.field, given.dataset, lines=given.lines)
     texts = (given.a, given.b) if given.versus is None else (given.a, given.b, given.versus)
@@ -190,7 +193,7 @@ def compare(given: AskedToCompare) -> None:
     of_a, *of_others = _fitted_on(sources, given.dataset, shown_field)
     for report, fitted in zip((compared, *versus_others), of_others, strict=True):
         report.fitted = of_a, fitted
-    if given.intervals or others or given.cluster is not None:
+    if by_chance:
         compared.chance = _chance(compared, versus_others, alike, Draws(seed=given.seed))
     told = [f"written: {path}" for path in written_to]
     for path in written_to:  # before the tables: whoever reads them may stop after the first

@@ -47,6 +47,7 @@ from procc_annotator.session.dataset.dataset_folder import annotations_of, annot
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.strata import DERIVED
 from procc_annotator.session.runs.tags import Tags, check_by
 
 HELP = """\
@@ -219,7 +220,7 @@ def report(context: typer.Context, given: AskedToReport) -> None:
     place = annotation_place(given.dataset, setup.field, given.annotations)
     read_tags = None if given.tags is None else Tags.read(given.tags)
     grouped, derived = chance_options.parted_by(given.by, read_tags, given.cluster)
-    parts = (*(check_by(grouped, read_tags) if grouped else ()), *derived)
+    parts = (*(check_by(grouped, read_tags, DERIVED) if grouped else ()), *derived)
     chance = chance_options.chance_terms(
         read_tags, {name: place[0]}, given.cluster, parts, given.interval_method,
         given.draws, given.seed,

@@ -83,10 +83,10 @@ class AnnotationFiles(FrameTable[str]):
     notices: tuple[str, ...] = ()
     in_tree: bool = False
 
-    def is_part_of(self, other: AnnotationFiles) -> bool:
-        """Whether all lie in an only folder that another tree has."""
+    def is_part_of(self, other: ByFrame[str]) -> bool:
+        """Whether all lie in an only folder that the tree of others has."""
         called = (name.startswith(self.only_folder) for name in other)
-        return bool(self.only_folder) and other.in_tree and any(called)
+        return bool(self.only_folder) and any(called)
 
     def by_path(self) -> AnnotationFiles:
         """The same, frames called with the only folder that they lie in."""

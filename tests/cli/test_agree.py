@@ -328,6 +328,11 @@ def test_a_consensus_replaces_nothing(cli, dataset, other, third) -> None:
     assert done.exit_code == 2
     assert "holds the files to be read" in done.stderr
     assert cli("agree", dataset.annotations).exit_code == 2
+    agreed = other.parent / "agreed"
+    assert cli("agree", *three, "--consensus", agreed).exit_code == 0
+    again = cli("agree", *three, "--consensus", agreed)
+    assert "--overwrite to replace them" in " ".join(again.stderr.split())
+    assert cli("agree", *three, "--consensus", agreed, "--overwrite").exit_code == 0
 
 
 @pytest.mark.parametrize("count", [2, 3])
