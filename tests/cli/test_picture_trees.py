@@ -392,3 +392,17 @@ def test_annotations_of_one_match_go_with_cameras_of_the_whole_tree(
     assert done.exit_code == 0, done.stderr
     with figures.open(encoding="utf-8") as file:
         assert {row["name"] for row in csv.DictReader(file)} == {f"a/{frame}" for frame in FRAMES}
+
+
+@pytest.mark.parametrize("fmt", ["cvat", "coco", "soccernet-v3"])
+def test_a_file_of_one_match_comes_back_into_the_tree(
+    cli, tree: Tree, tmp_path: Path, fmt: str
+) -> None:
+    shutil.move(tree.root / "b", tmp_path / "b")
+    (tree.root / "b/img1").mkdir(parents=True)
+    shutil.copy(tmp_path / "b/img1/00001.jpg", tree.root / "b/img1")
+    suffix = {"cvat": ".xml", "coco": ".json"}.get(fmt, "")
+    file = tmp_path / f"one{suffix}"
+    assert cli("convert", tree.root, file, "--to", fmt).exit_code == 0
+    workspace = Workspace.open(tree.root, load_field("soccer"))
+    assert set(read_annotations(file, workspace).frames) == {f"a/img1/{f}" for f in FRAMES}
