@@ -69,7 +69,8 @@ class FrameAnnotation:
                 are whole numbers); None where they are normalised, as in files.
 
         Raises:
-            UsageError: what is given is none of this, no finite number, or no size.
+            UsageError: what is given is none of this, no finite number, a class twice (spaces at
+                the ends of names do not count), or no size.
         """
         size = None if size is None else as_size(size)
         return cls(
@@ -169,6 +170,13 @@ class FrameAnnotation:
 def _by_class(elements: object) -> Iterable[tuple[object, object]]:
     if not isinstance(elements, Mapping):
         raise UsageError(f"expected points by class name, found {type(elements).__name__}")
+    known: dict[str, object] = {}
+    for name in elements:
+        other = known.setdefault(str(name).strip(), name)
+        if other is not name:
+            raise UsageError(
+                f"{other!r} and {name!r} are the same class: its points belong together"
+            )
     return elements.items()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -33,7 +33,7 @@ def camera_from_krt(
     r: ArrayLike,
     t: ArrayLike,
     *,
-    distortion: Sequence[float] = (),
+    distortion: ArrayLike | None = None,
     fisheye: bool = False,
     size: tuple[int, int] | None = None,
 ) -> PinholeCamera | FisheyeCamera:
@@ -47,7 +47,8 @@ def camera_from_krt(
         k: (3, 3) px, without skew.
         r: (3, 3) rotation world -> camera, or (3,) rad, OpenCV's rotation vector.
         t: (3,) metres.
-        distortion: OpenCV's k1 k2 p1 p2 [k3 [k4 k5 k6 [s1 s2 s3 s4]]]; k1 k2 k3 k4 of a fisheye.
+        distortion: OpenCV's k1 k2 p1 p2 [k3 [k4 k5 k6 [s1 s2 s3 s4]]], in a row or a column;
+            k1 k2 k3 k4 of a fisheye; None for none.
         fisheye: whether the lens is OpenCV's fisheye.
         size: (width, height) px of the picture; tells how far a skew would move its pixels.
 
@@ -66,7 +67,8 @@ def camera_from_krt(
     try:
         inside = intrinsics_of(_numbers("k", k), as_size_or_none(size))
         pose = pose_of(rotation, _numbers("t", t).reshape(-1))
-        return (fisheye_of if fisheye else pinhole_of)(inside, pose, distortion)
+        coefficients = _numbers("distortion", () if distortion is None else distortion).reshape(-1)
+        return (fisheye_of if fisheye else pinhole_of)(inside, pose, coefficients.tolist())
     except ValueError as error:
         raise UsageError(f"no camera: {error}") from None
 

@@ -188,11 +188,13 @@ def pinhole_of(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]
         distortion: k1 k2 p1 p2 [k3 [k4 k5 k6 [s1 s2 s3 s4 [tau_x tau_y]]]], or nothing.
 
     Raises:
-        ValueError: another length, or a tilted sensor (tau).
+        ValueError: another length, no finite numbers, or a tilted sensor (tau).
     """
     count = len(distortion)
     if count not in DISTORTION_LENGTHS:
         raise ValueError(f"the distortion has {count} entries, expected 4, 5, 8, 12 or 14")
+    if not np.isfinite(distortion).all():
+        raise ValueError("the distortion is not finite numbers")
     d = [*map(float, distortion), *[0.0] * (14 - count)]
     if d[12] or d[13]:
         raise ValueError("the distortion tilts the sensor (tau_x, tau_y); no model here does")
@@ -214,10 +216,12 @@ def fisheye_of(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]
     """A fisheye camera with OpenCV's k1..k4, or none.
 
     Raises:
-        ValueError: another number of coefficients.
+        ValueError: another number of coefficients, or no finite ones.
     """
     if len(distortion) not in (0, 4):
         raise ValueError(f"a fisheye distortion has 4 entries, found {len(distortion)}")
+    if not np.isfinite(distortion).all():
+        raise ValueError("the distortion is not finite numbers")
     k1, k2, k3, k4 = (*map(float, distortion), *[0.0] * (4 - len(distortion)))
     return FisheyeCamera(
         pose.pan_rad,

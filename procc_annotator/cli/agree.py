@@ -13,9 +13,15 @@ import typer
 
 from procc_annotator.cli import chance_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
-from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_remarks,
+    report_unreadable,
+)
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
+from procc_annotator.io.collections import list_annotations, told_by_trees
 from procc_annotator.io.source import FileSource
 from procc_annotator.report import agreement
 from procc_annotator.report.agreement import Agreed, agree_sets
@@ -27,7 +33,7 @@ from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.session.runs.clusters import Clusters, clusters_of
 from procc_annotator.session.runs.consensus_run import MOST, ConsensusRun
 from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.set_run import WORTH_WORKERS
+from procc_annotator.session.runs.set_run import WORTH_WORKERS, folders_taken_for_one
 from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import listed
 
@@ -96,6 +102,9 @@ class AskedToAgree:
             " or more.",
         ),
     ] = None
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace files of --consensus that are there.")
+    ] = False
     labels: options.LabelsFile = None
     workers: options.FitWorkers = None
     output: options.FigureFiles = None
@@ -119,6 +128,8 @@ def agree(given: AskedToAgree) -> None:
         for source, letter in zip(sources, ascii_uppercase, strict=False):
             report_mismatch(source, shown, f"{letter}: ")
             report_like_cameras(source, f"{letter}: ")
+        lists = told_by_trees([list_annotations(source) for source in sources])
+        report_remarks(folders_taken_for_one(zip(given.annotators, lists, strict=True)))
         alike = _clusters_of(sources, given.tags, given.cluster)
         call = shown, options.parse_size(given.size), thresholds
         if len(sources) > 2:
@@ -126,7 +137,7 @@ def agree(given: AskedToAgree) -> None:
             count = several.total
             with make_executor(given.workers, frames=count, worth_from=WORTH_WORKERS) as executor:
                 several.executor = executor
-                errors = _agree_all(several, alike, given.consensus, files, power=given.power)
+                errors = _agree_all(several, alike, given, files)
         elif given.consensus is not None:
             raise UsageError("a consensus is that of three annotators or more")
         else:
@@ -163,23 +174,22 @@ def _clusters_of(
 def _agree_all(
     run: ConsensusRun,
     clusters: Callable[[Sequence[str]], Clusters],
-    consensus: Path | None,
+    given: AskedToAgree,
     files: Sequence[Path],
-    *,
-    power: bool,
 ) -> list[str]:
     """Compare, print and write; the errors of files that could not be read."""
+    consensus = given.consensus
     if consensus is not None:
         outputs.check_place(consensus, run.sources)
         names = [f"{name}.json" for name in run.names]
-        outputs.check_replaces_nothing(consensus, names, overwrite=False)
+        outputs.check_replaces_nothing(consensus, names, overwrite=given.overwrite)
     agreed = agree_all(run, clusters, consensus=consensus, progress=with_progress)
     for path in files:  # before the tables: whoever reads them may stop after the first
         write_agreed(agreed, run, path)
     console = stdout_console()
     for sheet in sheets_of(agreed):
         console.print(sheet)
-    if power:
+    if given.power:
         console.print(needed_sheet(agreed.floor, agreed.described, agreed.known))
     console.print(floor_line(agreed))
     if consensus is not None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -15,6 +14,7 @@ from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import SaveError, UsageError
 from procc_annotator.field.load import is_shipped
 from procc_annotator.field.model import Field
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.report.assigning import PLAN_FILE, counts_sheet, write_assignments
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.dataset_field import (
@@ -102,7 +102,7 @@ def assign(given: AskedToAssign) -> None:
     if given.out.resolve().is_relative_to(folder.resolve()):
         raise UsageError(f"{given.out}: lies in the dataset, write to another place")
     frames = [frame.name for frame in workspace.frames]
-    marked = _gold_frames(given.gold or folder / GOLD_FILE, given.gold is not None, frames)
+    marked = _gold_frames(given.gold or folder / GOLD_FILE, given.gold is not None, workspace.index)
     read = None if given.tags is None else Tags.read(given.tags)
     by = chance_options.cluster_of(given.balance, read)
     values = chance_options.tags_by_set(read, [""]).get("", {}).get(by or "", {})
@@ -156,10 +156,10 @@ def _names(text: str) -> tuple[str, ...]:
     return names
 
 
-def _gold_frames(path: Path, asked: bool, frames: Sequence[str]) -> tuple[str, ...]:
+def _gold_frames(path: Path, asked: bool, frames: FrameTable[int]) -> tuple[str, ...]:
     if not asked and not path.is_file():
         return ()
     found = read_gold(path)
-    if strange := [name for name in found if name not in set(frames)]:
+    if strange := [name for name in found if name not in frames]:
         raise UsageError(f"{path}: {listed(strange, 'frame')} not in the dataset")
-    return found
+    return tuple(dict.fromkeys(filter(None, map(frames.name_there, found))))

@@ -16,6 +16,7 @@ from procc_annotator.cli.datasets import (
     report_like_cameras,
     report_mismatch,
     report_notices,
+    report_remarks,
     report_unreadable,
 )
 from procc_annotator.cli.field_option import chosen_field
@@ -46,6 +47,7 @@ from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.clusters import Clusters, clusters_of
 from procc_annotator.session.runs.comparison_run import ComparisonRun
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.set_run import folders_taken_for_one
 from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import count_of, listed
 
@@ -154,6 +156,9 @@ class AskedToCompare:
 
 
 def compare(given: AskedToCompare) -> None:
+    by_chance = given.intervals or given.versus is not None or given.cluster is not None
+    if not by_chance and (given.tags is not None or given.seed != 1):
+        raise UsageError("--tags and --seed need --intervals, --cluster or --versus")
     written_to = outputs.figure_files(given.output)
     shown_field = chosen_field(given.field, given.dataset, lines=given.lines)
     texts = (given.a, given.b) if given.versus is None else (given.a, given.b, given.versus)
@@ -165,6 +170,7 @@ def compare(given: AskedToCompare) -> None:
     names, images = frames_of(given.dataset, shown_field)
     if given.dataset is None:
         _report_field_around((source_a, source_b), shown_field)
+        report_remarks(folders_taken_for_one((s.path, s.frames) for s in sources))
     if given.pictures is not None and any(
         p.parent.resolve() == given.pictures.resolve() for p in images.values()
     ):
@@ -187,7 +193,7 @@ def compare(given: AskedToCompare) -> None:
     of_a, *of_others = _fitted_on(sources, given.dataset, shown_field)
     for report, fitted in zip((compared, *versus_others), of_others, strict=True):
         report.fitted = of_a, fitted
-    if given.intervals or others or given.cluster is not None:
+    if by_chance:
         compared.chance = _chance(compared, versus_others, alike, Draws(seed=given.seed))
     told = [f"written: {path}" for path in written_to]
     for path in written_to:  # before the tables: whoever reads them may stop after the first

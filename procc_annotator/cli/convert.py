@@ -213,6 +213,7 @@ def _convert_to_polylines(given: AskedToConvert) -> int:
             cameras, given.out, setup, method, names, camera_size=own, progress=progress
         )
         datasets.report_remarks(cameras.notices)
+    datasets.report_notices(done.losses)
     unreadable = datasets.report_unreadable(done.problems, "left out")
     typer.echo(
         f"polylines of {count_of(done.written, 'frame')} written to {given.out}"
@@ -238,6 +239,9 @@ def _convert_cameras(given: AskedToConvert) -> int:
             f"nothing to do: no camera of {given.source} could be written to {given.out}"
         )
     typer.echo(f"{count_of(done.written, 'camera')} written to {given.out}")
+    if given.to == "world":
+        told = "nothing in these files tells them from wc14: read them with --camera-format world"
+        datasets.report_remarks([told])
     return unreadable
 
 

@@ -2,41 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import chance_options, options, outputs, over_time
-from procc_annotator.cli.console import stdout_console, with_progress
+from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.datasets import (
     report_like_cameras,
     report_mismatch,
-    report_notices,
     report_remarks,
     report_unreadable,
 )
 from procc_annotator.cli.evaluations import Plan
+from procc_annotator.cli.printed_scores import print_all, print_chance, report_problems
 from procc_annotator.cli.recipe_further import Further
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, recipe_for
 from procc_annotator.cli.submissions import Submission, require_submitted_for, submitted_source
-from procc_annotator.errors import ProccError
+from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.over_time import SourceOverTime
-from procc_annotator.report.scores import tables
 from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet
-from procc_annotator.report.scores.held_out_sheet import held_out_sheet
 from procc_annotator.report.scores.score_table import append_rows, check_table
 from procc_annotator.report.scores.scoring import Evaluations, Outcome, Scored
-from procc_annotator.report.scores.tables import EvaluationRow, evaluations_table
-from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.strata import DERIVED
 from procc_annotator.session.runs.tags import MODEL, Tags, check_by
-from procc_annotator.words import count_of, first_of, listed
+from procc_annotator.words import count_of, first_of
 
 HELP = """\
 ANNOTATIONS and CAMERAS are folders or zip archives: 00037.json and camera_00037.json (or a
@@ -209,7 +208,7 @@ def _call_of(context: typer.Context, given: AskedToEvaluate) -> _Call:
     thresholds = options.thresholds_or_default(given.threshold)
     tags = None if given.tags is None else Tags.read(given.tags)
     grouped, derived = chance_options.parted_by(given.by, tags, given.cluster)
-    groups = () if grouped is None else check_by(grouped, tags)
+    groups = () if grouped is None else check_by(grouped, tags, DERIVED)
     chance = _chance(given, plan, tags, (*groups, *derived), asked=bool(derived))
     noise = chance_options.noise_file(given.click_noise)
     beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
@@ -248,6 +247,8 @@ def _chance(
     """How intervals are found, if anything asks for them."""
     told = given.click_noise is not None or given.cluster is not None
     if not (asked or told or given.intervals or given.power):
+        if (given.interval_method, given.draws, given.seed) != ("t", 10_000, 1):
+            raise UsageError("--interval-method, --draws and --seed need --intervals or the like")
         return None
     return chance_options.chance_terms(
         tags, dict(plan.sets), given.cluster, [name for name in by if name != MODEL],
@@ -313,82 +314,20 @@ def _tell(
     return report_problems(scored)
 
 
-def print_all(scored: list[Scored]) -> None:
-    """Everything about one evaluation, or several side by side; then their groups."""
-    console = stdout_console()
-    if len(scored) == 1:
-        print_scores(scored[0])
-    else:
-        rows = [EvaluationRow((s.set_name, s.method), s.described, s.summaries) for s in scored]
-        console.print(evaluations_table("Evaluations", ("set", "method"), rows))
-    fits = [(" ".join(filter(None, (s.set_name, s.method))) or "cameras", s) for s in scored]
-    for size in dict.fromkeys(s.setup.size for s in scored):
-        of_size = [(name, s) for name, s in fits if s.setup.size == size]
-        taus = list(of_size[0][1].summaries)
-        held_out = held_out_sheet(of_size, taus, of_size[0][1].setup)
-        if held_out is not None:
-            console.print(held_out)
-    for by in dict.fromkeys(group.by for s in scored for group in s.groups):
-        rows = [
-            EvaluationRow((group.value or "–", s.set_name, s.method), s.described, group.summaries)
-            for s in scored
-            for group in s.groups
-            if group.by == by
-        ]
-        console.print(evaluations_table(f"By {by}", (by, "set", "method"), rows))
-
-
-def print_chance(told: Sequence[ToldOfSet]) -> None:
-    """The sheets of every set."""
-    console = stdout_console()
-    for one in told:
-        for sheet in one.sheets:
-            named = f"{one.set_name}: {sheet.title}" if len(told) > 1 else sheet.title
-            console.print(replace(sheet, title=named))
-
-
-def print_scores(scored: Scored) -> None:
-    """The tables of one set."""
-    console = stdout_console()
-    frames = count_of(scored.frames, "frame")
-    title = f"Summary of {frames}, {scored.with_camera} with a camera"
-    console.print(tables.summary_table(scored.summaries, scored.described, title=title))
-    if scored.worst:
-        console.print(
-            tables.worst_frames_table(scored.worst, scored.first_threshold, scored.described)
-        )
-    console.print(tables.classes_table(scored.summaries, scored.described))
-
-
-def report_problems(scored: list[Scored]) -> int:
-    """Say on stderr what could not be used; returns the exit code."""
-    for one in scored:
-        of = f"{one.set_name}, {one.method}: " if len(scored) > 1 else ""
-        report_notices({f"{of}{notice}": count for notice, count in one.notices.items()})
-        if one.unmatched_cameras:
-            counted = listed(one.unmatched_cameras, "camera")
-            typer.echo(f"note: {of}without annotation, not counted: {counted}", err=True)
-    # The annotations of a set are read for every method and size.
-    sets = {one.set_name: one for one in scored}
-    for name, one in sets.items():
-        if one.in_pixels:
-            of = f"{name}: " if len(sets) > 1 else ""
-            typer.echo(f"note: {of}{in_pixels_words(one.in_pixels)}", err=True)
-    errors = dict.fromkeys(error for one in scored for error in one.errors)
-    return report_unreadable(list(errors))
-
-
 def _tags_of_no_frame(tags: Tags, frames: Mapping[str, tuple[str, ...]]) -> list[str]:
     """What to say of rows of the file of tags whose frame is annotated in none of the sets."""
-    every = {frame for names in frames.values() for frame in names}
-    strange = [
-        frame for of_set, frame in tags.rows
-        if frame not in (every if of_set is None else frames.get(of_set, ()))
-    ]  # fmt: skip
+    there: dict[str | None, FrameTable[str]]
+    there = {of_set: _table(names) for of_set, names in frames.items()}
+    there[None] = _table(chain.from_iterable(frames.values()))
+    strange = [frame for of_set, frame in tags.rows if frame not in there.get(of_set, ())]
     if not strange:
         return []
     rows = count_of(len(strange), "row")
     return [f"{tags.path}: {rows} of no annotated frame ({first_of(strange)})"]
+
+
+def _table(names: Iterable[str]) -> FrameTable[str]:
+    return FrameTable((name, name) for name in names)
 
 
 def _add_to_table(table: Path, scored: list[Scored]) -> str:

@@ -11,11 +11,11 @@ import typer
 
 from procc_annotator.cli import chance_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
-from procc_annotator.cli.datasets import report_unreadable
+from procc_annotator.cli.datasets import report_remarks, report_unreadable
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.collections import list_annotations, told_by_trees
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report.agreement_figures import intervals_described
@@ -28,6 +28,7 @@ from procc_annotator.session.dataset.gold_file import GOLD_FILE, read_gold
 from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.session.runs.clusters import clusters_of
 from procc_annotator.session.runs.gold_run import GoldErrors, gold_errors
+from procc_annotator.session.runs.set_run import folders_taken_for_one
 from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import listed
 
@@ -101,6 +102,9 @@ def gold(given: AskedForGold) -> None:
         for path in files:
             outputs.check_not_an_input(path, (answers, *sources))
         answered = list_annotations(answers)
+        places = (given.dataset, *given.annotators)
+        lists = told_by_trees([answered, *map(list_annotations, sources)])
+        report_remarks(folders_taken_for_one(zip(places, lists, strict=True)))
         unanswered = sorted(name for name in marked if name not in answered)
         if unanswered:
             raise UsageError(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import io
 import os
 import sys
 from typing import Annotated, Any
@@ -45,7 +46,8 @@ COMMANDS = (
     LazyCommand("track", "Follow the cameras of a video, or of consecutive pictures."),
     LazyCommand("annotate", "Annotate pictures by the paint that given cameras lead to."),
     LazyCommand(
-        "check", "Find what may be wrong with the labels of a set; pictures are not looked at."
+        "check",
+        "Find what may be wrong with the labels of a set, also by the paint in its pictures.",
     ),
     LazyCommand(
         "field-size", "Find the dimensions of the field that all frames of a stadium show."
@@ -187,6 +189,9 @@ def run() -> None:
     # Matrices here are small: threads that multiply them cost more time than they save, and sums
     # that they share end in other digits. Read when NumPy is loaded, by processes it starts, too.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    # A character that the reader's encoding lacks is no reason to lose the whole table.
+    if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
+        sys.stdout.reconfigure(errors="replace")
     try:
         app(prog_name="procc-annotator")
     except KeyboardInterrupt:  # the commands were not put together yet

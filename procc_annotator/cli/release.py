@@ -19,7 +19,8 @@ from procc_annotator.cli.together import fit_sizes
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
-from procc_annotator.io.csv_text import csv_cells
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.csv_text import csv_cells, formula_text
 from procc_annotator.io.source import FileSource, read_file
 from procc_annotator.report import agreement, findings
 from procc_annotator.report.provenance import export_provenance
@@ -58,7 +59,7 @@ from procc_annotator.session.facts.ignored_findings import ignored_keys
 from procc_annotator.session.facts.origins import default_author
 from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.session.runs.check_run import CheckRun
-from procc_annotator.words import count_of
+from procc_annotator.words import count_of, listed
 
 HELP = """\
 OUT, a folder or a .zip, gets the annotations as they are, splits, the SHA-256 of every annotation
@@ -154,8 +155,11 @@ def release(given: AskedToRelease) -> None:
     known = chosen_field(given.field, given.dataset, lines=given.lines)
     called = given.name or (folder or given.dataset).absolute().stem
     said = "" if given.citation is None else read_file(given.citation).decode("utf-8", "replace")
+    if not given.version.strip():
+        raise UsageError("--version: names no version")
+    splits = _splits(given.splits)
     terms = ReleaseTerms(
-        called, called, given.version, given.date or datetime.date.today().isoformat(),
+        called, called, given.version, _date(given.date),
         given.licence, tuple(given.by or ()), given.url, given.description, said,
     )  # fmt: skip
     with open_annotations(place, known) as source:
@@ -165,7 +169,9 @@ def release(given: AskedToRelease) -> None:
             picture_folders(given.dataset, place), tree=picture_tree(given.dataset)
         )
         with progress_bar("reading") as progress:
-            found = gather_frames(source, known, _splits(given.splits), sizes, progress)
+            found = gather_frames(source, known, splits, sizes, progress)
+        if unknown := [frame for frame in splits if frame not in list_annotations(source)]:
+            typer.echo(f"note: in a split, but not annotated: {listed(unknown, 'frame')}", err=True)
         made = _Making(source, given.dataset, folder, known)
         files: dict[str, bytes] = {}
         open_findings = made.findings(files) if given.check else None
@@ -215,14 +221,33 @@ def _splits(path: Path | None) -> dict[str, str]:
     names = [cell.strip() for cell in header]
     if not {"frame", "split"} <= set(names):
         raise InputError(path, "has no columns 'frame' and 'split'")
-    found = {}
+    found: dict[str, str] = {}
     for line, cells in rows:
-        row = dict(zip(names, (cell.strip() for cell in cells), strict=False))
-        split = row.get("split", "")
+        if len(cells) != len(names):
+            problem = f"has {count_of(len(cells), 'cell')}, expected {len(names)} as in the header"
+            raise InputError(path, problem, place=f"line {line}")
+        row = dict(zip(names, (formula_text(cell.strip()) for cell in cells), strict=True))
+        frame, split = row["frame"], row["split"]
         if not _SPLIT.fullmatch(split):
             raise InputError(path, f"{split!r} is no name for a split", place=f"line {line}")
-        found[row["frame"]] = split
+        if frame in found:
+            raise InputError(path, f"frame {frame!r} again", place=f"line {line}")
+        found[frame] = split
     return found
+
+
+def _date(text: str | None) -> str:
+    """The day of a release; today if None.
+
+    Raises:
+        UsageError: it is none.
+    """
+    if text is None:
+        return datetime.date.today().isoformat()
+    try:
+        return datetime.date.fromisoformat(text).isoformat()
+    except ValueError:
+        raise UsageError(f"--date {text}: expected a day, YYYY-MM-DD") from None
 
 
 class _Making:

@@ -26,6 +26,7 @@ from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.page.audit_report import AuditReport, NamedCameras, Work, gather_report
+from procc_annotator.report.page.html_report import is_of_others
 from procc_annotator.report.page.report_pairs import PairPainters
 from procc_annotator.report.page.report_pictures import Painters
 from procc_annotator.report.page.reporting import (
@@ -46,6 +47,7 @@ from procc_annotator.session.dataset.dataset_folder import annotations_of, annot
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.strata import DERIVED
 from procc_annotator.session.runs.tags import Tags, check_by
 
 HELP = """\
@@ -68,6 +70,7 @@ Example:
 """
 
 DEFAULT_THRESHOLDS = (5.0, 2.0, 10.0)
+_USUAL = Path("report.html")
 _NARROWEST, _WIDEST = 160, 4096
 _COMPARED_FRAME = 20  # scored frames that take as long
 
@@ -82,7 +85,8 @@ Output = Annotated[
         "--output",
         "-o",
         metavar="FILE",
-        help="A .html, .csv, .json or .tex file; repeat for several.  [default: report.html]",
+        help="A .html, .csv, .json or .tex file; repeat for several.  [default: report.html in the"
+        " current folder, unless a file there is another's]",
     ),
 ]
 Thresholds = Annotated[
@@ -216,7 +220,7 @@ def report(context: typer.Context, given: AskedToReport) -> None:
     place = annotation_place(given.dataset, setup.field, given.annotations)
     read_tags = None if given.tags is None else Tags.read(given.tags)
     grouped, derived = chance_options.parted_by(given.by, read_tags, given.cluster)
-    parts = (*(check_by(grouped, read_tags) if grouped else ()), *derived)
+    parts = (*(check_by(grouped, read_tags, DERIVED) if grouped else ()), *derived)
     chance = chance_options.chance_terms(
         read_tags, {name: place[0]}, given.cluster, parts, given.interval_method,
         given.draws, given.seed,
@@ -264,7 +268,11 @@ def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]
     """
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
-    written = output or [Path("report.html")]
+    if output is None and is_of_others(_USUAL):
+        raise UsageError(
+            f"{_USUAL}: is there already, and no report wrote it; name a file with --output"
+        )
+    written = output or [_USUAL]
     for path in written:
         report_kind(path)
         outputs.check_output_folder(path)

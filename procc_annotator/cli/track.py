@@ -56,7 +56,7 @@ visible model on paint), residual in px, standard deviations, frames to the near
 
 Cameras are written as they come, and once more when their shot is done, refined over all of it; its
 rows come with that. A run that was interrupted is started again to go on: shots whose frames all
-have a row are not followed again, unless --overwrite.
+have a row are not followed again, unless they have new anchors, or --overwrite.
 
 --from FRAME follows only the shot of that frame (its name or number), in both directions.
 
@@ -143,8 +143,8 @@ def track(
         shots = _shots(pictures, anchors, start)
     if prepared is not None:
         prepared.result()
-    if overwrite:
-        for shot in shots:
+    for shot in shots:
+        if overwrite or _has_new_anchors(shot, table):
             table.forget(shot.frames)
     kept = [shot for shot in shots if table.has_all(shot.frames)]
     for shot in kept:
@@ -181,6 +181,12 @@ def _follow(
     run.executor = executor
     with progress_bar(label) as progress:
         write_tracks(run, out, table, progress)
+
+
+def _has_new_anchors(shot: ShotToFollow, table: TrackTable) -> bool:
+    """Whether a shot that was followed before has anchors that it had not then."""
+    names = (shot.frames[number - shot.first].name for number in shot.anchors)
+    return any(row["state"] != "anchor" for name in names if (row := table.rows.get(name)))
 
 
 def _worth_another_look(

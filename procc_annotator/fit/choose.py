@@ -13,7 +13,7 @@ from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.one_model import find_model, result_of
+from procc_annotator.fit.one_model import find_model_steps, result_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.barrel import is_demanded, perhaps_barrel
 from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
@@ -27,6 +27,7 @@ from procc_annotator.fit.solving.models import (
 from procc_annotator.fit.solving.observations import Observations, PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing, objection
 from procc_annotator.fit.solving.search import believed
+from procc_annotator.fit.solving.solver import Steps
 from procc_annotator.fit.solving.starts import (
     side_of,
     wide_prior,
@@ -47,15 +48,15 @@ _CUT_OUT = said(
 )
 
 
-def fit_simplest(
+def fit_simplest_steps(
     annotation: FrameAnnotation,
     field: Field,
     *,
     size: tuple[int, int],
     start: Camera | None = None,
-) -> FitResult:
+) -> Steps[FitResult]:
     """Fit the simplest of the models P, R and R+ that the points support; R2 or F where lines are
-    bent as none of these explains.
+    bent as none of these explains; step by step.
 
     The models are fitted to the same elements and compared by their evidence, the probability of
     the points given a model (Laplace's approximation: MacKay, Bayesian Interpolation, 1992). What
@@ -83,7 +84,7 @@ def fit_simplest(
     strong = _still_strong(seen, field, frame, start)
     if strong is not None:
         return _strong_result(*strong, field, frame, warm=True)
-    fits, warm = _fits(seen, field, frame, start)
+    fits, warm = yield from _fits(seen, field, frame, start)
     found = perhaps_strong(fits["R+"], seen, field, frame)
     if found is not None:
         return _strong_result(*found, fits["R+"], field, frame, warm=False)
@@ -140,7 +141,7 @@ def _strong_result(
 
 def _fits(
     seen: Observations, field: Field, frame: PictureFrame, start: Camera | None
-) -> tuple[dict[str, FoundCamera], bool]:
+) -> Steps[tuple[dict[str, FoundCamera], bool]]:
     """Fits of the models that come into question, the simplest first; whether from the start."""
     fits = _fits_from(seen, field, frame, start)
     if fits is not None and is_cut_out(fits["R+"]) and _serves(fits["R+"], field):
@@ -149,7 +150,7 @@ def _fits(
     if fits is None or not warm:
         # What changes who is mistaken may still be nearly right; what is stale is not.
         known = None if fits is not None and fits["R"].is_stale else start
-        first, warm = find_model(seen, field, frame, "R", known)
+        first, warm = yield from find_model_steps(seen, field, frame, "R", known)
     else:
         first = perhaps_barrel(fits["R"], field, frame)
     if fits is None or first is not fits["R"]:

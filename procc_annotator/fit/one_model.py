@@ -39,7 +39,13 @@ from procc_annotator.fit.solving.models import (
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import homography_of
-from procc_annotator.fit.solving.search import refine, refine_homography, search, search_homography
+from procc_annotator.fit.solving.search import (
+    refine,
+    refine_homography,
+    search_homography,
+    search_steps,
+)
+from procc_annotator.fit.solving.solver import Steps
 from procc_annotator.fit.solving.strong_lens import fit_strong, refine_strong
 from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.language import said
@@ -48,10 +54,10 @@ from procc_annotator.language import said
 _HOPELESS_PX = 2 * OUTLIER_PX
 
 
-def find_model(
+def find_model_steps(
     seen: Observations, field: Field, frame: PictureFrame, model: str, start: Camera | None
-) -> tuple[FoundCamera, bool]:
-    """Fit a model, from a start if there is one that serves.
+) -> Steps[tuple[FoundCamera, bool]]:
+    """Fit a model, from a start if there is one that serves; step by step.
 
     Args:
         seen: the annotated points; for H those on the ground.
@@ -64,7 +70,7 @@ def find_model(
         The fit, plausible or not, and whether it came from the start.
     """
     if model in STRONG:
-        return _find_strong(seen, field, frame, model, start)
+        return (yield from _find_strong(seen, field, frame, model, start))
     found, warm = _warm(seen, field, frame, model, start), True
     if isinstance(start, PinholeCamera) and found is not None and not _keeps_barrel(found):
         found = _warm(seen, field, frame, model, replace(start, radial=(0.0,) * 6))
@@ -73,7 +79,7 @@ def find_model(
         if model == "H":
             found = search_homography(seen, field, frame)
         else:
-            found = search(seen, field, frame, model)
+            found = yield from search_steps(seen, field, frame, model)
     if model in ("R", "R+"):
         found = perhaps_barrel(found, field, frame)
     return perhaps_cut_out(found, field, frame) if model == "R+" else found, warm
@@ -81,7 +87,7 @@ def find_model(
 
 def _find_strong(
     seen: Observations, field: Field, frame: PictureFrame, model: str, start: Camera | None
-) -> tuple[FoundCamera, bool]:
+) -> Steps[tuple[FoundCamera, bool]]:
     if isinstance(start, FisheyeCamera if model == "F" else PinholeCamera):
         assert isinstance(start, FisheyeCamera | PinholeCamera)  # one of both
         vector = strong_vector_from_camera(start, frame)
@@ -89,7 +95,7 @@ def _find_strong(
             found = refine_strong(seen, field, frame, vector)
             if not found.is_stale and _is_plausible(found, field):
                 return found, True
-    near, _ = find_model(seen, field, frame, "R+", None)
+    near, _ = yield from find_model_steps(seen, field, frame, "R+", None)
     return fit_strong(seen, field, frame, model, near), False
 
 

@@ -68,10 +68,11 @@ def export_polylines(
                 continue
             try:
                 loaded = cameras.read(frame, setup.field)
-                camera, _ = fit_to_size(loaded, setup.size, camera_size)
+                camera, notice = fit_to_size(loaded, setup.size, camera_size)
             except CameraError as error:
                 done.problems.append(str(error))
                 continue
+            done.losses.update([notice] if notice else [])
             pieces = projected_pieces(camera, setup.of_frame(frame))
             archive.write(f"{frame}.json", encode_polylines(pieces, setup.size))
             done.written += 1

@@ -1131,6 +1131,11 @@
    <translation>Die Datei des zweiten Annotators zu diesem Bild ist unlesbar: {error}</translation>
   </message>
   <message>
+   <source>Hidden: blind mode shows the score once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Verborgen: im Blindmodus erscheint die Bewertung, sobald dieses Bild abgegeben ist.</translation>
+  </message>
+  <message>
    <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>Der zweite Annotator hat nichts zu diesem Bild.</translation>
@@ -2345,11 +2350,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
    <translation>Keine Kamera zu beurteilen.
 Laden Sie Kameras, um zu sehen, wie gut sie zu Ihren Klicks passen.</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Verborgen: im Blindmodus erscheint die Bewertung, sobald dieses Bild abgegeben ist.</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
@@ -6100,6 +6100,11 @@ Verliert {loses}.</translation>
    <translation>die frühere Fassung ist zurück; Rückgängig nimmt sie wieder weg</translation>
   </message>
   <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>die frühere Fassung ist wieder da; was nicht lesbar war, bleibt als Fassung erhalten</translation>
+  </message>
+  <message>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>das Bild wurde anderswo geändert: sehen Sie es an, dann holen Sie es noch einmal zurück</translation>
@@ -7701,7 +7706,7 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py, procc_annotator/session/dataset/putting_back.py]</extracomment>
    <translation>wie vorgefunden</translation>
   </message>
   <message>

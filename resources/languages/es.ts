@@ -1131,6 +1131,11 @@
    <translation>El archivo del segundo anotador para esta imagen es ilegible: {error}</translation>
   </message>
   <message>
+   <source>Hidden: blind mode shows the score once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Oculto: el modo ciego muestra la puntuación una vez entregada esta imagen.</translation>
+  </message>
+  <message>
    <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>El segundo anotador no tiene nada para esta imagen.</translation>
@@ -2345,11 +2350,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
    <translation>No hay cámara que juzgar.
 Cargue cámaras para ver cómo concuerdan con sus clics.</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Oculto: el modo ciego muestra la puntuación una vez entregada esta imagen.</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
@@ -6100,6 +6100,11 @@ Pierde {loses}.</translation>
    <translation>la versión anterior ha vuelto; deshacer la quita otra vez</translation>
   </message>
   <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>la versión anterior vuelve a estar ahí; lo que no se podía leer se conserva como versión</translation>
+  </message>
+  <message>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>la imagen se cambió en otra parte: mírela y recupere de nuevo</translation>
@@ -7701,7 +7706,7 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py, procc_annotator/session/dataset/putting_back.py]</extracomment>
    <translation>como se encontró</translation>
   </message>
   <message>

@@ -1131,6 +1131,11 @@
    <translation>Le fichier du second annotateur pour cette image est illisible : {error}</translation>
   </message>
   <message>
+   <source>Hidden: blind mode shows the score once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>Caché : le mode aveugle montre le score une fois cette image remise.</translation>
+  </message>
+  <message>
    <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>Le second annotateur n’a rien pour cette image.</translation>
@@ -2345,11 +2350,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
    <translation>Aucune caméra à juger.
 Chargez des caméras pour voir comme elles s’accordent à vos clics.</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>Caché : le mode aveugle montre le score une fois cette image remise.</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
@@ -6100,6 +6100,11 @@ Perd {loses}.</translation>
    <translation>la version antérieure est revenue ; annuler l’enlève à nouveau</translation>
   </message>
   <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>la version antérieure est de retour ; ce qui était illisible reste comme version</translation>
+  </message>
+  <message>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>l’image a été changée ailleurs : regardez-la, puis restaurez à nouveau</translation>
@@ -7701,7 +7706,7 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   </message>
   <message>
    <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py, procc_annotator/session/dataset/putting_back.py]</extracomment>
    <translation>comme trouvé</translation>
   </message>
   <message>

@@ -1118,6 +1118,11 @@
    <translation>このフレームの 2 人目の注釈ファイルを読めません：{error}</translation>
   </message>
   <message>
+   <source>Hidden: blind mode shows the score once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>非表示：ブラインドモードでは、このフレームの提出後にスコアを表示します。</translation>
+  </message>
+  <message>
    <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>このフレームには 2 人目の注釈がありません。</translation>
@@ -2307,11 +2312,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
    <translation>評価するカメラがありません。
 カメラを読み込むと、クリックとどれだけ合うかが分かります。</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>非表示：ブラインドモードでは、このフレームの提出後にスコアを表示します。</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
@@ -6004,6 +6004,11 @@ Loses {loses}.</source>
    <translation>以前の版に戻しました。元に戻すで取り消せます</translation>
   </message>
   <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>以前の版に戻しました。読めなかったものも版として残ります</translation>
+  </message>
+  <message>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>フレームが別の場所で変更されました。確認してからもう一度戻してください</translation>
@@ -7586,7 +7591,7 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   </message>
   <message>
    <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py, procc_annotator/session/dataset/putting_back.py]</extracomment>
    <translation>元の状態</translation>
   </message>
   <message>

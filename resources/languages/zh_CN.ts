@@ -1118,6 +1118,11 @@
    <translation>第二位标注者在本帧的文件无法读取：{error}</translation>
   </message>
   <message>
+   <source>Hidden: blind mode shows the score once this frame is committed.</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py, procc_annotator/gui/panels/judged/scores.py]</extracomment>
+   <translation>已隐藏：盲标模式在提交本帧后显示得分。</translation>
+  </message>
+  <message>
    <source>The second annotator has nothing for this frame.</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>第二位标注者在本帧没有内容。</translation>
@@ -2307,11 +2312,6 @@ Load cameras to see how well they agree with your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/judged/scores.py, procc_annotator/gui/plots/panel.py]</extracomment>
    <translation>没有可评判的相机。
 加载相机以查看其与您的点击的吻合程度。</translation>
-  </message>
-  <message>
-   <source>Hidden: blind mode shows the score once this frame is committed.</source>
-   <extracomment>[procc_annotator/gui/panels/judged/scores.py]</extracomment>
-   <translation>已隐藏：盲标模式在提交本帧后显示得分。</translation>
   </message>
   <message>
    <source>JaC –: {why}.</source>
@@ -6004,6 +6004,11 @@ Loses {loses}.</source>
    <translation>已恢复早期版本；撤销可再次取消</translation>
   </message>
   <message>
+   <source>the earlier version is back; what could not be read stays a version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>较早的版本已恢复；无法读取的内容保留为一个版本</translation>
+  </message>
+  <message>
    <source>the frame was changed elsewhere: look at it, then restore again</source>
    <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
    <translation>该帧已在别处更改：请查看后再恢复</translation>
@@ -7586,7 +7591,7 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   </message>
   <message>
    <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/frame_memory.py]</extracomment>
+   <extracomment>[procc_annotator/session/dataset/frame_memory.py, procc_annotator/session/dataset/putting_back.py]</extracomment>
    <translation>原始状态</translation>
   </message>
   <message>

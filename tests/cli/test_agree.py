@@ -328,6 +328,11 @@ def test_a_consensus_replaces_nothing(cli, dataset, other, third) -> None:
     assert done.exit_code == 2
     assert "holds the files to be read" in done.stderr
     assert cli("agree", dataset.annotations).exit_code == 2
+    agreed = other.parent / "agreed"
+    assert cli("agree", *three, "--consensus", agreed).exit_code == 0
+    again = cli("agree", *three, "--consensus", agreed)
+    assert "--overwrite to replace them" in " ".join(again.stderr.split())
+    assert cli("agree", *three, "--consensus", agreed, "--overwrite").exit_code == 0
 
 
 @pytest.mark.parametrize("count", [2, 3])
@@ -340,3 +345,24 @@ def test_several_outputs_are_all_written(cli, dataset, other, third, tmp_path, c
     done = cli("agree", *chosen, "-o", both[0], "-o", both[1])
     assert done.exit_code == 0, done.output
     assert [file.read_bytes() for file in both] == [file.read_bytes() for file in alone]
+
+
+def test_folders_that_may_be_matches_are_told_and_known_ones_kept_apart(
+    cli, dataset, tmp_path: Path
+) -> None:
+    """Whether only folders are of annotators or of matches their names do not say."""
+    for who, folder in (("anna", "g1"), ("ben", "g2"), ("ute", "ute"), ("cleo", "g1")):
+        shutil.copytree(dataset.annotations, tmp_path / who / folder)
+    shutil.copytree(dataset.annotations, tmp_path / "cleo/g2")
+    anna, ben, ute, cleo = (tmp_path / who for who in ("anna", "ben", "ute", "cleo"))
+    done = cli("agree", anna, ben)
+    assert "Agreement of 5 frames" in done.stdout
+    assert f"{anna}/g1/ and {ben}/g2/ is taken for the same frames" in done.stderr
+    assert cli("agree", anna, ute).stderr == ""
+    out = tmp_path / "out.json"
+    done = cli("agree", anna, ben, cleo, "-o", out)  # of whom one has both folders
+    frames = {image["name"]: set(image["annotators"]) for image in load(out)["images"]}
+    assert frames["g1/3"] == {"A", "C"}
+    assert frames["g2/3"] == {"B", "C"}
+    assert len(frames) == 10
+    assert done.stderr == ""

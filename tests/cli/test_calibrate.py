@@ -244,7 +244,7 @@ def test_an_interrupted_run_says_what_is_there_and_how_to_go_on(
         return fit_once(*args, **options)
 
     with monkeypatch.context() as patched:
-        patched.setattr(calibration_run, "fit_camera", stopped)
+        fits_come_from(stopped, patched)
         out = tmp_path / "out"
         done = cli("calibrate", dataset.root, out, "-m", "P")
         assert done.exit_code == 130
@@ -291,15 +291,21 @@ def fit_once() -> Callable[..., FitResult]:
     return fit
 
 
+def fits_come_from(fit: Callable[..., FitResult], patched: pytest.MonkeyPatch) -> None:
+    def of_chunk(given, *, model: str) -> list[FitResult]:
+        return [fit(clicks, field, model=model, size=size) for clicks, field, size in given]
+
+    patched.setattr(calibration_run, "fit_cameras", of_chunk)
+    patched.setattr(together_run, "fit_camera", fit)
+
+
 @pytest.mark.parametrize("more", [(), ("--held-out",), ("--shared-position",)])
 @pytest.mark.parametrize("name", ["out", "out.zip"])
 def test_a_stopped_run_goes_on_and_writes_the_bytes_of_one_run(
     cli, dataset, tmp_path, monkeypatch, held_out_once, fit_once, more, name
 ) -> None:
     monkeypatch.setattr(calibration_run, "held_out_elements", held_out_once)
-    modules = [calibration_run, together_run]
-    for module in modules:
-        monkeypatch.setattr(module, "fit_camera", fit_once)
+    fits_come_from(fit_once, monkeypatch)
     for number in range(15):  # more than one chunk
         copy = dataset.annotations / f"again{number}.json"
         copy.write_bytes((dataset.annotations / "1.json").read_bytes())
@@ -315,8 +321,7 @@ def test_a_stopped_run_goes_on_and_writes_the_bytes_of_one_run(
 
     out = tmp_path / "two" / name
     with monkeypatch.context() as patched:
-        for module in modules:
-            patched.setattr(module, "fit_camera", counted)
+        fits_come_from(counted, patched)
         assert cli(*asked, out).exit_code == 130
         fitted.clear()
         other = cli("calibrate", dataset.root, "-m", "R", *more, out, "--resume")

@@ -310,6 +310,14 @@ def test_requests_that_make_no_sense_are_refused_before_the_work(
         assert why in done.stderr
 
 
+def test_options_of_chance_need_what_asks_for_it(cli, dataset, tmp_path) -> None:
+    (tmp_path / "t.csv").write_text("frame,day\n1,a\n")
+    for option in (("--tags", tmp_path / "t.csv"), ("--seed", 3)):
+        done = cli("compare", f"a={dataset.cameras}", f"b={dataset.cameras}", *option)
+        assert done.exit_code == 2
+        assert "need --intervals" in done.stderr
+
+
 def test_cameras_in_a_dataset_of_another_sport_are_told(cli, sample_data) -> None:
     court = sample_data / "basketball" / "cameras"
     done = cli("compare", court / "bad", court / "true")

@@ -329,6 +329,7 @@ def test_every_target_of_cameras_can_be_asked_for(cli, sample_data: Path, tmp_pa
         done = cli("convert", cameras, out, "--to", target, "--camera-size", "960x540")
         assert done.exit_code == 0, done.stderr
         assert f"cameras written to {out}" in done.stdout
+        assert ("--camera-format world" in done.stderr) == (target == "world")
     back = (
         "evaluate",
         sample_data,

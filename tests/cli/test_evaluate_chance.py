@@ -55,6 +55,15 @@ def test_intervals_and_differences_are_printed_and_written(cli, methods) -> None
     assert (methods / "again.json").read_bytes() == (methods / "out.json").read_bytes()
 
 
+@pytest.mark.parametrize(
+    "option", [("--interval-method", "bca"), ("--draws", "500"), ("--seed", "3")]
+)
+def test_options_of_chance_need_what_asks_for_it(cli, methods, option) -> None:
+    done = cli("evaluate", *BOTH, *option)
+    assert done.exit_code == 2
+    assert "need --intervals" in done.stderr
+
+
 def test_a_single_method_has_intervals_alone(cli, methods) -> None:
     done = cli("evaluate", "annotations", "good", "--intervals", "--power", "-o", "out.json")
     assert done.exit_code == 0, done.output

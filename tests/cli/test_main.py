@@ -121,6 +121,12 @@ def test_an_interrupt_leaves_no_traceback(dataset, tmp_path, module, function) -
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full on this system")
+def test_a_character_that_the_reader_does_not_know_is_replaced() -> None:
+    done = run("export", "--help", PYTHONIOENCODING="latin-1")
+    assert done.returncode == 0, done.stderr
+    assert "(test, valid, ?)" in done.stdout
+
+
 def test_a_full_standard_output_is_one_line(dataset) -> None:
     command = [sys.executable, "-m", "procc_annotator", "evaluate", *dataset.set_arguments]
     with open("/dev/full", "w") as full:

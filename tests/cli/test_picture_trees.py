@@ -352,3 +352,43 @@ def test_pictures_of_soccernet_v3_that_are_still_packed_are_told(cli, tmp_path: 
     done = cli("render", tmp_path, tmp_path / "out")
     assert done.exit_code == 2
     assert "unpack each Frames-v3.zip into a folder v3_frames beside it" in done.stderr
+
+
+@pytest.mark.parametrize("place", ["annotations/{}", "{}/annotations", "{}"])
+def test_annotations_without_the_folder_of_pictures_are_those_of_the_pictures(
+    cli, tree: Tree, tmp_path: Path, place: str
+) -> None:
+    """By every command, and by the window; the names composed otherwise, as a Mac copies them."""
+    here, there = "é", "e\u0301"
+    for match in MATCHES:
+        folder = tree.root / match
+        kept = tree.root / place.format(match.removesuffix("/img1"))
+        kept.mkdir(parents=True, exist_ok=True)
+        (folder / "00001.json").rename(kept / f"{there}1.json")
+        (folder / "00001.jpg").rename(folder / f"{here}1.jpg")
+        (folder / "00002.json").rename(kept / "00002.json")
+        camera = tree.cameras / match / "camera_00001.json"
+        camera.rename(camera.with_name(f"camera_{here}1.json"))
+    workspace = Workspace.open(tree.root, load_field("soccer"))
+    assert all(workspace.has_file(index) for index in range(len(workspace.frames)))
+    done = cli("export", tree.root, tmp_path / "out", "--cameras", tree.cameras)
+    assert "4 annotations written" in done.stdout
+    (tmp_path / "tags.csv").write_text(f"frame,sun\na/{here}1,yes\nb/img1/{here}1,no\n", "utf-8")
+    done = cli("evaluate", tree.root, tree.cameras, "--tags", tmp_path / "tags.csv")
+    assert "4 frames" in done.stdout
+    assert done.stderr == ""
+
+
+def test_annotations_of_one_match_go_with_cameras_of_the_whole_tree(
+    cli, tree: Tree, tmp_path: Path
+) -> None:
+    """Without pictures nothing but the cameras tells that their only folder is one of several."""
+    kept = tmp_path / "kept/a"
+    kept.mkdir(parents=True)
+    for frame in FRAMES:
+        shutil.copy(tree.root / f"a/img1/{frame}.json", kept)
+    figures = tmp_path / "figures.csv"
+    done = cli("evaluate", kept.parent, tree.cameras, "-o", figures)
+    assert done.exit_code == 0, done.stderr
+    with figures.open(encoding="utf-8") as file:
+        assert {row["name"] for row in csv.DictReader(file)} == {f"a/{frame}" for frame in FRAMES}

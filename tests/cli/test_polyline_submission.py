@@ -70,6 +70,12 @@ def test_polylines_score_as_their_cameras_do(
         assert summary(theirs)[key] == pytest.approx(summary(own)[key], abs=2e-3), key
 
 
+def test_cameras_that_hardly_belong_to_the_size_are_told(cli, data: Path, tmp_path: Path) -> None:
+    done = cli("convert", data / "cameras" / "pinhole", tmp_path / "s.zip", "--to", "polylines",
+               "--size", "1280x720")  # fmt: skip
+    assert "in the exact middle of 960x540, not of 1280x720" in done.stderr
+
+
 def test_what_it_was_made_for_counts(cli, data: Path, tmp_path: Path) -> None:
     archive = tmp_path / "s.zip"
     submit(cli, data, "true", archive, "--protocol", "procc")

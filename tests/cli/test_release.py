@@ -121,6 +121,42 @@ def test_splits_findings_and_a_second_annotator(cli, keep: Path, tmp_path: Path)
     assert "Label check, still open:" in card
 
 
+@pytest.mark.parametrize(
+    ("rows", "says"),
+    [
+        ("train,00001\ntest\n", "line 3: has 1 cell, expected 2"),
+        ("train,00001\ntest,00001\n", "line 3: frame '00001' again"),
+    ],
+)
+def test_a_table_of_splits_that_cannot_be_used(cli, keep: Path, tmp_path: Path, rows, says) -> None:
+    splits = tmp_path / "splits.csv"
+    splits.write_text(f"split,frame\n{rows}")
+    done = cli("release", keep, tmp_path / "out", "--splits", splits, "--no-check")
+    assert done.exit_code == 2
+    assert says in done.stderr
+
+
+@pytest.mark.parametrize("option", [("--date", "yesterday"), ("--version", " ")])
+def test_terms_that_are_none(cli, keep: Path, tmp_path: Path, option) -> None:
+    done = cli("release", keep, tmp_path / "out", *option, "--no-check")
+    assert done.exit_code == 2
+    assert option[0] in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_release_of_a_tree_goes_before_another(cli, keep: Path, tmp_path: Path) -> None:
+    tree, splits = tmp_path / "tree", tmp_path / "splits.csv"
+    for game in ("g1", "g2"):
+        (tree / game).mkdir(parents=True)
+        shutil.copy(keep / "00001.json", tree / game)
+    splits.write_text("frame,split\ng1/00001,train\ng2/00001,test\ng3/00001,test\n")
+    first = tmp_path / "first"
+    done = cli("release", tree, first, "--splits", splits, "--no-check")
+    assert "in a split, but not annotated: 1 frame (g3/00001)" in done.stderr
+    said = made(cli, tree, tmp_path / "then", "--before", first, "--no-check")
+    assert "0 added, 0 removed, 0 changed" in said
+
+
 def test_what_is_known_of_points_goes_along(cli, keep: Path, tmp_path: Path) -> None:
     database = WorkspaceDatabase.open(keep, "Ann")
     database.set_setting("anything", "yes")

@@ -483,3 +483,20 @@ def test_real_sources_as_the_paper_has_them(cli, shared_data: Path, tmp_path: Pa
         assert 100 * carwc[tau]["mean_jac"] == pytest.approx(jac, abs=0.5)
     # At smaller tau mirrored labels count in some frames, with their large errors.
     assert carwc["10"]["mean_reprojection_error"] == pytest.approx(1.73, abs=0.05)
+
+
+@pytest.mark.usefixtures("no_charts")
+def test_the_usual_page_replaces_reports_alone(cli, few, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    asked = ("report", few.annotations, "--cameras", few.cameras, "--worst", 0, "--random", 0)
+    page = tmp_path / "report.html"
+    for _ in range(2):
+        done = cli(*asked)
+        assert done.exit_code == 0, done.output
+        assert "written: report.html" in done.stdout
+    page.write_text(notes := "<p>my own notes</p>")
+    done = cli(*asked)
+    assert done.exit_code == 2
+    assert "report.html: is there already, and no report wrote it" in done.stderr
+    assert page.read_text() == notes
+    assert cli(*asked, "-o", page).exit_code == 0

@@ -121,7 +121,7 @@ def test_frames_of_a_tree_keep_their_folders(cli, dataset, tmp_path) -> None:
         for name in ("1", "2", "3", "10"):
             for suffix, folder in (("jpg", dataset.root), ("json", dataset.annotations)):
                 shutil.copy(folder / f"{name}.{suffix}", season / match)
-    (season / "gold.csv").write_text("frame\nhome/1\naway/1\n")
+    (season / "gold.csv").write_text("frame\nhome/img1/1\naway/1\n")
     out = tmp_path / "study"
     done = cli("assign", season, out, "--annotators", "anna,ben", "--overlap", "0.5")
     assert done.exit_code == 0, done.output

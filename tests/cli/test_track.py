@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+import re
 import shutil
 import signal
 import subprocess
@@ -202,6 +203,16 @@ def test_a_shot_without_a_camera_is_looked_at_where_the_other_one_stands(
     assert looks == [(0, 0), (CUT, 0), (CUT, 1)]
     assert f"{FRAMES} of {FRAMES} frames have a camera" in done.stdout
     assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(FRAMES)]
+
+
+def test_anchors_that_are_given_later_are_used(cli, video, cameras, followed) -> None:
+    """Somebody helps where a shot was lost, and starts the command again."""
+    helped = re.compile(f"^{name_of(ANCHORS[1])},.*$", re.M)
+    text = (followed / "track.csv").read_text()
+    (followed / "track.csv").write_text(helped.sub(lambda m: m[0].replace("anchor", "lost"), text))
+    done = cli("track", video, followed, "--cameras", cameras)
+    assert "followed before: 1 shot" in done.stdout
+    assert (followed / "track.csv").read_text() == text
 
 
 def test_a_shot_is_followed_again_and_the_other_one_kept(cli, video, cameras, followed) -> None:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QPalette, QPixmap, QWheelEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QFocusEvent, QPalette, QPixmap, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -374,6 +374,18 @@ def test_frames_are_gone_to_and_marked_by_keys(window: MainWindow, qtbot: QtBot)
     qtbot.waitUntil(lambda: document.frame_index == COUNT - 1)
     QTest.keyClick(strip, Qt.Key.Key_Home)
     qtbot.waitUntil(lambda: document.frame_index == 0)
+
+
+def test_it_follows_the_frame_again_when_a_key_came_up_elsewhere(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    strip, document = window.strip, window.document
+    strip.setFocus(Qt.FocusReason.TabFocusReason)
+    QTest.keyPress(strip, Qt.Key.Key_Right)
+    qtbot.waitUntil(lambda: document.frame_index == 1)
+    QApplication.sendEvent(strip, QFocusEvent(QEvent.Type.FocusOut))
+    document.go_to(5)
+    assert strip.number == int(strip.content.sequence.numbers[5])
 
 
 def test_a_band_shows_the_worst_of_what_shares_a_column() -> None:

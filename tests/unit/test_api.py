@@ -275,6 +275,12 @@ def test_a_size_is_whole_pixels_two_each_way(size) -> None:
             asked()
 
 
+def test_a_class_is_given_once() -> None:
+    points = [(0.1, 0.2), (0.3, 0.4)]
+    with pytest.raises(UsageError, match="are the same class"):
+        FrameAnnotation.from_dict({"Goal left post left": points, "Goal left post left ": points})
+
+
 @pytest.mark.parametrize("shape", [(0, 0, 3), (0, 10, 4), (1, 1, 3)])
 def test_a_picture_without_pixels_is_declined(shape) -> None:
     annotation, picture = load_annotation(FRAME), np.zeros(shape, np.uint8)

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
+from procc_annotator.fit.solving.stacked import Stacked
 
 # Nearer than this to the camera's plane nothing is projected: its pixels would be anywhere.
 NEAREST_M = 0.5
@@ -48,7 +49,11 @@ class Feet:
 
 
 def find_feet(
-    linear: FloatArray, undistorted: FloatArray, seen: Observations, *, thorough: bool = True
+    linear: FloatArray,
+    undistorted: FloatArray,
+    seen: Observations | Stacked,
+    *,
+    thorough: bool = True,
 ) -> Feet:
     """Feet of all points.
 
@@ -73,7 +78,7 @@ def find_feet(
         _on_lines(linear, points[:, :, :lines], seen, feet)
     if lines < curves:
         _on_curves(linear, points[:, :, lines:curves], seen, feet, thorough)
-    if curves < total:
+    if isinstance(seen, Observations) and curves < total:
         _on_spots(linear, seen, feet)
     if candidates.of_point is None:
         return feet
@@ -107,54 +112,87 @@ def _on_spots(linear: FloatArray, seen: Observations, feet: Feet) -> None:
     feet.hidden[:, split:] = depths[:, of_pair] < NEAREST_M
 
 
-def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: Feet) -> None:
-    lines, split = seen.parts.lines, seen.line_pairs
-    ends = linear[:, :, :3] @ seen.parts.line_ends + linear[:, :, 3:]
-    first, second = ends[:, :, :lines], ends[:, :, lines:]
-    depth_a, depth_b = first[:, 2], second[:, 2]
-    fall = depth_b - depth_a
-    # Where the element crosses the nearest depth that is projected; no matter where it does not.
-    crossing = (NEAREST_M - depth_a) / np.where(np.abs(fall) > _TINY, fall, 1.0)
-    near_a, near_b = depth_a < NEAREST_M, depth_b < NEAREST_M
-    low = np.where(near_a, crossing, 0.0)
-    high = np.where(near_b, crossing, 1.0)
-    span = second - first
-    seen_a = first + low[:, None] * span
-    seen_b = first + high[:, None] * span
-    hidden = near_a & near_b
-    weight_a = np.where(hidden, 1.0, seen_a[:, 2])
-    weight_b = np.where(hidden, 1.0, seen_b[:, 2])
-    # One array, so that the elements are handed to their points in one step, a plane each number.
-    table = np.empty((8, len(linear), lines))
-    table[0:2] = (seen_a[:, :2] / weight_a[:, None]).transpose(1, 0, 2)
-    table[2:4] = (seen_b[:, :2] / weight_b[:, None]).transpose(1, 0, 2) - table[0:2]
-    table[4], table[5], table[6], table[7] = weight_a, weight_b, low, high - low
-    table = table.take(seen.line_of_pair, axis=2)
+def _on_lines(
+    linear: FloatArray, points: FloatArray, seen: Observations | Stacked, feet: Feet
+) -> None:
+    split = seen.line_pairs
+    table, hidden = _lines_in_sight(linear, seen)
+    # Elements are handed to their points in one step, a plane each number.
+    table = seen.of_lines(table)
     across = table[2:4]
     share = _dot(points.transpose(1, 0, 2) - table[0:2], across)
-    share /= _dot(across, across) + _TINY
-    inside = np.minimum(np.maximum(share, 0.0), 1.0)
+    length = _dot(across, across)
+    length += _TINY
+    share /= length
+    inside = np.maximum(share, 0.0)
+    np.minimum(inside, 1.0, out=inside)
     # Equal steps in the picture are not equal steps on the field.
     near = inside * table[4]
-    position = table[6] + table[7] * near / (near + (1 - inside) * table[5])
-    first_of_pair = seen.parts.line_ends[:, :lines][:, seen.line_of_pair]
-    feet.world[:, :, :split] = first_of_pair + position[:, None] * seen.line_span
+    position = table[7] * near
+    position /= near + (1 - inside) * table[5]
+    position += table[6]
+    world = feet.world[:, :, :split]
+    np.multiply(position[:, None], seen.line_span, out=world)
+    world += seen.line_first
     feet.along[:, :, :split] = seen.line_span
-    feet.hidden[:, :split] = hidden[:, seen.line_of_pair]
+    feet.hidden[:, :split] = False if hidden is None else seen.of_lines(hidden)
     at_first, at_second = position <= 0.0, position >= 1.0
-    if not seen.parts.all_end:
+    if isinstance(seen, Observations) and not seen.parts.all_end:
         at_first &= seen.parts.ends[0, seen.line_of_pair]
         at_second &= seen.parts.ends[1, seen.line_of_pair]
-    feet.at_end[:, :split] = (inside != share) & (at_first | at_second)
+    at_first |= at_second
+    np.logical_and(inside != share, at_first, out=feet.at_end[:, :split])
+
+
+def _lines_in_sight(
+    linear: FloatArray, seen: Observations | Stacked
+) -> tuple[FloatArray, NDArray[np.bool_] | None]:
+    """What the cameras show of L lines: (8, B, L), u and v of the first end in sight, u and v from
+    there to the second, the depths of both, the share of the line before the first and that in
+    sight; and (B, L) whether nothing is, None where something is of all."""
+    lines = seen.parts.lines
+    ends = linear[:, :, :3] @ seen.parts.line_ends
+    ends += linear[:, :, 3:]
+    ends = ends.reshape(len(linear), 3, 2, lines)
+    first, span = ends[:, :, 0], ends[:, :, 1] - ends[:, :, 0]
+    depths = ends[:, 2]
+    behind = depths < NEAREST_M
+    table = np.empty((8, len(linear), lines))
+    hidden = None
+    if behind.any():
+        # Where the element crosses the nearest depth that is projected; no matter where it does
+        # not.
+        fall = span[:, 2]
+        crossing = (NEAREST_M - depths[:, 0]) / np.where(np.abs(fall) > _TINY, fall, 1.0)
+        low = np.where(behind[:, 0], crossing, 0.0)
+        high = np.where(behind[:, 1], crossing, 1.0)
+        hidden = behind[:, 0] & behind[:, 1]
+        seen_a = low[:, None] * span
+        seen_a += first
+        seen_b = high[:, None] * span
+        seen_b += first
+        table[4], table[5] = (
+            np.where(hidden, 1.0, seen_a[:, 2]),
+            np.where(hidden, 1.0, seen_b[:, 2]),
+        )
+        table[6], table[7] = low, high - low
+    else:
+        seen_a, seen_b = first, first + span
+        table[4], table[5], table[6], table[7] = seen_a[:, 2], seen_b[:, 2], 0.0, 1.0
+    np.divide(seen_a[:, :2].transpose(1, 0, 2), table[4], out=table[0:2])
+    np.divide(seen_b[:, :2].transpose(1, 0, 2), table[5], out=table[2:4])
+    table[2:4] -= table[0:2]
+    return table, hidden
 
 
 def _on_curves(
-    linear: FloatArray, points: FloatArray, seen: Observations, feet: Feet, thorough: bool
+    linear: FloatArray, points: FloatArray, seen: Observations | Stacked, feet: Feet, thorough: bool
 ) -> None:
-    curves, of_pair = seen.parts.curves, seen.curve_of_pair
+    curves = seen.parts.curves
     on_curves = slice(seen.line_pairs, seen.curve_pairs)
     frame = linear[:, :, :3] @ seen.parts.curve_frames
-    frame[:, :, :curves] += linear[:, :, 3:]
+    centres = frame[:, :, :curves]
+    centres += linear[:, :, 3:]
     # Centre, ahead and aside, a plane (B, C) each coordinate.
     planes = frame.reshape(-1, 3, 3, curves).transpose(2, 1, 0, 3).reshape(9, -1, curves)
     # Cramer's rule: the point of the circle's plane that a pixel shows, in radii from the centre.
@@ -163,25 +201,32 @@ def _on_curves(
     one, other = turns[:2], turns[1:]
     crossed = one[:, 1:4] * other[:, 2:] - one[:, 2:] * other[:, 1:4]
     crossed *= np.where((planes[3:6] * crossed[0]).sum(axis=0) < 0, -1.0, 1.0)
-    table = np.concatenate([planes, crossed.reshape(6, -1, curves)]).take(of_pair, axis=2)
+    table = seen.of_curves(np.concatenate([planes, crossed.reshape(6, -1, curves)]))
     points = np.ascontiguousarray(points.transpose(1, 0, 2))
-    angle = np.arctan2(
-        _dot(table[12:14], points) + table[14], _dot(table[9:11], points) + table[11]
-    )
-    half = seen.parts.curve_half[of_pair]
+    sine, cosine = _dot(table[12:14], points), _dot(table[9:11], points)
+    sine += table[14]
+    cosine += table[11]
+    angle = np.arctan2(sine, cosine)
+    half = seen.curve_half
     angle, corner = _stepped(table[:9], points, half, angle, thorough)
     cosine, sine = np.cos(angle), np.sin(angle)
-    world = seen.parts.curve_frames.reshape(3, 3, curves)[:, :, of_pair]
+    world = seen.curve_frames
     cos_wide, sin_wide = cosine[:, None], sine[:, None]
-    feet.world[:, :, on_curves] = world[:, 0] + cos_wide * world[:, 1] + sin_wide * world[:, 2]
-    feet.along[:, :, on_curves] = cos_wide * world[:, 2] - sin_wide * world[:, 1]
-    depths = table[2] + cosine * table[5] + sine * table[8]
-    feet.hidden[:, on_curves] = depths < NEAREST_M
+    place, along = feet.world[:, :, on_curves], feet.along[:, :, on_curves]
+    np.multiply(cos_wide, world[..., 1, :], out=place)
+    place += world[..., 0, :]
+    place += sin_wide * world[..., 2, :]
+    np.multiply(cos_wide, world[..., 2, :], out=along)
+    along -= sin_wide * world[..., 1, :]
+    depths = cosine * table[5]
+    depths += table[2]
+    depths += sine * table[8]
+    np.less(depths, NEAREST_M, out=feet.hidden[:, on_curves])
     at_end = np.abs(angle) >= half
     if corner is not None:
         corner &= ~at_end
-    if not seen.parts.all_end:
-        ends = seen.parts.ends[:, seen.parts.lines :][:, of_pair]
+    if isinstance(seen, Observations) and not seen.parts.all_end:
+        ends = seen.parts.ends[:, seen.parts.lines :][:, seen.curve_of_pair]
         at_end = ((angle <= -half) & ends[0]) | ((angle >= half) & ends[1])
     feet.at_end[:, on_curves] = at_end if corner is None else at_end | corner
 
@@ -193,18 +238,28 @@ def _stepped(
     (2, B, N) from those to start from: two steps, and where these do not settle another look;
     whether those found then are corners."""
     centre, ahead, aside = table[0:3], table[3:6], table[6:9]
-    angle = np.minimum(np.maximum(angle, -half), half)
+    least = -half
+    angle = np.minimum(np.maximum(angle, least), half)
     for _ in range(2):
         cosine, sine = np.cos(angle), np.sin(angle)
-        place = centre + cosine * ahead + sine * aside
-        speed = cosine * aside - sine * ahead
+        place = cosine * ahead
+        place += centre
+        place += sine * aside
+        speed = cosine * aside
+        speed -= sine * ahead
         depth = np.maximum(place[2], NEAREST_M)
         apart = points - place[:2] / depth
-        motion = (speed[:2] - (points - apart) * speed[2]) / depth
-        squares = _dot(motion, motion) + _TINY
-        step = _dot(apart, motion) / squares
-        angle = angle + np.minimum(np.maximum(step, -_LARGEST_STEP_RAD), _LARGEST_STEP_RAD)
-        angle = np.minimum(np.maximum(angle, -half), half)
+        motion = points - apart
+        motion *= speed[2]
+        np.subtract(speed[:2], motion, out=motion)
+        motion /= depth
+        squares = _dot(motion, motion)
+        squares += _TINY
+        step = _dot(apart, motion)
+        step /= squares
+        angle += np.minimum(np.maximum(step, -_LARGEST_STEP_RAD), _LARGEST_STEP_RAD)
+        np.maximum(angle, least, out=angle)
+        np.minimum(angle, half, out=angle)
     if not thorough:
         return angle, None
     last = step * step * squares
@@ -214,7 +269,8 @@ def _stepped(
     if not len(camera):
         return angle, None
     curves = table[:, camera, point].T.reshape(-1, 3, 3)
-    found = nearest_angles(curves, half[point], points[:, camera, point].T, NEAREST_M)
+    half = np.broadcast_to(half, angle.shape)[camera, point]
+    found = nearest_angles(curves, half, points[:, camera, point].T, NEAREST_M)
     angle[camera, point] = np.where(found.seen, found.angles, angle[camera, point])
     corner = np.zeros(angle.shape, dtype=bool)
     corner[camera, point] = found.seen & found.corner
@@ -224,7 +280,9 @@ def _stepped(
 def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
     """(2, B, N), (2, B, N) -> (B, N) scalar products."""
     products = a * b
-    return np.asarray(products[0] + products[1])
+    products[0] += products[1]
+    found: FloatArray = products[0]
+    return found
 
 
 # Places looked at all along the curve, then in turn about the nearest one of the chords between.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -29,10 +29,13 @@ from procc_annotator.fit.solving.residual import (
 )
 from procc_annotator.fit.solving.solver import (
     FINAL_LOSS,
+    Descent,
     Prior,
     Problem,
     Solution,
-    solve,
+    Steps,
+    solved,
+    walked,
 )
 from procc_annotator.fit.solving.starts import (
     prior_near,
@@ -115,11 +118,24 @@ def final_fit(
     prior: Prior,
     basis: FloatArray | None = None,
 ) -> FoundCamera:
-    """The best camera for the elements that are believed, from one (1, n) that is nearly right.
+    """The best camera for the elements that are believed, from one (1, n) that is nearly right; see
+    `final_fit_steps`."""
+    return walked(final_fit_steps(seen, vectors, left_out, residuals, prior, basis))
+
+
+def final_fit_steps(
+    seen: Observations,
+    vectors: FloatArray,
+    left_out: NDArray[np.bool_],
+    residuals: Callable[..., Residuals],
+    prior: Prior,
+    basis: FloatArray | None = None,
+) -> Steps[FoundCamera]:
+    """The best camera for the elements that are believed, step by step.
 
     Args:
         seen: N points.
-        vectors: parameters to begin with.
+        vectors: (1, n) parameters to begin with, nearly right.
         left_out: (E,) elements taken for mistakes.
         residuals: (B, n) parameters, observations -> residuals.
         prior: on the free parameters.
@@ -129,7 +145,7 @@ def final_fit(
     """
     bounded = None if basis is not None else bounded_in(vectors)
     for _ in range(_SOFTENINGS):
-        final = final_stage(seen, vectors, left_out, residuals, prior, bounded=bounded)
+        final = yield _final_descent(seen, vectors, left_out, residuals, prior, bounded=bounded)
         found = FoundCamera(final.vectors[0], final, prior, seen, left_out, basis)
         if seen.spreads is None:
             break
@@ -152,16 +168,24 @@ def final_stage(
     tolerance: float = 1e-5,
 ) -> Solution:
     """One descent of (B, n) parameters on the points of the elements that are believed."""
+    asked = _final_descent(seen, vectors, left_out, residuals, prior, bounded=bounded, held=held)
+    return solved(replace(asked, iterations=iterations, tolerance=tolerance))
+
+
+def _final_descent(
+    seen: Observations,
+    vectors: FloatArray,
+    left_out: NDArray[np.bool_],
+    residuals: Callable[..., Residuals],
+    prior: Prior,
+    *,
+    bounded: int | None = KAPPA,
+    held: NDArray[np.bool_] | None = None,
+) -> Descent:
     kept = seen.leaving_out(left_out)
-    problem = Problem(
-        lambda vectors: residuals(vectors, kept),
-        kept.weights,
-        FINAL_LOSS,
-        prior,
-        bounded=bounded,
-        held=held,
-    )
-    return solve(problem, vectors, iterations=iterations, tolerance=tolerance)
+    look = partial(residuals, seen=kept)
+    problem = Problem(look, kept.weights, FINAL_LOSS, prior, bounded=bounded, held=held)
+    return Descent(problem, vectors, iterations=20, tolerance=1e-5)
 
 
 def fit_models(

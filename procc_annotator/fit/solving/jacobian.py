@@ -35,6 +35,7 @@ class Lens:
         vectors: (B, 11) parameters, or (B, 13) of strong lenses of one kind.
         rotation: (B, 3, 3) world -> camera.
         linear: (B, 3, 4) world -> undistorted pixels times depth.
+        focal: (B,) focal length, solver px.
         bend: (B, 1) kappa / h^2.
         bend_by_kappa: 1 / h^2.
         curve: of strong lenses; None for those of one radial coefficient.
@@ -43,6 +44,7 @@ class Lens:
     vectors: FloatArray
     rotation: FloatArray
     linear: FloatArray
+    focal: FloatArray
     bend: FloatArray
     bend_by_kappa: float
     curve: LensCurve | None = None
@@ -59,23 +61,23 @@ class Lens:
         linear = np.empty((len(vectors), 3, 4))
         linear[:, :, :3] = rotation
         linear[:, :, 3] = -(rotation @ vectors[:, CENTRE, None])[:, :, 0]
-        linear[:, :2] *= np.exp(vectors[:, LOG_FOCAL])[:, None, None]
+        focal = np.exp(vectors[:, LOG_FOCAL])
+        linear[:, :2] *= focal[:, None, None]
         bend_by_kappa = 1 / half_diagonal**2
         bend = vectors[:, KAPPA : KAPPA + 1] * bend_by_kappa
         curve = _curve_of(vectors, half_diagonal) if is_strong(vectors) else None
-        return cls(vectors, rotation, linear, bend, bend_by_kappa, curve)
+        return cls(vectors, rotation, linear, focal, bend, bend_by_kappa, curve)
 
-    def undistorted(self, points: FloatArray) -> FloatArray:
-        """(2, N) solver px -> (B, 2, N) where a lens without distortion would show them.
+    def undistorted(self, points: FloatArray, bent: NDArray[np.bool_] | None = None) -> FloatArray:
+        """(2, N) or (B, 2, N) solver px -> (B, 2, N) where a lens without distortion would show
+        them; of those not in ``bent`` (B,) nothing is to be said but that.
 
         In closed form: the cubic r (1 + bend r^2) = distance has one real root for bend >= 0; for
         bend < 0 the smallest positive one counts. What such a lens does not show, farther out than
         it reaches, is taken for lying at the edge of what it does.
         """
-        around = np.empty((len(self.vectors), 2, points.shape[1]))
-        around[:, 0] = points[0] - self.vectors[:, PRINCIPAL_X, None]
+        around = points - self.vectors[:, PRINCIPAL_X : PRINCIPAL_Y + 1, None]
         around[:, 0] /= 1 + self.vectors[:, ASPECT, None]
-        around[:, 1] = points[1] - self.vectors[:, PRINCIPAL_Y, None]
         if self.curve is not None:
             distance = np.sqrt(np.maximum((around * around).sum(axis=1), _TINY))
             around *= (self.curve.undistorted(distance) / distance)[:, None]
@@ -91,7 +93,10 @@ class Lens:
         if barrel.any():
             radius[barrel] = np.sin(np.arcsin(np.minimum(reach[barrel], 1.0)) / 3)
         radius *= 2 / np.sqrt(3 * size)
-        around *= (radius / distance)[:, None]
+        radius /= distance
+        if bent is not None:
+            radius[~bent] = 1.0
+        around *= radius[:, None]
         return around
 
     def beyond_fold(self, world: FloatArray) -> NDArray[np.bool_] | None:
@@ -123,42 +128,31 @@ def project(
         (B, 2, N) solver px; (B, 2, N) px that a step of ``along`` moves each point; (B, free, 2, N)
         derivatives.
     """
-    linear, vectors = lens.linear, lens.vectors
-    count, total = len(vectors), world.shape[2]
-    place = linear[:, :, :3] @ world + linear[:, :, 3:]
+    linear, vectors, curve = lens.linear, lens.vectors, lens.curve
+    place = linear[:, :, :3] @ world
+    place += linear[:, :, 3:]
     depth = place[:, 2:]
     v = place[:, :2] / depth
     toward = linear[:, :, :3] @ along
-    v_along = (toward[:, :2] - v * toward[:, 2:]) / depth
+    moved = toward[:, :2] - v * toward[:, 2:]
+    moved /= depth
     # Derivatives of the undistorted pixel v, then through the lens; in one place where none bends.
-    curve = lens.curve
     bends = curve is not None or lens.bend.any()
-    derivatives = np.empty((count, free, 2, total))
-    inner = np.empty((count, 7, 2, total)) if bends else derivatives[:, :KAPPA]
-    inner[:, PAN : ROLL + 1] = _by_rotation(lens, v)
-    inner[:, CENTRE] = linear[:, 2, :3, None, None] * v[:, None]
-    inner[:, CENTRE] -= linear[:, :2, :3].transpose(0, 2, 1)[:, :, :, None]
-    inner[:, CENTRE] /= depth[:, None]
-    inner[:, LOG_FOCAL] = v
-    squares = np.einsum("bkn,bkn->bn", v, v)
-    grown, slope = (
-        (1 + lens.bend * squares, 2 * lens.bend) if curve is None else curve.growth(squares)
-    )
-    stretch = 1 + vectors[:, ASPECT, None]
-    bent = v * grown[:, None]
-    pixels = bent.copy()
-    pixels[:, 0] *= stretch
-    pixels += vectors[:, PRINCIPAL_X : PRINCIPAL_Y + 1, None]
+    derivatives = np.empty((len(vectors), free, 2, world.shape[2]))
+    inner = np.empty((len(vectors), 7, 2, world.shape[2])) if bends else derivatives[:, :KAPPA]
+    _without_lens(lens, v, depth, inner)
+    bent, pixels = v, v
+    if bends or free > KAPPA:
+        squares = np.einsum("bkn,bkn->bn", v, v)
     if bends:
-        # d(v grown) = grown dv + slope v (v . dv)
-        twice = slope[:, None] * v
-        radial = np.einsum("bpkn,bkn->bpn", inner, v)
-        np.multiply(inner, grown[:, None, None], out=derivatives[:, :7])
-        derivatives[:, :7] += twice[:, None] * radial[:, :, None]
-        moved = v_along * grown[:, None] + twice * np.einsum("bkn,bkn->bn", v_along, v)[:, None]
-    else:
-        moved = v_along
-    moved[:, 0] *= stretch
+        bent, moved = _bent(lens, v, moved, squares, inner, derivatives[:, :7])
+        pixels = bent
+    stretch = 1 + vectors[:, ASPECT, None]
+    if vectors[:, ASPECT : PRINCIPAL_Y + 1].any():
+        pixels = bent.copy()
+        pixels[:, 0] *= stretch
+        pixels += vectors[:, PRINCIPAL_X : PRINCIPAL_Y + 1, None]
+        moved[:, 0] *= stretch
     if curve is not None and curve.fisheye:
         # A ray's angle is the same at every focal length.
         derivatives[:, LOG_FOCAL] = bent
@@ -174,6 +168,41 @@ def project(
         derivatives[:, SECOND] = v * second[:, None]
         derivatives[:, SECOND, 0] *= stretch
     return pixels, moved, derivatives
+
+
+def _bent(
+    lens: Lens,
+    v: FloatArray,
+    along: FloatArray,
+    squares: FloatArray,
+    inner: FloatArray,
+    derivatives: FloatArray,
+) -> tuple[FloatArray, FloatArray]:
+    """(B, 2, N) undistorted pixels ``v`` through the lens, and what moves them ``along``; fills in
+    their derivatives (B, 7, 2, N), those of ``v`` being ``inner``."""
+    curve = lens.curve
+    grown, slope = (
+        (1 + lens.bend * squares, 2 * lens.bend) if curve is None else curve.growth(squares)
+    )
+    # d(v grown) = grown dv + slope v (v . dv)
+    twice = slope[:, None] * v
+    radial = np.einsum("bpkn,bkn->bpn", inner, v)
+    np.multiply(inner, grown[:, None, None], out=derivatives)
+    derivatives += twice[:, None] * radial[:, :, None]
+    moved = along * grown[:, None]
+    moved += twice * np.einsum("bkn,bkn->bn", along, v)[:, None]
+    return v * grown[:, None], moved
+
+
+def _without_lens(lens: Lens, v: FloatArray, depth: FloatArray, found: FloatArray) -> None:
+    """Fill in (B, 7, 2, N) what pose and focal length do to undistorted pixels ``v`` (B, 2, N) of
+    points at a ``depth`` (B, 1, N)."""
+    _by_rotation(lens, v, found[:, PAN : ROLL + 1])
+    by_centre = found[:, CENTRE]
+    np.multiply(lens.linear[:, 2, :3, None, None], v[:, None], out=by_centre)
+    by_centre -= lens.linear[:, :2, :3].transpose(0, 2, 1)[:, :, :, None]
+    by_centre /= depth[:, None]
+    found[:, LOG_FOCAL] = v
 
 
 def _by_picture(derivatives: FloatArray, bent: FloatArray, stretch: FloatArray) -> None:
@@ -194,27 +223,28 @@ def _curve_of(vectors: FloatArray, half_diagonal: float) -> LensCurve:
     return LensCurve(first, second, unit, fisheye)
 
 
-def _by_rotation(lens: Lens, v: FloatArray) -> FloatArray:
-    """(B, 3, 2, N): the undistorted pixel's derivative by pan, tilt and roll.
+def _by_rotation(lens: Lens, v: FloatArray, found: FloatArray) -> None:
+    """Fill in (B, 3, 2, N): the undistorted pixel's derivative by pan, tilt and roll.
 
     Each angle turns the camera about an axis that is fixed in its own frame: pan about the world's
     vertical, tilt about the level to the right, roll about the view. Points turn the other way.
     """
-    vectors = lens.vectors
-    focal = np.exp(vectors[:, LOG_FOCAL])[:, None]
-    axes = np.zeros((len(vectors), 3, 3))  # (B, angle, axis component)
+    count, roll, focal = len(v), lens.vectors[:, ROLL], lens.focal[:, None]
+    axes = np.zeros((count, 3, 3))  # (B, angle, axis component)
     axes[:, 0] = lens.rotation[:, :, 2]
-    axes[:, 1, 0] = np.cos(vectors[:, ROLL])
-    axes[:, 1, 1] = -np.sin(vectors[:, ROLL])
+    axes[:, 1, 0] = np.cos(roll)
+    axes[:, 1, 1] = -np.sin(roll)
     axes[:, 2, 2] = 1.0
-    by_axis = np.empty((len(vectors), 3, 2, v.shape[2]))
+    by_axis = np.empty((count, 3, 2, v.shape[2]))
     x, y = v[:, 0], v[:, 1]
-    xy = x * y / focal
-    by_axis[:, 0, 0] = xy
-    by_axis[:, 0, 1] = focal + y * y / focal
-    by_axis[:, 1, 0] = -focal - x * x / focal
-    by_axis[:, 1, 1] = -xy
+    np.multiply(x, y, out=by_axis[:, 0, 0])
+    by_axis[:, 0, 0] /= focal
+    np.negative(by_axis[:, 0, 0], out=by_axis[:, 1, 1])
+    squares = v * v
+    squares /= focal[:, None]
+    squares += focal[:, None]
+    by_axis[:, 0, 1] = squares[:, 1]
+    np.negative(squares[:, 0], out=by_axis[:, 1, 0])
     by_axis[:, 2, 0] = y
-    by_axis[:, 2, 1] = -x
-    flat = by_axis.reshape(len(vectors), 3, -1)
-    return np.asarray((axes @ flat).reshape(by_axis.shape))
+    np.negative(x, out=by_axis[:, 2, 1])
+    np.matmul(axes, by_axis.reshape(count, 3, -1), out=found.reshape(count, 3, -1))

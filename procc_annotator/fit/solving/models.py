@@ -179,19 +179,19 @@ def vector_from_camera(camera: PinholeCamera, frame: PictureFrame) -> FloatArray
 
 def rotations(vectors: FloatArray) -> FloatArray:
     """(B, >= 3) pan, tilt, roll -> (B, 3, 3) world to camera, as `rotation_cam_from_world`."""
-    c = np.cos(vectors[:, :3])
-    s = np.sin(vectors[:, :3])
-    cp, ct, cr = c[:, 0], c[:, 1], c[:, 2]
-    sp, st, sr = s[:, 0], s[:, 1], s[:, 2]
+    turn = np.empty((2, 3, len(vectors)))  # cosines, then sines
+    np.cos(vectors[:, :3].T, out=turn[0])
+    np.sin(vectors[:, :3].T, out=turn[1])
+    pan, (ct, st), roll = turn[:, 0], turn[:, 1], turn[:, 2]
+    panned = roll[:, None] * pan  # by cosine and sine of the roll, of the pan
+    tilted = roll[:, None] * (pan * ct)
     found = np.empty((len(vectors), 3, 3))
-    found[:, 0, 0] = cp * cr - sp * ct * sr
-    found[:, 0, 1] = sp * cr + cp * ct * sr
-    found[:, 0, 2] = st * sr
-    found[:, 1, 0] = -cp * sr - sp * ct * cr
-    found[:, 1, 1] = -sp * sr + cp * ct * cr
-    found[:, 1, 2] = st * cr
-    found[:, 2, 0] = sp * st
-    found[:, 2, 1] = -cp * st
+    found[:, 0, 0] = panned[0, 0] - tilted[1, 1]
+    found[:, 0, 1] = panned[0, 1] + tilted[1, 0]
+    found[:, 1, 0] = -panned[1, 0] - tilted[0, 1]
+    found[:, 1, 1] = tilted[0, 0] - panned[1, 1]
+    found[:, 0, 2], found[:, 1, 2] = st * roll[::-1]
+    found[:, 2, 0], found[:, 2, 1] = st * pan[1], -pan[0] * st
     found[:, 2, 2] = ct
     return found
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ from procc_annotator.fit.solving.parts import Candidates, Parts
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.intp]
+AnyArray = TypeVar("AnyArray", FloatArray, NDArray[np.bool_])
 
 REFERENCE_WIDTH = 960
 # No lens shows a point this far outside the picture; squares of larger numbers only do harm.
@@ -123,6 +125,30 @@ class Observations:
         first, second = np.split(self.parts.line_ends, 2, axis=1)
         return np.asarray((second - first)[:, self.line_of_pair])
 
+    @cached_property
+    def line_first(self) -> FloatArray:
+        """(3, candidates on lines) metres: the first end of each one's line."""
+        return self.parts.line_ends[:, : self.parts.lines].take(self.line_of_pair, axis=1)
+
+    def of_lines(self, table: AnyArray) -> AnyArray:
+        """(..., B, lines) what B cameras say of lines -> (..., B, candidates on lines)."""
+        return table.take(self.line_of_pair, axis=-1)
+
+    def of_curves(self, table: AnyArray) -> AnyArray:
+        """(..., B, curves) what B cameras say of curves -> (..., B, candidates on curves)."""
+        return table.take(self.curve_of_pair, axis=-1)
+
+    @cached_property
+    def curve_half(self) -> FloatArray:
+        """(candidates on curves,) rad: half of each one's arc."""
+        return np.asarray(self.parts.curve_half[self.curve_of_pair])
+
+    @cached_property
+    def curve_frames(self) -> FloatArray:
+        """(3, 3, candidates on curves) metres: of each one's curve the `Parts.curve_frames`."""
+        frames = self.parts.curve_frames.reshape(3, 3, self.parts.curves)
+        return frames.take(self.curve_of_pair, axis=2)
+
     def thinned(self, most: int) -> Observations:
         """At most so many points an element, evenly chosen, for a quick look."""
         keep = np.concatenate(
@@ -152,6 +178,8 @@ class Observations:
 
     def leaving_out(self, left_out: NDArray[np.bool_]) -> Observations:
         """The same, with weight 0 for the elements marked in ``left_out`` (E,)."""
+        if not left_out.any():
+            return self
         weights = np.where(left_out[self.element_of_point], 0.0, self.weights)
         return replace(self, weights=weights)
 

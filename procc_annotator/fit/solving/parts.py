@@ -88,12 +88,12 @@ class Parts:
     @property
     def lines(self) -> int:
         """Number of lines."""
-        return int(self.line_ends.shape[1]) // 2
+        return int(self.line_ends.shape[-1]) // 2
 
     @property
     def curves(self) -> int:
         """Number of arcs and circles."""
-        return len(self.curve_half)
+        return int(self.curve_half.shape[-1])
 
     @cached_property
     def all_end(self) -> bool:

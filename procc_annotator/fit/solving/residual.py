@@ -17,6 +17,7 @@ from procc_annotator.fit.solving.feet import Feet, find_feet
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import CENTRE
 from procc_annotator.fit.solving.observations import FloatArray, Observations
+from procc_annotator.fit.solving.stacked import Stacked
 
 # What a point counts whose element is behind the camera, solver px; no direction is better.
 HIDDEN_PX = 1000.0
@@ -59,7 +60,7 @@ def components(
 
 def pinhole_residuals(
     vectors: FloatArray,
-    seen: Observations,
+    seen: Observations | Stacked,
     half_diagonal: float,
     free: int,
     *,
@@ -69,14 +70,15 @@ def pinhole_residuals(
 
     Args:
         vectors: (B, 11) parameters, see `models`.
-        seen: N points.
+        seen: N points, or those of several frames, each camera of one of them.
         half_diagonal: half the picture's diagonal, solver px.
         free: derivatives by the first so many parameters.
         thorough: see `find_feet`.
     """
     lens = Lens.of(vectors, half_diagonal)
-    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen, thorough=thorough)
-    feet = not_folded(feet, lens)
+    bent = seen.shared(lens.bend[:, 0] != 0) if isinstance(seen, Stacked) else None
+    undistorted = lens.undistorted(seen.points, bent)
+    feet = not_folded(find_feet(lens.linear, undistorted, seen, thorough=thorough), lens)
     world = feet.world
     if feet.hidden.any():
         # Anything in front of the camera will do: its residual is replaced.
@@ -186,7 +188,7 @@ def _ground(world: FloatArray) -> FloatArray:
 
 
 def across_curve(
-    seen: Observations,
+    seen: Observations | Stacked,
     pixels: FloatArray,
     moved: FloatArray,
     derivatives: FloatArray,
@@ -195,26 +197,31 @@ def across_curve(
     """The differences to the feet, their part along the curve taken out except at true ends; those
     to spots as much as these are known."""
     apart = seen.points - pixels
-    length = np.hypot(moved[:, 0], moved[:, 1]) + _TINY
+    length = np.hypot(moved[:, 0], moved[:, 1])
+    length += _TINY
     # Across the curve; at an end: the difference itself, both components.
     one_x = np.where(feet.at_end, 1.0, -moved[:, 1] / length)
     one_y = np.where(feet.at_end, 0.0, moved[:, 0] / length)
-    hidden = feet.hidden
-    if hidden.any():
+    hidden, other = feet.hidden, feet.at_end
+    some_hidden = hidden.any()
+    if some_hidden:
         one_x[hidden] = one_y[hidden] = 0.0
-    other = feet.at_end & ~hidden
+        other = other & ~hidden
     values = np.empty_like(apart)
-    values[:, 0] = one_x * apart[:, 0] + one_y * apart[:, 1]
-    values[:, 1] = other * apart[:, 1]
-    found = np.empty_like(derivatives)
-    found[:, :, 0] = -one_x[:, None] * derivatives[:, :, 0] - one_y[:, None] * derivatives[:, :, 1]
-    found[:, :, 1] = -derivatives[:, :, 1] * other[:, None]
+    first, found = values[:, 0], np.empty_like(derivatives)
+    np.multiply(one_x, apart[:, 0], out=first)
+    first += one_y * apart[:, 1]
+    np.multiply(other, apart[:, 1], out=values[:, 1])
+    across = found[:, :, 0]
+    np.multiply(-one_x[:, None], derivatives[:, :, 0], out=across)
+    across -= one_y[:, None] * derivatives[:, :, 1]
+    np.multiply(derivatives[:, :, 1], np.where(other, -1.0, -0.0)[:, None], out=found[:, :, 1])
     if seen.soft is not None:
         # Of what is not whole the second row is 0, and nothing but whole residuals is softened.
         soft = np.where(other[:, None, None], seen.soft, np.eye(2)[:, :, None])
         values = np.einsum("bijn,bjn->bin", soft, values)
         found = np.einsum("bijn,bpjn->bpin", soft, found)
-    if hidden.any():
+    if some_hidden:
         values[:, 0][hidden] = HIDDEN_PX
     distances = np.hypot(values[:, 0], values[:, 1])
     return Residuals(values, found, distances, other, moved)

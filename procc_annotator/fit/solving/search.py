@@ -13,6 +13,7 @@ from procc_annotator.fit.solving.final_fit import (
     OUTLIER_PX,
     FoundCamera,
     final_fit,
+    final_fit_steps,
     final_stage,
     mistakes,
 )
@@ -38,10 +39,13 @@ from procc_annotator.fit.solving.residual import (
 from procc_annotator.fit.solving.solver import (
     ROBUST_LOSS,
     SEARCH_LOSS,
+    Descent,
     Prior,
     Problem,
     Solution,
+    Steps,
     solve,
+    walked,
 )
 from procc_annotator.fit.solving.starts import (
     Starts,
@@ -66,12 +70,19 @@ _CORRECTION_SD = 0.1
 
 def search(seen: Observations, field: Field, frame: PictureFrame, model: str) -> FoundCamera:
     """Fit a pinhole model without a start."""
+    return walked(search_steps(seen, field, frame, model))
+
+
+def search_steps(
+    seen: Observations, field: Field, frame: PictureFrame, model: str
+) -> Steps[FoundCamera]:
+    """`search`, step by step."""
     scene = _Scene(seen, frame, surroundings_of(field))
-    vectors = _survivors(scene, all_starts(seen, field))
+    vectors = yield from _survivors(scene, all_starts(seen, field))
     if not scene.around.has_main_side:
         # Much may be the same from the other end; with all points what is not decides.
         vectors = np.concatenate([vectors, half_turned(vectors)])
-    return _finish(scene, vectors, model)
+    return (yield from _finish(scene, vectors, model))
 
 
 def refine(
@@ -89,7 +100,7 @@ def refine(
     same_side = side_of(found.vector, scene.around) == side_of(vector, scene.around)
     if found.is_stale or (same_side and found.is_consistent):
         return found
-    return _finish(scene, vectors, model)
+    return walked(_finish(scene, vectors, model))
 
 
 def believed(
@@ -157,7 +168,7 @@ class _Scene:
     around: Surroundings
 
 
-def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
+def _survivors(scene: _Scene, starts: Starts) -> Steps[FloatArray]:
     """(B, 11) the best of the starts after a few steps with few points."""
     _keep_freed_memory()
     few = scene.seen.thinned(_SEARCH_POINTS)
@@ -174,7 +185,7 @@ def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
     for iterations, keep in _ROUNDS:
         prior = search_prior(sides, scene.around, free)
         problem = Problem(residuals, few.weights, SEARCH_LOSS, prior)
-        found = solve(problem, going, iterations=iterations)
+        found = yield Descent(problem, going, iterations)
         costs = found.costs + side_costs(sides, scene.around)
         best = _distinct_best(found.vectors, costs, keep, scene.around)
         going, sides = found.chosen(best), sides[best]
@@ -192,7 +203,7 @@ def _keep_freed_memory() -> None:
     np.empty(_KEPT_BYTES, dtype=np.uint8)
 
 
-def _finish(scene: _Scene, vectors: FloatArray, model: str) -> FoundCamera:
+def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Steps[FoundCamera]:
     """From (B, 11) parameters that may lead to the camera to the fit."""
     # The first is the best of the search.
     seen, around = softened(scene.seen, linear_map(vectors[0])), scene.around
@@ -208,7 +219,7 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> FoundCamera:
         wide_prior(sides, around, free),
         bounded=KAPPA,
     )
-    robust = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
+    robust = yield Descent(problem, vectors, 20, 1e-3, _HOPELESS)
     best = _best_plausible(robust, sides, around)
     chosen = robust.vectors[[best]]
     prior = prior_near(chosen[0], around, FREE[model])
@@ -218,7 +229,8 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> FoundCamera:
         seen = softened(seen, linear_map(chosen[0]))
         distances = residuals(chosen, seen, free=free).distances[0]
     left_out = mistakes(seen, distances)
-    return final_fit(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
+    residuals = partial(residuals, free=FREE[model])
+    return (yield from final_fit_steps(seen, chosen, left_out, residuals, prior))
 
 
 def _sides_of(vectors: FloatArray, around: Surroundings) -> IntArray:

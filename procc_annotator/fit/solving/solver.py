@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from procc_annotator.fit.solving.models import LEAST_KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 from procc_annotator.fit.solving.residual import Residuals
 
+T = TypeVar("T")
 LossKind = Literal["cauchy", "geman_mcclure", "huber", "squared"]
 
 _FIRST_DAMPING = 1e-3
@@ -83,19 +84,15 @@ class Solution:
     def at(cls, problem: Problem, vectors: FloatArray) -> Solution:
         """What a problem is at (B, m) parameters."""
         found = problem.residuals(vectors)
-        cost, weight = problem.loss.cost_and_weight(found.distances)
-        cost, weight = cost @ problem.weights, weight * problem.weights
-        count, free = found.derivatives.shape[:2]
-        derivatives = found.derivatives.reshape(count, free, -1)
-        weighted = (found.derivatives * weight[:, None, None]).reshape(count, free, -1)
+        cost, normal, gradient = problem.summed(found)
+        free = gradient.shape[1]
         off = (vectors[:, :free] - problem.prior.mean) * problem.prior.inverse_sd
-        gradient = (weighted @ found.values.reshape(count, -1, 1))[:, :, 0]
         return cls(
             vectors,
             cost + (off * off).sum(axis=1) / 2,
             found.values,
             found.whole,
-            weighted @ derivatives.transpose(0, 2, 1),
+            normal,
             gradient + off * problem.prior.inverse_sd,
         )
 
@@ -165,11 +162,73 @@ class Problem:
         """Number of free parameters."""
         return int(self.prior.mean.shape[1])
 
+    def summed(self, found: Residuals) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """What N residuals of B cameras sum up to.
+
+        Returns:
+            (B,) cost, (B, n, n) weighted J^T J, (B, n) gradient: of the points alone.
+        """
+        cost, weight = self.loss.cost_and_weight(found.distances)
+        return sums_of(found.values, found.derivatives, cost, weight, self.weights)
+
+    def hopeful(
+        self, costs: FloatArray, running: NDArray[np.bool_], hopeless: float
+    ) -> NDArray[np.bool_]:
+        """(B,) whether searches cost less than so many times what one does that has ended."""
+        return np.asarray(costs <= hopeless * costs[~running].min())
+
     def floor(self, starts: FloatArray) -> FloatArray:
         """(B,) what the bounded parameter may fall to in searches from starts (B, m)."""
         if self.bounded is None:
             return np.full(len(starts), -np.inf)
         return np.where(starts[:, self.bounded] < 0, self.least, 0.0)
+
+
+def sums_of(
+    values: FloatArray,
+    derivatives: FloatArray,
+    cost: FloatArray,
+    weight: FloatArray,
+    weights: FloatArray,
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """See `Problem.summed`.
+
+    Args:
+        values, derivatives: (B, 2, N) and (B, n, 2, N) as of `Residuals`.
+        cost, weight: (B, N) of each distance, from its loss.
+        weights: (N,) of the points.
+    """
+    count, free = derivatives.shape[:2]
+    weight = weight * weights
+    weighted = (derivatives * weight[:, None, None]).reshape(count, free, -1)
+    gradient = (weighted @ values.reshape(count, -1, 1))[:, :, 0]
+    rows = derivatives.reshape(count, free, -1)
+    return cost @ weights, weighted @ rows.transpose(0, 2, 1), gradient
+
+
+@dataclass(frozen=True, eq=False)
+class Descent:
+    """What is to be minimised, from where, and how far.
+
+    Attributes:
+        problem: what to minimise.
+        starts: (B, m) parameters, of which those after the first n stay as they are; or where
+            searches are that went by the same residuals, weights, loss and prior.
+        iterations: at most so many.
+        tolerance: a search ends when a step lowers its cost by less than this share of it.
+        hopeless: once a search has ended, others end that cost so many times as much.
+    """
+
+    problem: Problem
+    starts: FloatArray | Solution
+    iterations: int
+    tolerance: float = 1e-4
+    hopeless: float = np.inf
+
+
+# What works something out and needs descents on the way: yields what it asks for, is sent what came
+# of it. So that many can be taken side by side.
+Steps = Generator[Descent, Solution, T]
 
 
 def solve(
@@ -180,56 +239,100 @@ def solve(
     tolerance: float = 1e-4,
     hopeless: float = np.inf,
 ) -> Solution:
-    """Minimise from every start.
+    """Minimise from every start; see `Descent`."""
+    return solved(Descent(problem, starts, iterations, tolerance, hopeless))
 
-    Args:
-        problem: what to minimise.
-        starts: (B, m) parameters, of which those after the first n stay as they are; or where
-            searches are that went by the same residuals, weights, loss and prior.
-        iterations: at most so many.
-        tolerance: a search ends when a step lowers its cost by less than this share of it.
-        hopeless: once a search has ended, others end that cost so many times as much.
-    """
-    at = starts if isinstance(starts, Solution) else Solution.at(problem, starts)
-    count, free = len(at.vectors), problem.free
-    floor = problem.floor(at.vectors)
-    damping = np.full(count, _FIRST_DAMPING)
-    stiffness = problem.prior.inverse_sd**2
-    running = np.ones(count, dtype=bool)
+
+def walked(steps: Steps[T]) -> T:
+    """What steps come to that ask for one descent after another."""
+    try:
+        asked = next(steps)
+        while True:
+            asked = steps.send(solved(asked))
+    except StopIteration as end:
+        found: T = end.value
+        return found
+
+
+def solved(asked: Descent) -> Solution:
+    """Minimise from every start."""
+    starts = asked.starts
+    at = starts if isinstance(starts, Solution) else Solution.at(asked.problem, starts)
+    under_way = UnderWay.begun(asked.problem, at)
     made = 0
-    for made in range(1, iterations + 1):  # noqa: B007
-        normal, gradient = at.normal.copy(), at.gradient
-        diagonal = np.einsum("bii->bi", normal)  # a view
-        diagonal += stiffness
-        pinned = _pinned(problem, at, floor)
-        if pinned is not None:
-            gradient = np.where(pinned, 0.0, gradient)
-            normal[pinned] = 0.0
-            normal.transpose(0, 2, 1)[pinned] = 0.0
-        nothing = diagonal == 0
-        diagonal *= 1 + damping[:, None]
-        diagonal += 1e-12
-        diagonal += nothing
-        step = np.linalg.solve(normal, gradient[:, :, None])[:, :, 0]
+    for made in range(1, asked.iterations + 1):  # noqa: B007
+        under_way.step(asked.problem, asked.tolerance, asked.hopeless)
+        if not under_way.running.any():
+            break
+    return replace(under_way.at, steps=made)
+
+
+@dataclass(eq=False)
+class UnderWay:
+    """Where B searches are.
+
+    Attributes:
+        at: what is known there.
+        floor: (B,) what their bounded parameter may fall to.
+        damping: (B,) of their next steps.
+        running: (B,) whether they go on.
+    """
+
+    at: Solution
+    floor: FloatArray
+    damping: FloatArray
+    running: NDArray[np.bool_]
+
+    @classmethod
+    def begun(cls, problem: Problem, at: Solution) -> UnderWay:
+        """At the beginning."""
+        count = len(at.vectors)
+        damping, running = np.full(count, _FIRST_DAMPING), np.ones(count, dtype=bool)
+        return cls(at, problem.floor(at.vectors), damping, running)
+
+    def chosen(self, rows: NDArray[np.bool_], at: Solution) -> UnderWay:
+        """Some of them (B,), of which ``at`` is known."""
+        return UnderWay(at, self.floor[rows], self.damping[rows], self.running[rows])
+
+    def step(self, problem: Problem, tolerance: float, hopeless: float) -> None:
+        """One step of all searches; of those that ended none is taken."""
+        at, damping = self.at, self.damping
+        step, hoped = _damped_step(problem, at, self.floor, damping)
         tried = at.vectors.copy()
-        tried[:, :free] -= step
+        tried[:, : problem.free] -= step
         if problem.bounded is not None:
             lowest = tried[:, problem.bounded]
-            np.maximum(lowest, floor, out=lowest)
+            np.maximum(lowest, self.floor, out=lowest)
         new = Solution.at(problem, tried)
-        better = running & (new.costs < at.costs)
+        better = self.running & (new.costs < at.costs)
         gain = np.where(better, at.costs - new.costs, 0.0)
-        hoped = (step * gradient).sum(axis=1) / 2
         small = np.where(better, gain, hoped) <= tolerance * at.costs
         damping = np.where(better, damping * _EASED, damping * _RAISED)
-        damping = np.minimum(np.maximum(damping, _LEAST_DAMPING), _MOST_DAMPING)
-        running &= ~small & (damping < _MOST_DAMPING)
-        at = new if better.all() else at.replaced_where(better, new)
-        if not running.all():
-            running &= at.costs <= hopeless * at.costs[~running].min()
-            if not running.any():
-                break
-    return replace(at, steps=made)
+        self.damping = np.minimum(np.maximum(damping, _LEAST_DAMPING), _MOST_DAMPING)
+        self.running = self.running & ~small & (self.damping < _MOST_DAMPING)
+        self.at = new if better.all() else at.replaced_where(better, new)
+        if not self.running.all():
+            self.running &= problem.hopeful(self.at.costs, self.running, hopeless)
+
+
+def _damped_step(
+    problem: Problem, at: Solution, floor: FloatArray, damping: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """(B, n) what parameters are to be lowered by, and (B,) what cost that is hoped to save."""
+    normal, gradient = at.normal.copy(), at.gradient
+    diagonal = np.einsum("bii->bi", normal)  # a view
+    diagonal += problem.prior.inverse_sd**2
+    pinned = _pinned(problem, at, floor)
+    if pinned is not None:
+        gradient = np.where(pinned, 0.0, gradient)
+        normal[pinned] = 0.0
+        normal.transpose(0, 2, 1)[pinned] = 0.0
+    nothing = diagonal == 0
+    diagonal *= 1 + damping[:, None]
+    diagonal += 1e-12
+    diagonal += nothing
+    step = np.asarray(np.linalg.solve(normal, gradient[:, :, None])[:, :, 0], dtype=np.float64)
+    return step, (step * gradient).sum(axis=1) / 2
 
 
 def _pinned(problem: Problem, at: Solution, floor: FloatArray) -> NDArray[np.bool_] | None:

@@ -92,7 +92,14 @@ class AgreementPanel(QWidget):
         self._refresher = Refresher(self, self._refresh, interval_ms=100)
         self._refresher.follow(
             document.store,
-            lambda s: (s.workspace, s.frame_index, s.annotation, s.setup, s.tau),
+            lambda s: (
+                s.workspace,
+                s.frame_index,
+                s.annotation,
+                s.setup,
+                s.tau,
+                s.projection_visible,
+            ),
             document.second.changed,
         )
         document.second.changed.connect(self._forget_noise)
@@ -148,6 +155,12 @@ class AgreementPanel(QWidget):
                     "The second annotator's file for this frame is unreadable: {error}",
                     error=second.error,
                 )
+            )
+            self.rows.replace(())
+            return
+        if not document.projection_visible:
+            self.frame.setText(
+                tr("Hidden: blind mode shows the score once this frame is committed.")
             )
             self.rows.replace(())
             return

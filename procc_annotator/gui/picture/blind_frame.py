@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QRect
+from PySide6.QtCore import QObject, QRect
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.picture.pinned import Pinned
 from procc_annotator.gui.picture.split_view import NamePlate
+from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import State
 from procc_annotator.interact.palette import UNSURE_GHOST
@@ -22,19 +22,19 @@ _COMMITTED = word("Blind mode, this frame is committed")
 class BlindFrame(QObject):
     """Four edges and a badge; none of them takes the mouse or moves the picture."""
 
-    def __init__(self, document: Document, viewport: QWidget) -> None:
+    def __init__(self, document: Document, view: PictureView) -> None:
+        viewport = view.viewport()
         super().__init__(viewport)
         self._viewport = viewport
         self.edges = [_Edge(viewport, f"blindEdge{i}") for i in range(4)]  # not shown
         self.badge = NamePlate(viewport, "blindBadge")
-        viewport.installEventFilter(self)
+        view.resized.connect(self._stand_if_shown)
         document.store.watch(_shown, self._show)
         self._show(_shown(document.state))
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize and not self.badge.isHidden():
+    def _stand_if_shown(self) -> None:
+        if not self.badge.isHidden():
             self._stand()
-        return False
 
     def _show(self, shown: tuple[bool, bool]) -> None:
         blind, committed = shown

@@ -64,9 +64,9 @@ class Canvas(PictureView):
         self.scene().addItem(self.overlay_item)
         self.comparison = OtherSources(document, self.viewport(), self.scene(), self.overlay_item)
         self.maps = MetreMaps(document, self.viewport(), self.scene())
-        self.found_plate = FoundPlate(document, self.viewport())
-        self.blind_frame = BlindFrame(document, self.viewport())
-        self.legend = CornerLegend(document, self.viewport(), self.comparison)
+        self.found_plate = FoundPlate(document, self)
+        self.blind_frame = BlindFrame(document, self)
+        self.legend = CornerLegend(document, self, self.comparison)
         self.camera_hand = CameraHand(document, self, self.editor)
         self.drawing = OverlayDrawing(
             document,

@@ -153,7 +153,7 @@ class OtherSources(QObject):
         document, size = self._document, self._document.picture_size
         shown: list[tuple[ProjectedField, str]] = []
         if size is not None and not hidden and self.others_wanted:
-            shown = self._others()
+            shown = [(projected, source.colour) for source, projected in self._others()]
         wired = (size, document.setup.size, *shown)
         if wired == self._wired:
             return
@@ -162,7 +162,7 @@ class OtherSources(QObject):
         if shown and size is not None:
             self.wireframes = build_wireframes(shown, document.setup.size, size)
 
-    def _others(self) -> list[tuple[ProjectedField, str]]:
+    def _others(self) -> list[tuple[CameraSource, ProjectedField]]:
         """What the visible sources that have no place of their own show of this frame."""
         document = self._document
         if document.active_source is None or not document.projection_visible:
@@ -172,13 +172,13 @@ class OtherSources(QObject):
         for source in document.sources:
             known = document.source_frames.of(source) if source.visible else None
             if source not in placed and known is not None and known.projected is not None:
-                shown.append((known.projected, source.colour))
+                shown.append((source, known.projected))
         return shown
 
     def names_of_others(self) -> tuple[tuple[str, str], ...]:
         """Names and colours of the sources drawn as wireframes."""
-        drawn = {colour for _, colour in self._others()} if self.others_wanted else set()
-        return tuple((s.name, s.colour) for s in self._document.sources if s.colour in drawn)
+        drawn = self._others() if self.others_wanted else ()
+        return tuple((source.name, source.colour) for source, _ in drawn)
 
     def _name_sides(self, *, hidden: bool) -> None:
         front, right = self.front, self.right

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 from procc_annotator.gui.picture.comparison import OtherSources
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.pinned import Pinned
+from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.corner_legend import OnPicture, corner_legend
@@ -31,16 +32,16 @@ _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 class CornerLegend(Pinned):
     """Explains what is over the picture at its lower right corner, and nothing else."""
 
-    def __init__(self, document: Document, viewport: QWidget, comparison: OtherSources) -> None:
-        super().__init__(viewport, "cornerLegend")
-        self._document, self._viewport, self._comparison = document, viewport, comparison
+    def __init__(self, document: Document, view: PictureView, comparison: OtherSources) -> None:
+        super().__init__(view.viewport(), "cornerLegend")
+        self._document, self._viewport, self._comparison = document, view.viewport(), comparison
         self.entries: tuple[LegendEntry, ...] = ()
         self._wanted, self._bare = True, False
         self._others: tuple[tuple[str, str], ...] = ()
         self._by: ColourBy = "criterion"
         self._hand: QPointF | None = None
         self._soon = soon(self, self._look)
-        viewport.installEventFilter(self)
+        view.resized.connect(self._soon.start)
         for beneath in self._beneath():
             beneath.installEventFilter(self)
         for signal in (

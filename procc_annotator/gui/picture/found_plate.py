@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QRect
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QRect
 
 from procc_annotator.fit.from_picture.proposal import NONE, SURE
 from procc_annotator.gui.picture.split_view import NamePlate
+from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
@@ -20,9 +20,9 @@ _GREY = tones.UNKNOWN_CLASS
 class FoundPlate(NamePlate):
     """Says whether a camera is looked for, sure, unsure or none, and why; in words and colour."""
 
-    def __init__(self, document: Document, viewport: QWidget) -> None:
-        super().__init__(viewport, "foundPlate")
-        self._document, self._viewport = document, viewport
+    def __init__(self, document: Document, view: PictureView) -> None:
+        super().__init__(view.viewport(), "foundPlate")
+        self._document, self._viewport = document, view.viewport()
         self._soon = soon(self, self._show)
         for signal in (
             document.foresight.changed,
@@ -31,12 +31,7 @@ class FoundPlate(NamePlate):
             document.modeChanged,
         ):
             signal.connect(self._soon.start)
-        viewport.installEventFilter(self)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
-            self._stand()
-        return False
+        view.resized.connect(self._stand)
 
     def _show(self) -> None:
         said = self._words()

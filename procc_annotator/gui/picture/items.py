@@ -126,20 +126,24 @@ def _paint_patch(painter: QPainter, patch: FilledArea, near: Box) -> None:
 def _paint_strokes(painter: QPainter, strokes: Strokes, point: float, near: Box) -> None:
     """Paint some strokes in picture px; ``point`` px make a point.
 
-    Qt finds out sooner than we do what of a line is wanted; only dashes are cut first.
+    Qt finds out sooner than we do what of a line is wanted; only dashes of curves are cut first.
     """
-    lines = strokes.segments
-    if strokes.dash:
+    lines, alone = strokes.segments, len(strokes.segments) == 1
+    if strokes.dash and not alone:
         left, top, right, bottom = near
         room = QRectF(left, top, right - left, bottom - top)
         lines = visible_parts(lines, room, [d * point for d in strokes.dash])
-    draw_lines(painter, lines, _pen(strokes.colour, strokes.width * point))
+    dashes = tuple(d / strokes.width for d in strokes.dash) if alone else ()
+    draw_lines(painter, lines, _pen(strokes.colour, strokes.width * point, dashes))
 
 
 @lru_cache(maxsize=256)
-def _pen(colour: str, width: float) -> QPen:
+def _pen(colour: str, width: float, dashes: tuple[float, ...] = ()) -> QPen:
+    """``dashes``: lengths on, off, on, off ... in widths."""
     pen = QPen(QColor(colour), width)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+    if dashes:
+        pen.setDashPattern(dashes)
     return pen
 
 

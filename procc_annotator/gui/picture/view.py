@@ -15,6 +15,7 @@ from typing import cast
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
+    QHelpEvent,
     QKeyEvent,
     QMouseEvent,
     QNativeGestureEvent,
@@ -54,6 +55,8 @@ class PictureView(QGraphicsView):
     """A picture with zoom at the cursor and panning; subclasses get its mouse in picture px."""
 
     viewChanged = Signal()
+    resized = Signal()  # what stands in a corner of it finds its place
+    tipWanted = Signal(object)  # a QHelpEvent: the mouse rests
 
     def __init__(self) -> None:
         super().__init__()
@@ -301,12 +304,16 @@ class PictureView(QGraphicsView):
                 self.set_scale(self.view_scale * (1 + event.value()), event.position())
                 return True
             return False
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            self.tipWanted.emit(event)
+            return True
         return super().viewportEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         if self._fitted:
             self.fit()
+        self.resized.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Space:

@@ -317,6 +317,7 @@ class Document(QObject):
         self.store.set(author=author)
         if self.review.database is not None:
             self.review.database.author = author
+        self.editing.presence.set_author(author)
 
     def close(self) -> None:
         """Stop everything that runs in the background, but for what is being saved."""

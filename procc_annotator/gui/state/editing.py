@@ -219,6 +219,9 @@ class Editing(QObject):
         empty one must be committed twice: that shows its cameras before anything is clicked."""
         if (frame := self._store.state.frame) is None:
             return
+        if self._store.state.damage:  # nobody saw what is in it
+            say(self._store, self._store.state.why_broken, "warning")
+            return
         self._signals.aboutToLeave.emit()
         seen = self._store.state.annotation
         if not self.presence.owned:

@@ -132,6 +132,7 @@ class LandmarkPlacing(QObject):
         if not found:
             self.changed.emit()
         elif not landmarks.edit(placed):
+            self.changed.emit()
             return  # it was said why
         if deleted:
             title = tr(name.strip())

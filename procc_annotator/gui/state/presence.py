@@ -97,7 +97,7 @@ class Presence(QObject):
         if self._owned:
             return
         before, self.holder = self.holder, self._look()
-        if (before is None) != (self.holder is None):
+        if _who(before) != _who(self.holder):
             if self.holder is None:
                 self.freed.emit()
             self.changed.emit()
@@ -111,6 +111,11 @@ class Presence(QObject):
             self._locks.release_all()
         self._locks, self._frame, self.holder = None, None, None
 
+    def set_author(self, author: str) -> None:
+        """Others see this name from now on."""
+        if self._locks is not None:
+            self._locks.set_author(author)
+
     def _look(self) -> Holder | None:
         if self._locks is None or self._frame is None:
             return None
@@ -120,3 +125,8 @@ class Presence(QObject):
         if self._locks is not None and self._frame is not None and self._owned:
             self._locks.release(self._frame)
         self._owned = False
+
+
+def _who(holder: Holder | None) -> tuple[str, str, float] | None:
+    """Somebody, however long ago they were heard of."""
+    return None if holder is None else (holder.author, holder.host, holder.since)

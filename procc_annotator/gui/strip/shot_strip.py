@@ -8,6 +8,7 @@ from typing import Protocol
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, SignalInstance
 from PySide6.QtGui import (
     QAccessible,
+    QFocusEvent,
     QHelpEvent,
     QKeyEvent,
     QMouseEvent,
@@ -193,6 +194,11 @@ class ShotStrip(QWidget):
         if not event.isAutoRepeat():
             self._aim = None
             self.update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self._aim = None  # somebody else hears that the key comes up
+        self.update()
 
     def _go_by_key(self, number: int, far: int, *, marking: bool) -> None:
         """So many frames on; what is gone over is marked where somebody marks."""

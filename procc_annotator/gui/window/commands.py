@@ -33,6 +33,8 @@ class Commands:
         self._window = window
         self._sheet: KeySheet | None = None
         self._guide: Guide | None = None
+        document.fieldChanged.connect(self._fill_sheet)
+        document.store.watch(lambda state: state.keymap, self._fill_sheet)
 
     # --- stepping and choosing ------------------------------------------------------------
 
@@ -127,10 +129,14 @@ class Commands:
             self._sheet = KeySheet(self._document.field, self._document.state.keymap, self._window)
             self._sheet.actionCalled.connect(self._call)
             self._sheet.elementCalled.connect(self._document.select_class)
-        self._sheet.show_field(self._document.field, self._document.state.keymap)
+        self._fill_sheet()
         self._sheet.show()
         self._sheet.raise_()
         self._sheet.activateWindow()
+
+    def _fill_sheet(self, _: object = None) -> None:
+        if self._sheet is not None:
+            self._sheet.show_field(self._document.field, self._document.state.keymap)
 
     def change_keys(self) -> None:
         """Ask for other keys, and have them call what they stand for from now on."""

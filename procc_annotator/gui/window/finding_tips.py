@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QPointF
+from PySide6.QtCore import QObject, QPointF
 from PySide6.QtGui import QHelpEvent
 from PySide6.QtWidgets import QToolTip
 
@@ -21,15 +21,11 @@ class FindingTips(QObject):
     def __init__(self, document: Document, canvas: Canvas) -> None:
         super().__init__(canvas)
         self._document, self._canvas = document, canvas
-        canvas.viewport().installEventFilter(self)
+        canvas.tipWanted.connect(self._tell)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if not isinstance(event, QHelpEvent) or event.type() != QEvent.Type.ToolTip:
-            return False
-        text = self.tip_at(QPointF(event.pos()))
-        if text:
+    def _tell(self, event: QHelpEvent) -> None:
+        if text := self.tip_at(QPointF(event.pos())):
             QToolTip.showText(event.globalPos(), text, self._canvas.viewport())
-        return bool(text)
 
     def tip_at(self, cursor: QPointF) -> str:
         """What was found at a place of the viewport; empty where no sign is."""

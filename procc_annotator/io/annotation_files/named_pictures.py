@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from procc_annotator.errors import AnnotationError
-from procc_annotator.io.frame_names import PICTURE_SUFFIX, in_several_folders, slashed
+from procc_annotator.io.frame_names import PICTURE_SUFFIX, folders_told, slashed
 from procc_annotator.io.json_text import kind_of, printable
 
 _LONGEST_NAME = 200
@@ -24,7 +24,7 @@ class PictureNames:
     """
 
     def __init__(self, pictures: Iterable[Any], folder: str = "") -> None:
-        self._by_path = in_several_folders(slashed(p) for p in pictures if type(p) is str)
+        self._by_path = len(folders_told(slashed(p) for p in pictures if type(p) is str)) > 1
         self._folder = folder
 
     def frame(self, picture: Any, path: str, place: str) -> str:

@@ -19,6 +19,7 @@ from procc_annotator.report.page.chart_parts import (
     legend_above,
     line_style,
     on_either_page,
+    only_panel,
     panels,
 )
 from procc_annotator.report.page.chart_svg import FAINT, INK, Chart, draw_chart
@@ -70,7 +71,7 @@ def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
 
 def _curves(report: AuditReport, charted: list[Charted]) -> Chart:
     def draw(figure: Figure) -> None:
-        axes = figure.subplots()
+        axes = only_panel(figure)
         shown = _LARGEST_TAU >= TAU_GRID
         places = {source.name: at for at, source in enumerate(report.evaluated)}
         for one in charted:
@@ -84,12 +85,13 @@ def _curves(report: AuditReport, charted: list[Charted]) -> Chart:
         axes.set(xlabel="tau, px", ylabel="mean JaC, %", xlim=(0, _LARGEST_TAU), ylim=(0, 100))
         axes.legend(loc="lower right", handlelength=4)
 
-    taus = ", ".join(f"{tau:g}" for tau in sorted(report.thresholds))
+    marked = [f"{tau:g}" for tau in sorted(report.thresholds) if tau <= _LARGEST_TAU]
+    lines = f"; dotted lines at {', '.join(marked)} px" if marked else ""
     return draw_chart(
         1,
         "JaC over the threshold",
-        f"Mean JaC of the frames that have a camera, for every threshold tau; dotted lines at"
-        f" {taus} px ({terms(report)}). Shaded: {_band_words(report)}.",
+        f"Mean JaC of the frames that have a camera, for every threshold tau{lines}"
+        f" ({terms(report)}). Shaded: {_band_words(report)}.",
         2.7,
         draw,
     )

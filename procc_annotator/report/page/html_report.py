@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from procc_annotator.report.page.audit_report import AuditReport
@@ -34,6 +35,9 @@ if TYPE_CHECKING:
 
 MOST_FAILURES = 200
 MOST_FRAMES = 2000  # of the table of all frames
+
+_GENERATOR = "procc-annotator report"  # stands in the page's head, within so many bytes
+_HEAD = 2000
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +79,17 @@ class Page:
     failures: Sequence[str] = ()
     over_time: Sequence[Sheet] = ()
     over_time_charts: Sequence[Chart] = ()
+
+
+def is_of_others(path: Path) -> bool:
+    """Whether there is a file, and no report wrote it."""
+    try:
+        with path.open("rb") as file:
+            return f'"{_GENERATOR}"'.encode() not in file.read(_HEAD)
+    except FileNotFoundError:
+        return False
+    except OSError:  # a folder, or nothing that may be read
+        return True
 
 
 def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
@@ -124,6 +139,7 @@ def _template() -> Template:
     )
     # Drawn here from escaped texts, not read from anywhere.
     environment.filters["drawn"] = lambda chart: Markup(chart.svg)
+    environment.globals["generator"] = _GENERATOR
     environment.globals["sorting"] = Markup(sorting)  # ours, see above
     environment.globals["sorting_hash"] = b64encode(sha256(sorting.encode()).digest()).decode()
     environment.filters["table"] = lambda sheet, **look: Markup(html_table(sheet, **look))

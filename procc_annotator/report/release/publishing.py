@@ -16,6 +16,7 @@ from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.frame_names import leads_out
 from procc_annotator.io.source import FileSource, read_file
 from procc_annotator.report.release.card import dataset_card
 from procc_annotator.report.release.changes import Changes, changed_frame, changelog
@@ -225,7 +226,7 @@ def _read_release(folder: Path) -> _Known:
     if known.format != FORMAT:
         raise InputError(path, f"is of format {known.format[:60]!r}, expected {FORMAT!r}")
     for name in known.frames:
-        if "/" in name or "\\" in name or name in ("", ".", ".."):
+        if not name or leads_out(name):
             raise InputError(path, f"{name[:60]!r} is no name of a frame")
     return known
 

@@ -8,13 +8,15 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from procc_annotator.errors import AnnotationError, InputError, UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.annotation_formats import PLAIN, json_format
-from procc_annotator.io.collections import ANNOTATIONS_FOLDER, OWN_FILES
-from procc_annotator.io.frame_names import ByFrame
+from procc_annotator.io.collections import ANNOTATIONS_FOLDER, OWN_FILES, frame_in_tree
+from procc_annotator.io.folders import walk
+from procc_annotator.io.frame_names import PICTURE_FOLDERS, ByFrame, FrameTable
 from procc_annotator.io.source import read_if_there
 from procc_annotator.session.dataset.dataset_folder import (
     annotation_folder,
@@ -24,7 +26,7 @@ from procc_annotator.session.dataset.dataset_folder import (
     json_stems,
     like_cameras,
 )
-from procc_annotator.session.dataset.picture_tree import PictureTree, find_pictures
+from procc_annotator.session.dataset.picture_tree import PictureTree, find_pictures, suffix_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,11 +130,7 @@ class _Listing:
         # Beside its picture an annotation file has no path in its name.
         prefix = called if self._apart is not None else ""
         image_folder = self._root / below if below else self._root
-        # Only letters beside ASCII may be composed otherwise in the annotation's name.
-        plain = all(map(str.isascii, names))
-        files = json_names(folder / prefix if prefix else folder)
-        stems = ByFrame[str]() if plain else ByFrame((n[:-5], n[:-5]) for n in files)
-        suffixes = _unusual_suffixes(files)
+        stems, suffixes = self._files_apart if prefix else _files_in(folder, names)
         for file_name in names:
             stem = os.path.splitext(file_name)[0]
             name = called + stem
@@ -146,10 +144,30 @@ class _Listing:
                     f"{called}{file_name} is left out: {kept} already is frame {name}"
                 )
             else:
-                there = stems.get(stem, stem)
-                written = "" if prefix + there == name else prefix + there
+                there = stems.get(prefix + stem, prefix + stem)
+                written = "" if there == name else there
                 suffix = suffixes.get(there, ".json")
                 self.frames[name] = Frame(name, file_name, image_folder, folder, written, suffix)
+
+    @cached_property
+    def _files_apart(self) -> tuple[ByFrame[str], dict[str, str]]:
+        """As `_files_in`, of the whole tree of annotations that lies apart, by the names of their
+        frames."""
+        files = []
+        folder = self._apart or self._root
+        for below, names in walk(folder, lambda _: None) if folder.is_dir() else ():
+            files += [below + name for name in names if suffix_of(name) == ".json"]
+        stems = ((frame_in_tree(file, ANNOTATIONS_FOLDER), file[:-5]) for file in files)
+        return FrameTable(stems), _unusual_suffixes(files)
+
+
+def _files_in(folder: Path, names: Iterable[str]) -> tuple[ByFrame[str], dict[str, str]]:
+    """The JSON files in a folder whose letters may be composed otherwise than in the names of
+    pictures, by their stems, and `_unusual_suffixes`."""
+    files = json_names(folder)
+    plain = all(map(str.isascii, names))
+    stems = ByFrame[str]() if plain else ByFrame((n[:-5], n[:-5]) for n in files)
+    return stems, _unusual_suffixes(files)
 
 
 def _unusual_suffixes(names: Sequence[str]) -> dict[str, str]:
@@ -164,13 +182,27 @@ def _unusual_suffixes(names: Sequence[str]) -> dict[str, str]:
 
 def _folder_of(root: Path, below: str, names: Iterable[str], *, in_tree: bool) -> Path:
     """Where the annotations of a folder's pictures are, or are to be made."""
-    if in_tree or not below:
-        return annotation_folder(root / below if below else root)
+    if in_tree:
+        return _folder_in_tree(root, below, names)
+    if not below:
+        return annotation_folder(root)
     usual = annotation_folder(root)
     if usual != root or {os.path.splitext(name)[0] for name in names} & {*json_stems(root)}:
         return usual
     beside = annotation_folder(root / below)
     return beside if json_stems(beside) else root / ANNOTATIONS_FOLDER
+
+
+def _folder_in_tree(root: Path, below: str, names: Iterable[str]) -> Path:
+    """The same in a tree: beside the pictures; beside the folder that only keeps pictures, where
+    annotations of them are there and none is beside them."""
+    beside = annotation_folder(root / below)
+    inner = next((name for name in PICTURE_FOLDERS if f"/{below}".endswith(f"/{name}/")), "")
+    if not inner or json_stems(beside):
+        return beside
+    above = annotation_folder(root / below.removesuffix(f"{inner}/"))
+    stems = ByFrame((stem, stem) for stem in json_stems(above))
+    return above if any(os.path.splitext(name)[0] in stems for name in names) else beside
 
 
 def _taken_by_others(root: Path, found: PictureTree) -> bool:

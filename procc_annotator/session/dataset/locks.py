@@ -108,6 +108,11 @@ class FrameLocks:
         """The frames locked by this window, as far as it knows."""
         return frozenset(self._held)
 
+    def set_author(self, author: str) -> None:
+        """Another name is shown to others; in locks that are held with the next beat."""
+        self._me = replace(self._me, author=author)
+        self._held = {frame: replace(note, author=author) for frame, note in self._held.items()}
+
     def acquire(self, frame: str) -> Holder | None:
         """Lock a frame; a lock left behind by a crash is taken over.
 

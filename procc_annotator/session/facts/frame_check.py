@@ -138,6 +138,7 @@ def check_frame(
     size: tuple[int, int],
     model: str = "R",
     paint: Mapping[str, ElementPaint] | None = None,
+    fit: FitResult | None = None,
 ) -> FrameCheck:
     """Fit a camera to a frame's annotation and check its labels; safe from any thread.
 
@@ -147,8 +148,10 @@ def check_frame(
         size: (width, height) px of the picture.
         model: see `fit_camera`.
         paint: class -> what the picture shows along it; None where nobody looked.
+        fit: its fit, where that was made together with others.
     """
-    fit = fit_camera(annotation, field, model=model, size=size)
+    if fit is None:
+        fit = fit_camera(annotation, field, model=model, size=size)
     found = check_labels(annotation, field, size=size, fit=fit)
     if paint is not None:
         found = with_paint(found, annotation, field, size=size, fit=fit, paint=paint)

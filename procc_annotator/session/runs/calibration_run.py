@@ -13,7 +13,7 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import InputError
 from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.determined import hardly_determined
-from procc_annotator.fit.fitting import AUTO, fit_camera
+from procc_annotator.fit.fitting import AUTO, fit_cameras
 from procc_annotator.fit.result import FitResult, PoseDeviations
 from procc_annotator.io.camera_files.camera_writers import encode_camera
 from procc_annotator.io.camera_files.fitted_on import DIGEST, FIT_KEY, annotation_digest
@@ -97,16 +97,30 @@ class CalibrateChunk(AnnotationTask):
 
     def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[Calibrated], SetAccumulator]:
         sums = SetAccumulator(self.setup, self.thresholds)
-        return [self._calibrate(name, file, sums) for name, file in chunk], sums
+        found: dict[str, Calibrated] = {}
+        read: list[tuple[str, FrameAnnotation, FrameSize]] = []
+        for name, file in chunk:
+            try:
+                annotation = self.read(file, self.setup.field)
+                read.append((name, annotation, self.sizes.of_frame(name, annotation)))
+            except InputError as error:
+                found[name] = Calibrated(name, self.model, error=str(error))
+        field = self.setup.field
+        given = [(clicks, field_of_frame(field, name), size.fitted) for name, clicks, size in read]
+        for (name, annotation, size), fit in zip(
+            read, fit_cameras(given, model=self.model), strict=True
+        ):
+            found[name] = self._calibrated(name, annotation, size, fit, sums)
+        return [found[name] for name, _ in chunk], sums
 
-    def _calibrate(self, name: str, file: str, sums: SetAccumulator) -> Calibrated:
-        try:
-            annotation = self.read(file, self.setup.field)
-        except InputError as error:
-            return Calibrated(name, self.model, error=str(error))
-        size = self.sizes.of_frame(name, annotation)
-        field = field_of_frame(self.setup.field, name)
-        fit = fit_camera(annotation, field, model=self.model, size=size.fitted)
+    def _calibrated(
+        self,
+        name: str,
+        annotation: FrameAnnotation,
+        size: FrameSize,
+        fit: FitResult,
+        sums: SetAccumulator,
+    ) -> Calibrated:
         result = scored(name, annotation, fit, sums, size=size)
         if not self.hold_out:
             return result

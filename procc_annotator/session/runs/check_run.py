@@ -9,7 +9,9 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.fit.fitting import ToFit, fit_cameras
 from procc_annotator.fit.labels.seen_paint import ElementPaint
+from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.which_side import frames_on_other_side
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.fit_sizes import FitSizes, SizesUsed
@@ -80,18 +82,27 @@ class CheckFiles(AnnotationTask):
     def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[Checked], SizesUsed]:
         """What was found in every frame, or why it cannot be read; and at which sizes."""
         used = SizesUsed(self.sizes.asked)
-        return [(name, self._check(name, file, used)) for name, file in chunk], used
+        read = [(name, self._read(name, file, used)) for name, file in chunk]
+        given = [frame for _, frame in read if not isinstance(frame, str)]
+        fits = iter(fit_cameras(given, model=self.model))
+        return [
+            (name, frame if isinstance(frame, str) else self._check(name, frame, next(fits)))
+            for name, frame in read
+        ], used
 
-    def _check(self, name: str, file: str, used: SizesUsed) -> FrameCheck | str:
+    def _read(self, name: str, file: str, used: SizesUsed) -> ToFit | str:
         try:
             annotation = self.read(file, self.field)
         except InputError as error:
             return str(error)
         size = self.sizes.of_frame(name, annotation)
         used.add(size)
-        field = field_of_frame(self.field, name)
+        return annotation, field_of_frame(self.field, name), size.fitted
+
+    def _check(self, name: str, given: ToFit, fit: FitResult) -> FrameCheck:
+        annotation, field, size = given
         paint = self._paint(name, annotation, field) if self.looks else None
-        return check_frame(annotation, field, size=size.fitted, model=self.model, paint=paint)
+        return check_frame(annotation, field, size=size, model=self.model, paint=paint, fit=fit)
 
     def _paint(
         self, name: str, annotation: FrameAnnotation, field: Field

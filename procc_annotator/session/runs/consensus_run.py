@@ -14,7 +14,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.collections import AnnotationFiles
+from procc_annotator.io.collections import AnnotationFiles, told_by_trees
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.agreement import (
     FrameAgreement,
@@ -128,7 +128,7 @@ class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
             raise UsageError(f"{len(sources)} annotators, expected 2 to {MOST}")
         self.sources, self.field, self.size = tuple(sources), field, size
         self.thresholds = check_thresholds(thresholds)
-        files = [require_annotations(source) for source in sources]
+        files = told_by_trees([require_annotations(source) for source in sources])
         frames = _frames_of(files)
         shared = [frame for frame in frames if len(frame.files) - frame.files.count(None) > 1]
         if not shared:

@@ -49,8 +49,8 @@ from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     KeptOpen,
     SetRun,
+    annotations_for,
     cameras_kept_open,
-    require_annotations,
     source_kept_open,
 )
 
@@ -339,7 +339,7 @@ class OverTimeRun(SetRun[ShotFrames, ShotOverTime, None]):
             setup,
             threshold,
             camera_size,
-            dict(require_annotations(annotations)),
+            dict(annotations_for(cameras.frames, annotations)),
             dict(pictures or {}),
         )
         super().__init__(shots, task, executor)

@@ -5,7 +5,7 @@ A task is sent to whoever does the work; results come in the order of the frames
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import partial
@@ -18,6 +18,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import AnnotationFiles, list_annotations
+from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import require_lists
 from procc_annotator.session.dataset.what_lies_there import instead_of_annotations, refuse_cameras
@@ -228,6 +229,13 @@ def annotation_files(source: FileSource) -> list[FrameFile]:
     return [FrameFile(name, file) for name, file in require_annotations(source).items()]
 
 
+def annotations_for(cameras: ByFrame[str], source: FileSource) -> AnnotationFiles:
+    """As `require_annotations`; frames of an only folder are called by their paths where cameras
+    of a whole tree are."""
+    files = require_annotations(source)
+    return files.by_path() if files.is_part_of(cameras) else files
+
+
 def require_annotations(source: FileSource) -> AnnotationFiles:
     """The same, by name."""
     files = list_annotations(source)
@@ -238,6 +246,28 @@ def require_annotations(source: FileSource) -> AnnotationFiles:
         )
     refuse_cameras(source, list(files.values()))
     return files
+
+
+def folders_taken_for_one(sources: Iterable[tuple[Path, ByFrame[str]]]) -> tuple[str, ...]:
+    """What is to say where the only folders that frames of several sources lie in are called
+    differently: they may be of several annotators, or of several matches.
+
+    Args:
+        sources: where each is, and its frames. One whose only folder is called like itself
+            (``alice/`` in ``alice.zip``) says nothing of a match.
+    """
+    folders = {
+        files.only_folder: path
+        for path, files in sources
+        if files.only_folder and files.only_folder.rstrip("/") not in (path.stem, path.name)
+    }
+    if len(folders) < 2:
+        return ()
+    places = " and ".join(f"{path}/{folder}" for folder, path in folders.items())
+    return (
+        f"what lies in {places} is taken for the same frames: no pictures tell whether they are"
+        " several matches",
+    )
 
 
 def choice_of(source: FileSource | CameraCollection) -> str:

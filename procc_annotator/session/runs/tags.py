@@ -101,8 +101,12 @@ class Tags:
         )
 
 
-def check_by(by: Sequence[str], tags: Tags | None) -> tuple[str, ...]:
+def check_by(by: Sequence[str], tags: Tags | None, further: Sequence[str] = ()) -> tuple[str, ...]:
     """What to group by: as asked for, or else by every tag.
+
+    Args:
+        further: what else a person may ask for, to be named where something is asked for that
+            there is not.
 
     Raises:
         UsageError: there is no such tag.
@@ -115,7 +119,7 @@ def check_by(by: Sequence[str], tags: Tags | None) -> tuple[str, ...]:
         )
     for name in by:
         if name != MODEL and name not in columns:
-            there = ", ".join((MODEL, *columns))
+            there = ", ".join((MODEL, *further, *columns))
             more = "" if tags else "; further ones come from --tags FILE"
             raise UsageError(f"cannot group by {name!r}: there is {there}{more}")
     return tuple(dict.fromkeys(by)) or columns

@@ -70,6 +70,18 @@ def test_matrices_that_are_no_camera(given, says) -> None:
         camera_from_krt(*given)
 
 
+@pytest.mark.parametrize("fisheye", [False, True])
+def test_the_distortion_as_opencv_gives_it(fisheye: bool) -> None:
+    row = np.array([[-0.1, 0.02, 0.0, 0.0]])
+    expected = camera_from_krt(K, R, T, distortion=row[0].tolist(), fisheye=fisheye)
+    for given in (row, row.T):
+        assert camera_from_krt(K, R, T, distortion=given, fisheye=fisheye) == expected
+    assert camera_from_krt(K, R, T, distortion=None) == camera_from_krt(K, R, T)
+    for wrong in (np.nan, np.inf):
+        with pytest.raises(UsageError, match="distortion is not finite"):
+            camera_from_krt(K, R, T, distortion=[wrong, 0, 0, 0], fisheye=fisheye)
+
+
 @pytest.mark.parametrize("factor", [1.0, -1.0, 1e-4, -3e5])
 def test_a_camera_from_a_projection_matrix_of_any_scale(factor: float) -> None:
     camera = camera_from_projection(factor * P)

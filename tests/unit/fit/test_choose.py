@@ -11,7 +11,6 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import UsageError
-from procc_annotator.fit.choose import fit_simplest
 from procc_annotator.fit.fitting import fit_camera
 
 SIZE = (960, 540)
@@ -19,7 +18,8 @@ SIZE = (960, 540)
 
 def chosen_for(views, field, cameras, rng, noise_px: float = 1.0) -> Counter[str]:
     fits = [
-        fit_simplest(views.clicks(camera, rng, noise_px), field, size=SIZE) for camera in cameras
+        fit_camera(views.clicks(camera, rng, noise_px), field, model="auto", size=SIZE)
+        for camera in cameras
     ]
     return Counter(fit.model for fit in fits)
 
@@ -55,7 +55,7 @@ def test_the_reason_is_told(views, field, k1, model, why) -> None:
     camera = views.main(rng, k1=k1).camera
     if model == "R+":
         camera = replace(camera, principal_point_px=(520.0, 269.5))
-    fit = fit_simplest(views.clicks(camera, rng, 0.5), field, size=SIZE)
+    fit = fit_camera(views.clicks(camera, rng, 0.5), field, model="auto", size=SIZE)
     assert fit.model == model
     assert why in fit.chosen_because
     assert " px" in fit.chosen_because
@@ -130,4 +130,4 @@ def test_what_cannot_be_fitted_is_declined_in_the_same_words(views, field) -> No
     assert (lost.model, lost.camera, lost.chosen_because) == ("auto", None, None)
     assert lost.failure
     with pytest.raises(UsageError, match="too small"):
-        fit_simplest(annotation, field, size=(1, 540))
+        fit_camera(annotation, field, model="auto", size=(1, 540))

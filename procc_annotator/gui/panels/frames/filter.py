@@ -76,11 +76,11 @@ class FrameFilter(QObject):
         records: Mapping[str, FrameRecord] = dict(database.records()) if database else {}
         unsaved = frozenset(document.state.unsaved)
         source = document.active_source
-        unreadable_cameras = frozenset(source.problems) if source is not None else frozenset()
+        broken = frozenset(source.problems) if source is not None else frozenset()
         cameras = source.camera_set.frames if source is not None else {}
         audits, tau = dict(document.active_audits), document.tau
         drafts = frozenset(database.drafts()) if database is not None else frozenset()
-        needs_annotation = self._query.needs_annotation
+        needs_annotation, reveals = self._query.needs_annotation, document.state.reveals
         allowed = document.frame_scores.allowed
         verdicts = _Verdicts(document.review.all_verdicts(), allowed)
         asked = workspace.frames if self._query.needs_check else ()
@@ -112,7 +112,7 @@ class FrameFilter(QObject):
                 jac=partial(jac, name),
                 verdicts=verdicts.faults_in(name),
                 findings=findings.get(name),
-                has_camera=None if name in unreadable_cameras else name in cameras,
+                has_camera=None if name in broken and reveals(name) else name in cameras,
             )
 
         return ask

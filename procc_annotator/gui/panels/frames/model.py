@@ -307,7 +307,9 @@ class FramesModel(QAbstractListModel):
 
     def _camera_problem(self, name: str) -> str:
         source = self._document.active_source
-        return source.problems.get(name, "") if source is not None else ""
+        if source is None or not self._document.state.reveals(name):
+            return ""
+        return source.problems.get(name, "")
 
     def recount(self, frame_index: int) -> None:
         """The frame's annotation changed. In memory it costs nothing to count; a file is read when

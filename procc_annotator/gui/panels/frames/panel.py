@@ -62,6 +62,7 @@ class FramesPanel(QWidget):
         document.annotationChanged.connect(self._follow_soon)
         document.framesEdited.connect(self._take_edited)
         document.saveStateChanged.connect(self.model.take_save_state)
+        document.saveStateChanged.connect(self._search_soon.start)
         document.frameScoresChanged.connect(self._take_scores)
         document.review.statusChanged.connect(self._take_status)
         document.label_check.framesChanged.connect(self._take_status)

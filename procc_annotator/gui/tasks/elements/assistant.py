@@ -120,7 +120,7 @@ class Assistant(QObject):
             return
         if not polylines:
             document.say(tr("no element of the field is annotated here"))
-        if not polylines or picture is None or size is None or not document.begin_edit():
+        if not polylines or not document.begin_edit() or picture is None or size is None:
             return
         curved = {e.name for e in field.elements if e.is_curved}
         paint = ExpectedPaint(field, size[0])
@@ -194,7 +194,7 @@ class Assistant(QObject):
         if source is None:
             document.say(tr("no frame before this one is annotated"))
             return
-        if picture is None or size is None or not document.begin_edit():
+        if not document.begin_edit() or picture is None or size is None:
             return
         frame, annotation = source
         known = set(document.annotation.annotated)

@@ -122,7 +122,7 @@ class ElementEdits:
         """Let the selected element, or all, reach the corners and edges they fall short of."""
         document, size = self._document, self._document.picture_size
         document.aboutToLeave.emit()
-        if size is None:
+        if not document.begin_edit() or size is None:
             return
         selected = document.selected_class
 

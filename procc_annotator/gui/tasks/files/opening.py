@@ -8,12 +8,14 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from procc_annotator.errors import InputError
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, Setting, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.files.video_opening import VideoOpening, keep_video_frame
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.language import tr
+from procc_annotator.session.dataset.picture_tree import has_pictures
 from procc_annotator.session.dataset.sample_copy import own_sample
 
 _CAMERA_SUFFIXES = (".json", ".homographyMatrix", ".txt", ".npy", ".zip")
@@ -142,6 +144,6 @@ def _holds_pictures(path: Path) -> bool:
     if path.suffix.lower() in PICTURE_SUFFIXES:
         return True
     try:
-        return path.is_dir() and any(p.suffix.lower() in PICTURE_SUFFIXES for p in path.iterdir())
-    except OSError:
+        return path.is_dir() and has_pictures(path)
+    except InputError:
         return False

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TypeVar
 
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation
@@ -25,6 +26,8 @@ from procc_annotator.session.facts.origins import Origin, PointKey, count_origin
 
 T = TypeVar("T")
 
+_RESTED_MS = 1_000  # all files of a set are gone through: not with every click
+
 
 class OverviewCommand:
     """Opens the overview and keeps it up to date while it is open."""
@@ -34,6 +37,20 @@ class OverviewCommand:
         self._parent = parent
         self._refreshing = Latest(document, lambda text: document.say(text, "error"))
         self.window: OverviewWindow | None = None
+        self._rested = QTimer(document, singleShot=True, interval=_RESTED_MS)
+        self._rested.timeout.connect(self._follow)
+        for signal in (
+            document.datasetChanged,
+            document.annotationChanged,
+            document.framesEdited,
+            document.frameScoresChanged,
+            document.review.statusChanged,
+        ):
+            signal.connect(self._rested.start)
+
+    def _follow(self) -> None:
+        if self.window is not None and self.window.isVisible():
+            self.refresh()
 
     def show(self) -> None:
         """Show the window and gather what it shows."""

@@ -5,11 +5,12 @@ from __future__ import annotations
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.review.versions_dialog import VersionRow, VersionsDialog
 from procc_annotator.language import said, tr
 from procc_annotator.session.dataset import edits
+from procc_annotator.session.dataset.putting_back import put_back
 from procc_annotator.session.facts.origins import OriginKind
 
 
@@ -51,14 +52,23 @@ class Versions:
 
 
 def apply_version(document: Document, version: str) -> None:
-    """Make a saved version the annotation of the frame on screen; undo takes it back."""
+    """Make a saved version the annotation of the frame on screen; undo takes it back. Where the
+    file cannot be read, it is replaced, and stays a version."""
     workspace, database = document.workspace, document.review.database
     if workspace is None or database is None:
         return
-    seen = document.annotation
+    seen, index = document.annotation, document.frame_index
+    if document.state.damage:
+        document.editing.look_at_frame()  # somebody may have mended it
     try:
-        restored = workspace.parse(document.frame_index, database.version_data(version))
-    except InputError as error:
+        data = database.version_data(version)
+        restored = workspace.parse(index, data)
+        if document.state.damage:
+            put_back(workspace, index, data)
+            document.editing.reload_frame()
+            document.say(tr("the earlier version is back; what could not be read stays a version"))
+            return
+    except (InputError, SaveError) as error:
         document.say(str(error), "error")
         return
 

@@ -1,0 +1,211 @@
+"""What a window says keeps up with what it says it of."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from PySide6.QtWidgets import QLabel
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.field.load import load_field
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.settings import AUTHOR
+from procc_annotator.gui.tasks.review.versions_command import apply_version
+from procc_annotator.session.dataset.locks import FrameLocks, locks_folder
+from procc_annotator.session.facts.origins import Status
+from tests.gui.conftest import settle, until_kept
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import Hand
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+HandOn = Callable[[MainWindow], "Hand"]
+MIDDLE = "Middle line"
+ENDS = (100, 100), (200, 200)
+
+
+def test_the_overview_follows_what_is_done_and_another_dataset(
+    window: MainWindow, qtbot: QtBot, annotated: Path
+) -> None:
+    window.actions_["overview"].trigger()
+    overview = window.overview.window
+
+    def says(figure: str) -> None:
+        qtbot.waitUntil(
+            lambda: any(figure in label.text() for label in overview.findChildren(QLabel))
+        )
+
+    says("0 points")
+    line = Polyline(MIDDLE, (Point(0.1, 0.1), Point(0.2, 0.2)))
+    window.document.commit_edit("drawn", FrameAnnotation((line,)))
+    says("2 points")
+    window.document.open_path(annotated)
+    qtbot.waitUntil(
+        lambda: not any(", 2 points" in label.text() for label in overview.findChildren(QLabel))
+    )
+    overview.close()
+
+
+def test_of_two_sources_of_one_colour_the_legend_names_the_one_that_is_drawn(
+    audited: MainWindow,
+) -> None:
+    document = audited.document
+    judged, other = document.sources[:2]
+    assert document.active_source is judged
+    for source in document.sources[2:]:
+        document.set_source_visible(source, False)
+    document.set_source_colour(other, judged.colour)
+    document.set_source_visible(other, True)
+    named = [name for name, _ in audited.canvas.comparison.names_of_others()]
+    assert named == [other.name]
+
+
+def test_who_is_editing_is_another_one_than_before(window: MainWindow, dataset: Path) -> None:
+    document, folder = window.document, locks_folder(dataset)
+    ann, bob = (
+        FrameLocks(folder, "Ann", session="a" * 32),
+        FrameLocks(folder, "Bob", session="b" * 32),
+    )
+    assert ann.acquire("frame_0") is None
+    document.presence.look()
+    assert "Ann" in document.frame_error
+    ann.release("frame_0")
+    assert bob.acquire("frame_0") is None
+    document.presence.look()
+    assert "Bob" in document.frame_error
+    bob.release("frame_0")
+
+
+def test_others_see_the_name_that_was_entered_last(
+    window: MainWindow, hand: Hand, dataset: Path
+) -> None:
+    window.options.change(AUTHOR, "Grace")
+    hand.draw(MIDDLE, *ENDS)
+    (lock,) = locks_folder(dataset).glob("*.lock")
+    assert json.loads(lock.read_text())["author"] == "Grace"
+    window.options.change(AUTHOR, "Ada")
+    window.document.presence.beat()
+    assert json.loads(lock.read_text())["author"] == "Ada"
+
+
+def test_frames_that_are_saved_by_now_leave_the_list_of_unsaved_ones(
+    window: MainWindow, hand: Hand, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    hand.draw(MIDDLE, *ENDS)
+    settle(window, qtbot)
+    with monkeypatch.context() as broken:
+        broken.setattr("procc_annotator.io.atomic.os.open", full)
+        window.document.undo()
+        window.frames.filter.setText("is:unsaved")
+        qtbot.waitUntil(lambda: window.frames.model.shown == 1)
+    window.document.save_now()
+    qtbot.waitUntil(lambda: window.frames.model.shown == 0)
+
+
+class TestBlind:
+    def test_distances_to_a_second_annotator_are_hidden(
+        self, audited: MainWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        other = tmp_path / "other"
+        other.mkdir()
+        for path in annotated.glob("*.json"):
+            shutil.copy(path, other)
+        panel, document = audited.agreement, audited.document
+        panel.open(other)
+        qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
+        document.set_blind(True)
+        qtbot.waitUntil(lambda: panel.rows.rowCount() == 0)
+        assert panel.frame.text().startswith("Hidden")
+        document.commit_frame()
+        qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
+
+    def test_a_camera_that_cannot_be_read_is_told_of_once_the_frame_is_committed(
+        self, audited: MainWindow, qtbot: QtBot
+    ) -> None:
+        document, model = audited.document, audited.frames.model
+        name = document.frame.name
+        document.active_source.problems[name] = "cannot be read"
+        assert model._camera_problem(name)
+        document.set_blind(True)
+        assert not model._camera_problem(name)
+        audited.frames.filter.setText("camera:unreadable")
+        qtbot.waitUntil(lambda: model.shown == 0)
+
+
+def test_the_sheet_of_keys_shows_the_elements_of_the_field_there_is(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    window.commands.show_keys()
+    sheet = window.commands._sheet
+
+    def elements() -> list[str]:
+        return [row.text for row in sheet.columns.sections[-1].rows]
+
+    assert "Halfway line" in " ".join(elements())
+    window.document.set_field(load_field("basketball_fiba"))
+    assert "Halfway line" not in " ".join(elements())
+    sheet.close()
+
+
+class TestDamage:
+    @pytest.fixture
+    def damaged(self, window: MainWindow, hand: Hand, dataset: Path) -> MainWindow:
+        hand.draw(MIDDLE, *ENDS)
+        until_kept()
+        (dataset / "frame_0.json").write_text('{"Middle line": [{')
+        window.document.editing.look_at_frame()
+        assert window.document.state.damage
+        return window
+
+    def test_nobody_is_done_with_a_frame_that_cannot_be_read(self, damaged: MainWindow) -> None:
+        damaged.document.commit_frame()
+        assert damaged.document.review.status("frame_0") is not Status.DONE
+
+    def test_an_earlier_version_takes_the_place_of_a_file_that_cannot_be_read(
+        self, damaged: MainWindow, dataset: Path, qtbot: QtBot
+    ) -> None:
+        document = damaged.document
+        database = document.review.database
+        version = database.versions("frame_0")[-1].id
+        apply_version(document, version)
+        assert document.annotation.annotated == (MIDDLE,)
+        assert not document.state.damage
+        assert list(json.loads((dataset / "frame_0.json").read_text())) == [MIDDLE]
+        kept = [database.version_data(v.id) for v in database.versions("frame_0")]
+        assert b'{"Middle line": [{' in kept
+        settle(damaged, qtbot)
+
+    def test_keys_that_need_the_picture_say_why_they_do_nothing(
+        self, make_window: Callable[..., MainWindow], annotated: Path
+    ) -> None:
+        first = sorted(annotated.glob("*.jpg"))[0]
+        first.write_bytes(b"no picture")
+        window = make_window(annotated)
+        heard: list[str] = []
+        window.document.message.connect(lambda text, _: heard.append(text))
+        for name in ("regularise", "regularise_all", "close_gaps"):
+            heard.clear()
+            window.document.select_class(window.document.annotation.annotated[0])
+            window.actions_[name].trigger()
+            assert any(first.name in text for text in heard), name
+
+
+def test_a_dataset_whose_pictures_lie_in_a_folder_of_it_is_opened_when_dropped(
+    window: MainWindow, striped: list[bytes], tmp_path: Path
+) -> None:
+    inner = tmp_path / "match" / "images"
+    inner.mkdir(parents=True)
+    (inner / "a.png").write_bytes(striped[0])
+    window.opening.drop([tmp_path / "match"])
+    assert window.document.workspace.root == tmp_path / "match"
+    assert not window.document.sources
