@@ -15,8 +15,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-# Before NumPy is loaded, as the program does: several processes share the machine's processors.
+# Before NumPy is loaded, as the program does: several processes share the machine's processors. Nor
+# does OpenCV divide small pictures among threads that wait for each other.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")
 
 import hypothesis
 import numpy as np

@@ -14,7 +14,7 @@ from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.io.camera_files import submission as submissions
 from procc_annotator.io.camera_files.polyline_submission import check_polylines, holds_manifest
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import open_source
+from procc_annotator.session.dataset.annotation_source import open_files
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 
 HELP = """\
@@ -50,7 +50,7 @@ def check_submission(
 ) -> None:
     frames = None
     if annotations is not None:
-        with open_source(annotations_of(annotations)) as source:
+        with open_files(annotations_of(annotations)) as source:
             frames = list_annotations(source)
     if holds_manifest(submission):
         shown = chosen_field(field, annotations)

@@ -14,7 +14,6 @@ from procc_annotator.cli import outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.collections import list_annotations
 from procc_annotator.report.over_time import (
     SourceOverTime,
     check_suffix,
@@ -34,6 +33,7 @@ from procc_annotator.session.runs.frame_order import (
     shots_from,
 )
 from procc_annotator.session.runs.over_time_run import OverTimeRun, require_shots
+from procc_annotator.session.runs.set_run import annotations_for
 from procc_annotator.session.runs.shots import find_shots
 
 _TRACK_FILE = "track.csv"
@@ -148,7 +148,8 @@ class OverTimeCall:
 
     def _shots(self, sources: Sequence[Asked]) -> tuple[list[ShotFrames], str, Mapping[str, Path]]:
         """The shots of a set, what says so, and its pictures by frame."""
-        names = dict.fromkeys(list_annotations(sources[0].annotations))
+        first = sources[0]
+        names = dict.fromkeys(annotations_for(first.cameras.frames, first.annotations))
         for one in sources:
             cameras = one.cameras.frames  # which may call the same frames otherwise
             known = {cameras.name_there(name) for name in names}

@@ -6,8 +6,8 @@ tree: ``game/00037.json`` and ``game/camera_00037.json`` are frame game/00037.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from pathlib import PurePosixPath
+from collections.abc import Callable, Iterable, Sequence
+from functools import lru_cache
 from posixpath import splitext
 
 from procc_annotator.errors import InputError
@@ -49,10 +49,10 @@ def files_of(source: FileSource, wanted: Callable[[str], bool]) -> tuple[list[st
         InputError: the source cannot be listed.
     """
     top = source.files()
-    found = [name for name in top if wanted(name.rpartition("/")[2])]
+    found = [name for name in top if wanted(_file_of(name))]
     if found or any(map(PICTURE_SUFFIX.search, top)):  # what lies below pictures is not theirs
         return found, False
-    return [name for name in source.tree() if wanted(name.rpartition("/")[2])], True
+    return [name for name in source.tree() if wanted(_file_of(name))], True
 
 
 def frame_in_tree(file: str, own_folder: str, prefix: str = "") -> str:
@@ -83,10 +83,10 @@ class AnnotationFiles(FrameTable[str]):
     notices: tuple[str, ...] = ()
     in_tree: bool = False
 
-    def is_part_of(self, other: AnnotationFiles) -> bool:
-        """Whether all lie in an only folder that another tree has."""
+    def is_part_of(self, other: ByFrame[str]) -> bool:
+        """Whether all lie in an only folder that the tree of others has."""
         called = (name.startswith(self.only_folder) for name in other)
-        return bool(self.only_folder) and other.in_tree and any(called)
+        return bool(self.only_folder) and any(called)
 
     def by_path(self) -> AnnotationFiles:
         """The same, frames called with the only folder that they lie in."""
@@ -128,15 +128,20 @@ def list_frame_files(source: FileSource) -> AnnotationFiles:
 
 
 def _frame_files(source: FileSource, names: Sequence[str], in_tree: bool) -> AnnotationFiles:
-    found = AnnotationFiles()
+    found = AnnotationFiles(_told_apart(_called(tuple(names), in_tree), source))
     found.in_tree = in_tree
     found.only_folder = "" if in_tree else _only_folder(names)
-    for name in names:
-        file = name.rpartition("/")[2]
-        if _is_frame_file(file):
-            frame = frame_in_tree(name, ANNOTATIONS_FOLDER) if in_tree else splitext(file)[0]
-            _add(found, frame, name, source)
     return found
+
+
+@lru_cache(maxsize=4)
+def _called(names: tuple[str, ...], in_tree: bool) -> tuple[tuple[str, str], ...]:
+    """The frames of files, and these; a command lists the same folders several times."""
+    return tuple(
+        (frame_in_tree(name, ANNOTATIONS_FOLDER) if in_tree else splitext(file)[0], name)
+        for name in names
+        if _is_frame_file(file := _file_of(name))
+    )
 
 
 def _is_frame_file(name: str) -> bool:
@@ -160,27 +165,28 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
         return splitext(name)[1].lower() in suffixes and name not in OWN_FILES
 
     names, in_tree = files_of(source, wanted)
-    frame_of = _frame_of_camera_in_tree if in_tree else _frame_of_camera
-    paths = [PurePosixPath(name) for name in names]
-    named = [p for p in paths if _is_json(p) and p.name.startswith(CAMERA_PREFIX)]
-    plain = [p for p in paths if _is_json(p) and not p.name.startswith(CAMERA_PREFIX)]
-    others = _by_frame([p for p in paths if not _is_json(p)], source, frame_of)
-    passed_over: list[PurePosixPath] = []
-    if named or any(frame_of(p) in others for p in plain):
+    frame_of = _frame_of_camera_in_tree if in_tree else camera_frame
+    called = [(frame_of(name), name) for name in names]
+    json = [one for one in called if splitext(one[1])[1].lower() in _JSON]
+    named = [one for one in json if _file_of(one[1]).startswith(CAMERA_PREFIX)]
+    plain = [one for one in json if not _file_of(one[1]).startswith(CAMERA_PREFIX)]
+    others = _told_apart((c for c in called if splitext(c[1])[1].lower() not in _JSON), source)
+    passed_over: list[str] = []
+    if named or any(frame in others for frame, _ in plain):
         if named:
-            frames = {frame_of(p) for p in named} | others.keys()
-            passed_over = [p for p in plain if frame_of(p) not in frames]
+            frames = {frame for frame, _ in named} | others.keys()
+            passed_over = [name for frame, name in plain if frame not in frames]
         plain = []
-    cameras = _by_frame([*named, *plain], source, frame_of)
+    cameras = _told_apart((*named, *plain), source)
     chosen = others | cameras
     # Both lists are in natural order; one pass over all files restores it for their union.
-    order = dict.fromkeys(map(frame_of, paths))
+    order = dict(called)
     found = CameraFiles((frame, chosen[frame]) for frame in order if frame in chosen)
     found.only_folder = "" if in_tree else _only_folder(names)
     if passed_over:
         count = len(passed_over)
         found.notices = (
-            f"{count} {'file' if count == 1 else 'files'} like {passed_over[0].name} taken for"
+            f"{count} {'file' if count == 1 else 'files'} like {_file_of(passed_over[0])} taken for"
             f" {'an annotation, not a camera' if count == 1 else 'annotations, not cameras'},"
             f" because of camera_*.json beside {'it' if count == 1 else 'them'}",
         )
@@ -212,42 +218,33 @@ def _only_folder(names: Sequence[str]) -> str:
 
 def camera_frame(file_name: str) -> str:
     """The frame a camera file belongs to: its stem without ``camera_`` and ``_homography``."""
-    stem, _ = splitext(file_name.rpartition("/")[2])
+    stem, _ = splitext(_file_of(file_name))
     return stem.removeprefix(CAMERA_PREFIX).removesuffix(_HOMOGRAPHY_ENDING)
 
 
-def _frame_of_camera(path: PurePosixPath) -> str:
-    return camera_frame(path.name)
-
-
-def _frame_of_camera_in_tree(path: PurePosixPath) -> str:
-    frame = frame_in_tree(str(path), CAMERAS_FOLDER, CAMERA_PREFIX)
+def _frame_of_camera_in_tree(name: str) -> str:
+    frame = frame_in_tree(name, CAMERAS_FOLDER, CAMERA_PREFIX)
     return frame.removesuffix(_HOMOGRAPHY_ENDING)
 
 
 def _kind(files: dict[str, str]) -> str:
-    storage = any(PurePosixPath(name).suffix.lower() in _STORAGE for name in files.values())
+    storage = any(splitext(name)[1].lower() in _STORAGE for name in files.values())
     return "another camera file" if storage else "a homography"
 
 
-def _is_json(path: PurePosixPath) -> bool:
-    return path.suffix.lower() in _JSON
+def _file_of(name: str) -> str:
+    return name.rpartition("/")[2]
 
 
-def _by_frame(
-    paths: list[PurePosixPath], source: FileSource, frame_of: Callable[[PurePosixPath], str]
-) -> dict[str, str]:
+def _told_apart(called: Iterable[tuple[str, str]], source: FileSource) -> dict[str, str]:
+    """Frame -> file. Raises InputError for a second file of one frame."""
     found: dict[str, str] = {}
-    for path in paths:
-        _add(found, frame_of(path), str(path), source)
+    for frame, name in called:
+        if frame in found:  # letters composed otherwise are another file's business
+            raise InputError(
+                source.display(name),
+                f"is the second file for frame {frame!r}, beside {found[frame]}",
+                advice="keep one of them, or choose a camera format",
+            )
+        found[frame] = name
     return found
-
-
-def _add(found: dict[str, str], frame: str, name: str, source: FileSource) -> None:
-    if dict.__contains__(found, frame):  # letters composed otherwise are another file's business
-        raise InputError(
-            source.display(name),
-            f"is the second file for frame {frame!r}, beside {found[frame]}",
-            advice="keep one of them, or choose a camera format",
-        )
-    found[frame] = name

@@ -42,15 +42,15 @@ def slashed(path: str) -> str:
     return path.replace("\\", "/").removeprefix("./")
 
 
-def in_several_folders(pictures: Iterable[str]) -> bool:
-    """Whether the pictures that one file names are called by their paths: they lie in several
-    folders, and none leads out of the dataset.
+def folders_told(pictures: Iterable[str]) -> frozenset[str]:
+    """The folders of the pictures that one file names; none where any leads out of the dataset.
+    Frames are called by their paths where there are several.
 
     Args:
         pictures: their names, `slashed`.
     """
-    folders = {picture.rpartition("/")[0] for picture in pictures}
-    return len(folders) > 1 and all(map(_can_be_folder, folders))
+    folders = frozenset(picture.rpartition("/")[0] for picture in pictures)
+    return folders if all(map(_can_be_folder, folders)) else frozenset()
 
 
 def _can_be_folder(path: str) -> bool:

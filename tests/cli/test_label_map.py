@@ -7,7 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from procc_annotator.cli import track
 from procc_annotator.field.load import load_field
+from procc_annotator.fit.from_picture.proposal import Proposal
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.through_shot import following_shot
 
 
 @pytest.fixture
@@ -119,8 +123,19 @@ def test_pictures_are_drawn_by_the_map(cli, dataset, renamed, tmp_path: Path) ->
     assert {file.name: file.read_bytes() for file in by_itself.glob("*.png")} == drawn["own"]
 
 
-def test_anchors_of_a_track_are_fitted_by_the_map(cli, dataset, renamed, tmp_path: Path) -> None:
+def test_anchors_of_a_track_are_fitted_by_the_map(
+    cli, dataset, renamed, monkeypatch, tmp_path: Path
+) -> None:
+    """Nothing is found in pictures alone, which would take long where no anchor is known."""
     folder, labels = renamed
+
+    def none(picture, field, *, known) -> Proposal:
+        why = "not looked for"
+        fit = FitResult("R", (picture.shape[1], picture.shape[0]), None, why)
+        return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)
+
+    monkeypatch.setattr(following_shot, "propose_camera", none)
+    monkeypatch.setattr(track, "_prepare", lambda *_: None)
     said = []
     for given in ((), ("--map", labels)):
         out = tmp_path / f"tracked{len(given)}"

@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import cv2
@@ -159,6 +160,12 @@ def test_only_the_shot_of_a_frame(cli, video, cameras, tmp_path) -> None:
         assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(CUT, FRAMES)]
 
 
+def follow_by(monkeypatch: pytest.MonkeyPatch, follow: Callable[..., Track]) -> None:
+    """Something else follows shots; nor is anything prepared for looking for cameras."""
+    monkeypatch.setattr(command, "follow_shot", follow)
+    monkeypatch.setattr(command, "_prepare", lambda *_: None)
+
+
 def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_path) -> None:
     given = []
 
@@ -166,7 +173,7 @@ def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_p
         given.append((numbers, dict(anchors)))
         return nothing_found(frame, numbers, field, anchors=anchors, known=known, on_frame=on_frame)
 
-    monkeypatch.setattr(command, "follow_shot", followed)
+    follow_by(monkeypatch, followed)
     done = cli("track", video, tmp_path / "out", "--from", "14")
     assert done.exit_code == 0, done.output
     assert given == [(range(CUT, FRAMES), {})]
@@ -189,7 +196,7 @@ def test_a_shot_without_a_camera_is_looked_at_where_the_other_one_stands(
             anchors = {CUT: shot.cameras[CUT]}
         return real(frame, numbers, field, anchors=anchors, on_frame=on_frame)
 
-    monkeypatch.setattr(command, "follow_shot", followed)
+    follow_by(monkeypatch, followed)
     out, given = tmp_path / "out", write_cameras(shot, tmp_path / "one", ANCHORS[:1])
     done = cli("track", video, out, "--cameras", given)
     assert done.exit_code == 0, done.output
@@ -221,7 +228,7 @@ def test_a_shot_that_is_replaced_does_not_count_as_done_meanwhile(
     def stopped(*_, **__) -> Track:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(command, "follow_shot", stopped)
+    follow_by(monkeypatch, stopped)
     done = cli("track", video, followed, "--cameras", cameras, "--from", "14", "--overwrite")
     assert done.exit_code == 130
     assert [row["frame"] for row in table(followed)] == [name_of(n) for n in range(CUT)]
@@ -251,7 +258,7 @@ def nothing_found(frame, numbers, field, *, anchors, known, on_frame) -> Track:
 
 
 def test_lost_frames_are_gaps_without_a_camera(cli, video, monkeypatch, tmp_path) -> None:
-    monkeypatch.setattr(command, "follow_shot", nothing_found)
+    follow_by(monkeypatch, nothing_found)
     out = tmp_path / "out"
     out.mkdir()
     (out / "track.csv").write_text("")
@@ -265,7 +272,7 @@ def test_lost_frames_are_gaps_without_a_camera(cli, video, monkeypatch, tmp_path
 
 
 def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_path) -> None:
-    monkeypatch.setattr(command, "follow_shot", nothing_found)
+    follow_by(monkeypatch, nothing_found)
     match = tmp_path / "match"
     shutil.copytree(pictures, match)
     (match / "match_000000.png").write_bytes(b"no picture")

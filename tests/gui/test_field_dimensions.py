@@ -145,6 +145,28 @@ def test_the_set_tells_its_dimensions(judged: MainWindow, qtbot: QtBot) -> None:
     dialog.reject()
 
 
+def test_frames_of_stadiums_take_no_part(
+    make_window, annotated: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is found is for the others, as the dialog says."""
+    (annotated / "stadiums.csv").write_text("frame,stadium,width\n00001,A,64\n00002,A,64\n")
+    window = make_window(annotated)
+    looked_at: list[str] = []
+
+    def note(read: Any, *terms: Any, **more: Any) -> Estimate:
+        looked_at.extend(read)
+        return estimate_dimensions({}, *terms, **more)
+
+    monkeypatch.setattr(field_dimensions, "estimate_dimensions", note)
+    dialog = asked(window)
+    dialog.estimate_button.click()
+    qtbot.waitUntil(lambda: not dialog.found.isHidden(), timeout=20_000)
+    assert "No frame has a camera" in dialog.found.text()  # as where all have stadiums
+    names = [frame.name for frame in window.document.workspace.frames]
+    assert looked_at == [name for name in names if name not in ("00001", "00002")]
+    dialog.reject()
+
+
 def test_the_estimate_can_be_stopped(
     judged: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:

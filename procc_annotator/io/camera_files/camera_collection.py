@@ -88,7 +88,7 @@ class CameraCollection:
         else:
             self._look_into(files)
         self.frames.picture_folders = PICTURE_FOLDERS
-        self.frames.only_folder = files.only_folder
+        self.frames.only_folder = self._only_folder() or files.only_folder
 
     @classmethod
     def open(
@@ -211,6 +211,8 @@ class CameraCollection:
                 continue
             if records is not None:
                 found[file] = records.below(own.rpartition("/")[0])
+        if not any("/" in own for own in files):
+            found = _by_folders(found)
         if found or left_out:
             self._take({o: file for o, file in files.items() if file not in left_out}, found)
 
@@ -221,6 +223,12 @@ class CameraCollection:
             has_many = format_of(file, self.format).records is not None
             if has_many and (len(files) == 1 or not is_one):
                 yield own, file
+
+    def _only_folder(self) -> str:
+        """The folder, with a slash at its end, that the only file of many cameras tells of all its
+        pictures; empty where there is none."""
+        folders = [records.only_folder for records in self._records.values()]
+        return f"{folders[0]}/" if len(folders) == 1 and folders[0] else ""
 
     def _many(self, file: str) -> CameraRecords | None:
         fmt = format_of(file, self.format)
@@ -256,3 +264,12 @@ class CameraCollection:
             raise CameraError(
                 error.path, error.problem, place=error.place, advice=error.advice
             ) from error
+
+
+def _by_folders(found: dict[str, CameraRecords]) -> dict[str, CameraRecords]:
+    """Files of many cameras beside each other; frames are called by their paths where each file is
+    of the pictures of another folder."""
+    folders = [records.only_folder for records in found.values()]
+    if len(folders) < 2 or "" in folders or len({*folders}) < len(folders):
+        return found
+    return {file: records.below(records.only_folder) for file, records in found.items()}

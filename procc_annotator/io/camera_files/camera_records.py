@@ -9,7 +9,7 @@ from typing import Any
 
 from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.io.frame_names import in_several_folders, slashed
+from procc_annotator.io.frame_names import PICTURE_FOLDERS, folders_told, slashed
 from procc_annotator.io.json_text import printable
 
 _PICTURE_SUFFIXES = frozenset(
@@ -37,12 +37,14 @@ class CameraRecords:
         entries: frame name -> what the file holds for it; more than one entry cannot be read.
         read_record: reads one entry.
         notices: remarks on parts of the file that belong to no frame.
+        only_folder: that all pictures lie in by their names, while frames are called without it.
     """
 
     path: str
     entries: Mapping[str, tuple[CameraRecord, ...]]
     read_record: ReadRecord
     notices: tuple[str, ...] = field(default=())
+    only_folder: str = ""
 
     @classmethod
     def of(
@@ -55,18 +57,21 @@ class CameraRecords:
         """From (picture's name, record) pairs in file order; frames are called by the last parts of
         these names, or by their paths where they lie in several folders."""
         pairs = list(found)
-        by_path = in_several_folders(slashed(name) for name, _ in pairs)
+        folders = folders_told(slashed(name) for name, _ in pairs)
+        by_path = len(folders) > 1
+        only = next(iter(folders - {*PICTURE_FOLDERS}), "") if len(folders) == 1 else ""
         entries: dict[str, tuple[CameraRecord, ...]] = {}
         for name, record in pairs:
             frame = frame_of_image(name, by_path)
             entries[frame] = (*entries.get(frame, ()), record)
-        return cls(path, entries, read_record, notices)
+        return cls(path, entries, read_record, notices, only)
 
     def below(self, folder: str) -> CameraRecords:
         """The same cameras of frames in a folder of a tree."""
         if not folder:
             return self
-        return replace(self, entries={f"{folder}/{name}": e for name, e in self.entries.items()})
+        entries = {f"{folder}/{name}": found for name, found in self.entries.items()}
+        return replace(self, entries=entries, only_folder="")
 
     def read(self, frame: str) -> LoadedCamera:
         """The camera of a frame.

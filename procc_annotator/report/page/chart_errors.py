@@ -16,6 +16,7 @@ from procc_annotator.report.page.chart_parts import (
     chart_label,
     legend_above,
     line_style,
+    only_panel,
     panel_boxes,
 )
 from procc_annotator.report.page.chart_svg import FAINT, Chart, draw_chart
@@ -45,7 +46,7 @@ def _histogram(report: AuditReport, charted: list[Charted]) -> Chart:
     bars = histogram([c.points.errors_px for c in charted])
 
     def draw(figure: Figure) -> None:
-        axes = figure.subplots()
+        axes = only_panel(figure)
         for one, counts in zip(charted, bars.counts, strict=True):
             if counts.sum():
                 axes.stairs(100 * counts / counts.sum(), bars.edges, **line_style(one.look))
@@ -66,7 +67,7 @@ def _histogram(report: AuditReport, charted: list[Charted]) -> Chart:
 
 def _radius(report: AuditReport, charted: list[Charted]) -> Chart:
     def draw(figure: Figure) -> None:
-        axes = figure.subplots()
+        axes = only_panel(figure)
         for one in charted:
             found = radial_errors(one.points, report.setup.size)
             axes.plot(
@@ -78,6 +79,7 @@ def _radius(report: AuditReport, charted: list[Charted]) -> Chart:
             xlim=(0, 1.02),
         )
         axes.set_ylim(bottom=0)
+        axes.ticklabel_format(axis="y", scilimits=(-3, 5))  # longer ones find no room
         axes.legend(loc="best", handlelength=4)
 
     return draw_chart(

@@ -87,6 +87,12 @@ def panels(figure: Figure, rows: int, *, between_in: float, top_in: float = 0.28
     return [figure.add_axes(tuple(box)) for box in boxes / np.tile(size, 2)]
 
 
+def only_panel(figure: Figure) -> Axes:
+    """One panel as large as the figure; without a title."""
+    (axes,) = panels(figure, 1, between_in=0.0, top_in=0.08)
+    return axes
+
+
 def panel_boxes(
     size: Floats,
     rows: int,

@@ -19,6 +19,7 @@ from procc_annotator.report.page.chart_parts import (
     legend_above,
     line_style,
     on_either_page,
+    only_panel,
     panels,
 )
 from procc_annotator.report.page.chart_svg import FAINT, INK, Chart, draw_chart
@@ -70,7 +71,7 @@ def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
 
 def _curves(report: AuditReport, charted: list[Charted]) -> Chart:
     def draw(figure: Figure) -> None:
-        axes = figure.subplots()
+        axes = only_panel(figure)
         shown = _LARGEST_TAU >= TAU_GRID
         places = {source.name: at for at, source in enumerate(report.evaluated)}
         for one in charted:

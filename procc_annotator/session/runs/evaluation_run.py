@@ -28,9 +28,9 @@ from procc_annotator.session.runs.score_chunk import (
 )
 from procc_annotator.session.runs.set_run import (
     SetRun,
+    annotations_for,
     cameras_kept_open,
     choice_of,
-    require_annotations,
     source_kept_open,
 )
 from procc_annotator.session.runs.tags import Grouping
@@ -94,7 +94,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         grouping: Grouping | None = None,
         chunk: int = 0,
     ) -> None:
-        annotated, with_camera = require_annotations(annotations), cameras.frames
+        annotated, with_camera = annotations_for(cameras.frames, annotations), cameras.frames
         tags = grouping or Grouping()
         frames = [
             FrameFiles(name, file, name in with_camera, tags.of(name))

@@ -18,6 +18,7 @@ from procc_annotator.image.motion import Motion, carried_points, estimate_motion
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.over_time.frame_offset import FrameOffset, frame_offset, shifts
@@ -49,8 +50,8 @@ from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     KeptOpen,
     SetRun,
+    annotations_for,
     cameras_kept_open,
-    require_annotations,
     source_kept_open,
 )
 
@@ -339,8 +340,8 @@ class OverTimeRun(SetRun[ShotFrames, ShotOverTime, None]):
             setup,
             threshold,
             camera_size,
-            dict(require_annotations(annotations)),
-            dict(pictures or {}),
+            dict(annotations_for(cameras.frames, annotations)),
+            FrameTable(pictures or {}),
         )
         super().__init__(shots, task, executor)
 

@@ -229,6 +229,13 @@ def annotation_files(source: FileSource) -> list[FrameFile]:
     return [FrameFile(name, file) for name, file in require_annotations(source).items()]
 
 
+def annotations_for(cameras: ByFrame[str], source: FileSource) -> AnnotationFiles:
+    """As `require_annotations`; frames of an only folder are called by their paths where cameras
+    of a whole tree are."""
+    files = require_annotations(source)
+    return files.by_path() if files.is_part_of(cameras) else files
+
+
 def require_annotations(source: FileSource) -> AnnotationFiles:
     """The same, by name."""
     files = list_annotations(source)

@@ -198,3 +198,15 @@ def test_the_only_folder_of_a_file_of_many_cameras_is_known(tmp_path: Path) -> N
     with CameraCollection.open(tmp_path) as cameras:
         assert list(cameras.frames) == ["1"]
         assert cameras.read("game1/1").camera == CAMERA
+
+
+def test_files_of_one_match_each_may_tell_its_folder_by_their_pictures(tmp_path: Path) -> None:
+    files = {f"game{i}.json": line(f"game{i}/1.jpg") + line(f"game{i}/2.jpg") for i in (1, 2)}
+    folder = make(tmp_path / "run", files)
+    with CameraCollection.open(folder) as cameras:
+        assert list(cameras.frames) == ["game1/1", "game1/2", "game2/1", "game2/2"]
+        assert cameras.read("game2/img1/2").camera == CAMERA
+    with CameraCollection.open(folder / "game1.json") as cameras:
+        assert list(cameras.frames) == ["1", "2"]
+        assert cameras.read("game1/2").camera == CAMERA
+        assert "game2/2" not in cameras.frames

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.model import MEASURED
 from procc_annotator.field.painted_middle import can_be_at_middle
+from procc_annotator.field.stadiums import stadium_of
 from procc_annotator.fit.together.stadium import FittedDimension
 from procc_annotator.gui.messages import as_sentence
 from procc_annotator.gui.state.document import Document
@@ -65,23 +66,24 @@ class FieldDimensionsTask(DialogTask):
         self.dialog.activateWindow()
 
     def estimate(self) -> None:
-        """Find the dimensions from all frames, in the background."""
+        """Find the dimensions from all frames without a stadium of their own, in the background."""
         document, dialog = self._document, self.dialog
         workspace = document.workspace
         if dialog is None or workspace is None or self._work.running:
             return
         revealed = document.revealed_frames  # what their cameras say may be known
-        read = {
+        meant = {
             frame.name: partial(workspace.read, i)
             for i, frame in enumerate(workspace.frames)
-            if revealed is None or frame.name in revealed
+            if stadium_of(document.field, frame.name) is None
         }
-        if not read:
+        read = {name: own for name, own in meant.items() if revealed is None or name in revealed}
+        if meant and not read:
             dialog.tell(
                 tr("Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).")
             )
             return
-        hidden = len(workspace.frames) - len(read)
+        hidden = len(meant) - len(read)
         field, size = document.field, document.picture_size or document.setup.size
         # A homography knows no zoom that could be held against the field.
         model = document.live_fit.model if document.live_fit.model != "H" else "R"
