@@ -21,6 +21,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import DEFAULT_SIZE
 from procc_annotator.fit.result import FitResult
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
 
 Size = tuple[int, int]
@@ -81,6 +82,8 @@ def evaluate_set(
         cameras = load_cameras(cameras)
     _require_by_frame("annotations", annotations)
     _require_by_frame("cameras", cameras)
+    if not isinstance(cameras, FrameTable):
+        cameras = FrameTable(cameras)
     at, own = as_size(size), as_size_or_none(camera_size)
     setup = EvaluationSetup(known, at, protocol, allow_mirrored, off_plane, planar_only)
     frames: dict[str, tuple[FrameAnnotation, CameraAt | None]] = {}

@@ -21,6 +21,7 @@ from procc_annotator.io.annotation_files.read_set import SetReader
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.collections import CAMERA_PREFIX, files_of
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import open_source
 from procc_annotator.session.dataset.annotation_source import open_files, own_label_map
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
@@ -221,14 +222,17 @@ def load_cameras(
             one is raised.
 
     Returns:
-        Frame name -> its camera with the picture size (px) that it belongs to, in natural order.
+        Frame name -> its camera with the picture size (px) that it belongs to, in natural order. A
+        frame is found, too, by a name that is composed otherwise, or that has the folders of its
+        picture in it.
 
     Raises:
         CameraError: a file cannot be used.
         UsageError: there is nothing at the path, no camera, or no such format.
     """
-    found: dict[str, LoadedCamera] = {}
+    found = FrameTable[LoadedCamera]()
     with CameraCollection.open(as_path(path, "cameras"), format) as cameras:
+        found.only_folder = cameras.frames.only_folder
         for frame in cameras.frames:
             try:
                 found[frame] = cameras.read(frame)

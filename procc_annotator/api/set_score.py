@@ -16,6 +16,7 @@ from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.api.given import CameraAt
 from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_files.fitted_on import fitted_words, is_fitted_on
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.metric.chance.intervals import Interval, Method
 from procc_annotator.metric.chance.paired import PairedDifference
 from procc_annotator.metric.chance.sampling import Draws
@@ -291,7 +292,7 @@ def _certainty(
         raise UsageError("draws must be at least 1, and a level between 0 and 1")
     names = sources[0].names
     if isinstance(cluster, Mapping):
-        clusters = clusters_of(names, "cluster", cluster)
+        clusters = clusters_of(names, "cluster", FrameTable(cluster))
     elif cluster in (None, SHOT, NONE):
         clusters = clusters_of(names, cluster, {})
     else:

@@ -27,6 +27,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report import comparison
@@ -284,7 +285,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
         if dataset.is_dir() and (pictures_in(dataset) or lies_below(dataset)):
             workspace = Workspace.open(dataset, field)
             if workspace.frames:
-                images = {frame.name: frame.image_path for frame in workspace.frames}
+                images = FrameTable((f.name, f.image_path) for f in workspace.frames)
                 return tuple(images), images
         annotated = tuple(list_annotations(source))
     if not annotated:

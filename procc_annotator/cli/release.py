@@ -21,6 +21,7 @@ from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.csv_text import csv_cells, formula_text
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import FileSource, read_file
 from procc_annotator.report import agreement, findings
 from procc_annotator.report.provenance import export_provenance
@@ -209,14 +210,14 @@ def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool)
         raise UsageError(f"{out}: holds {held} already, choose another folder, or --overwrite")
 
 
-def _splits(path: Path | None) -> dict[str, str]:
+def _splits(path: Path | None) -> FrameTable[str]:
     """Frame -> split.
 
     Raises:
         InputError: no such table.
     """
     if path is None:
-        return {}
+        return FrameTable()
     (_, header), *rows = csv_cells(path) or [(1, [])]
     names = [cell.strip() for cell in header]
     if not {"frame", "split"} <= set(names):
@@ -233,7 +234,7 @@ def _splits(path: Path | None) -> dict[str, str]:
         if frame in found:
             raise InputError(path, f"frame {frame!r} again", place=f"line {line}")
         found[frame] = split
-    return found
+    return FrameTable(found)
 
 
 def _date(text: str | None) -> str:

@@ -23,7 +23,7 @@ from procc_annotator.interact.palette import SOURCE_COLOURS
 from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
-from procc_annotator.io.frame_names import ByFrame
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.page.audit_report import AuditReport, NamedCameras, Work, gather_report
 from procc_annotator.report.page.html_report import is_of_others
@@ -370,7 +370,7 @@ def annotation_place(
     for notice in workspace.notices:
         typer.echo(f"note: {notice}", err=True)
     if workspace.frames:
-        pictures = ByFrame((frame.name, frame.image_path) for frame in workspace.frames)
+        pictures = FrameTable((frame.name, frame.image_path) for frame in workspace.frames)
         return annotations or workspace.annotations, pictures
     return annotations or annotations_of(dataset), {}
 

@@ -217,6 +217,10 @@ class ZipSource(_Opened):
             ) from error
         # A member that was replaced by appending is listed twice; the later one counts.
         self._stored = {name.removeprefix("./"): name for name in self._archive.namelist()}
+        # A packed tree of folders: its own name on top is that of the archive, not of frames.
+        own, members = f"{path.stem}/", self._members()
+        if members and all(n.startswith(own) and n.count("/") > 1 for n in members):
+            self._stored = {n.removeprefix(own): self._stored[n] for n in members}
         for member in self._archive.infolist():
             name = member.orig_filename  # as stored; zipfile may cut or translate the other one
             if leads_out(name):

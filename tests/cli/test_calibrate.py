@@ -295,8 +295,8 @@ def fits_come_from(fit: Callable[..., FitResult], patched: pytest.MonkeyPatch) -
     def of_chunk(given, *, model: str) -> list[FitResult]:
         return [fit(clicks, field, model=model, size=size) for clicks, field, size in given]
 
-    patched.setattr(calibration_run, "fit_cameras", of_chunk)
-    patched.setattr(together_run, "fit_camera", fit)
+    for module in (calibration_run, together_run):
+        patched.setattr(module, "fit_cameras", of_chunk)
 
 
 @pytest.mark.parametrize("more", [(), ("--held-out",), ("--shared-position",)])

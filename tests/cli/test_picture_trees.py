@@ -392,3 +392,49 @@ def test_annotations_of_one_match_go_with_cameras_of_the_whole_tree(
     assert done.exit_code == 0, done.stderr
     with figures.open(encoding="utf-8") as file:
         assert {row["name"] for row in csv.DictReader(file)} == {f"a/{frame}" for frame in FRAMES}
+
+
+@pytest.mark.parametrize("fmt", ["cvat", "coco", "soccernet-v3"])
+def test_a_file_of_one_match_comes_back_into_the_tree(
+    cli, tree: Tree, tmp_path: Path, fmt: str
+) -> None:
+    shutil.move(tree.root / "b", tmp_path / "b")
+    (tree.root / "b/img1").mkdir(parents=True)
+    shutil.copy(tmp_path / "b/img1/00001.jpg", tree.root / "b/img1")
+    suffix = {"cvat": ".xml", "coco": ".json"}.get(fmt, "")
+    file = tmp_path / f"one{suffix}"
+    assert cli("convert", tree.root, file, "--to", fmt).exit_code == 0
+    workspace = Workspace.open(tree.root, load_field("soccer"))
+    assert set(read_annotations(file, workspace).frames) == {f"a/img1/{f}" for f in FRAMES}
+
+
+def test_releases_and_reports_find_frames_however_they_are_called(
+    cli, tree: Tree, tmp_path: Path
+) -> None:
+    """Without the folder of pictures in a table, and composed otherwise by the annotations."""
+    here, there = "é1", "e\u03011"
+    for match in MATCHES:
+        folder = tree.root / match
+        (folder / "00001.jpg").rename(folder / f"{here}.jpg")
+        (folder / "00001.json").rename(folder / f"{there}.json")
+        camera = tree.cameras / match / "camera_00001.json"
+        camera.rename(camera.with_name(f"camera_{there}.json"))
+    table = tmp_path / "splits.csv"
+    rows = [
+        f"{name},{match[0]}" for match in "ab" for name in (f"{match}/{here}", f"{match}/00002")
+    ]
+    table.write_text("frame,split\n" + "\n".join(rows) + "\n", "utf-8")
+    terms = ("--name", "X", "--license", "CC0", "--splits", table)
+    first, second = tmp_path / "one", tmp_path / "two"
+    done = cli("release", tree.root, first, *terms, "--version", "1")
+    assert "a: 2 frames" in done.stdout
+    assert "in no split" not in done.output
+    for match in MATCHES:
+        folder = tree.root / match
+        (folder / f"{there}.json").rename(folder / f"{here}.json")
+    done = cli("release", tree.root, second, *terms, "--version", "2", "--before", first)
+    assert "since version 1: 0 added, 0 removed, 0 changed" in done.stdout
+    page = tmp_path / "page.html"
+    few = ("--worst", "0", "--random", "4", "-o", page)
+    assert cli("report", tree.root, "--cameras", tree.cameras, *few).exit_code == 0
+    assert page.read_text().count("data:image/jpeg") == 4

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QHeaderView,
@@ -40,6 +40,7 @@ _APART = word(
     " Was its class swapped with a neighbour's?"
 )
 _ERRORS_SHOWN = 10
+_RESTED_MS = 1_000  # all files of a set are gone through: not with every click
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +48,7 @@ class _MeasuredSet:
     """The set's figures, and one line for each frame that could not be read."""
 
     summary: AgreementSummary
+    size: tuple[int, int]  # of the evaluation
     errors: tuple[str, ...]
 
 
@@ -104,6 +106,10 @@ class AgreementPanel(QWidget):
         )
         document.second.changed.connect(self._forget_noise)
         document.second.opened.connect(self._compare)
+        self._rested = QTimer(self, singleShot=True, interval=_RESTED_MS)
+        self._rested.timeout.connect(self._measure_again)
+        for signal in (document.annotationChanged, document.framesEdited, document.scoreChanged):
+            signal.connect(self._rested.start)
         self._refresh()
 
     def open(self, path: Path) -> None:
@@ -113,6 +119,8 @@ class AgreementPanel(QWidget):
     def _compare(self) -> None:
         document = self._document
         document.second.show(document.frame.name if document.frame is not None else None)
+        document.set_noise_floor(None)  # that of another annotator
+        self._say_of_set(tr("Measuring the set…"))
         self._measure_set()
 
     def _build(self) -> None:
@@ -215,7 +223,6 @@ class AgreementPanel(QWidget):
         document = self._document
         workspace, second = document.workspace, document.second
         self._measuring.cancel()
-        document.set_noise_floor(None)  # it may be that of another annotator
         if workspace is None:
             return
         field, size, tau = document.field, document.setup.size, document.tau
@@ -236,14 +243,17 @@ class AgreementPanel(QWidget):
                     continue
                 if mine is not None and other is not None and mine.annotated:
                     sums.add(name, compare_annotations(mine, other, field, size))
-            return _MeasuredSet(sums.summary(), tuple(errors))
+            return _MeasuredSet(sums.summary(), size, tuple(errors))
 
-        self._say_of_set(tr("Measuring the set…"))
         self._measuring.start(work, self._take_set)
 
+    def _measure_again(self) -> None:
+        """Clicks or terms may be others than those that were measured."""
+        if self._document.second.is_open:
+            self._measure_set()
+
     def _take_set(self, measured: _MeasuredSet) -> None:
-        summary = measured.summary
-        size = self._document.setup.size
+        summary, size = measured.summary, measured.size
         median, p95 = summary.overall.median, summary.overall.p95
         floor = None if median is None or p95 is None else (median, p95)
         if not summary.overall.common:

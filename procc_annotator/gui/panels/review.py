@@ -57,6 +57,11 @@ class ReviewPanel(QWidget):
         self._document = document
         self._shown: tuple[Comment, ...] = ()
         self._build()
+        self._typed: dict[str, str] = {}  # comments under way, by frame
+        self._typed_on: str | None = None
+        document.datasetChanged.connect(self._begin_dataset)
+        document.frameChanged.connect(self._begin_frame)
+        self._begin_frame()
         self._refresher = Refresher(self, self._refresh, interval_ms=80)
         self._refresher.follow(
             document.store,
@@ -204,6 +209,7 @@ class ReviewPanel(QWidget):
             self._document.commit_frame()
             self._refresher.request()  # in blind mode an empty frame is not committed at once
         else:
+            self._document.aboutToLeave.emit()  # what is under way is part of what is judged
             self._document.review.set_status(frame.name, status)
 
     def _send(self) -> None:
@@ -211,6 +217,20 @@ class ReviewPanel(QWidget):
         if frame is not None and self.text.text().strip():
             self._document.review.add_comment(frame.name, self.text.text())
             self.text.clear()
+
+    def _begin_frame(self) -> None:
+        """What is typed already belongs to the frame it was begun on."""
+        document, typed = self._document, self.text.text()
+        if self._typed_on is not None:
+            self._typed[self._typed_on] = typed
+        frame = document.frame
+        self._typed_on = None if frame is None else frame.name
+        self.text.setText(self._typed.pop(self._typed_on or "", ""))
+
+    def _begin_dataset(self) -> None:
+        self._typed.clear()
+        self._typed_on = None
+        self.text.clear()
 
     def _settle(self, item: QListWidgetItem) -> None:
         comment: Comment = item.data(Qt.ItemDataRole.UserRole)

@@ -78,6 +78,8 @@ class FitSource(QObject):
         if terms != self._terms:  # fits of several kinds would make no source
             self._terms = terms
             self._forget([name for name in self.cameras.fits if name != frame.name])
+        if self._frame not in (None, frame.name):
+            self._drop_outdated(self._frame)
         known = self.cameras.fits.get(frame.name)
         insight = live_fit.insight
         if insight is not None and insight.fit is not (known.fit if known else None):
@@ -91,6 +93,17 @@ class FitSource(QObject):
         self._frame = frame.name
 
     # --- inside ---
+
+    def _drop_outdated(self, left: str) -> None:
+        """The frame was left before the clicks there were fitted anew."""
+        workspace, known = self._store.state.workspace, self.cameras.fits.get(left)
+        index = None if workspace is None else workspace.index.get(left)
+        if workspace is None or index is None or known is None:
+            return
+        now = workspace.at_hand(index)
+        if now is not None and now.polylines != known.annotation.polylines:
+            self._forget([left])
+            self._sources.show_source_again(self.source)
 
     def _outlived(self, frame: str, known: FittedFrame | None) -> bool:
         """Whether what is known of a frame must not be shown any more."""

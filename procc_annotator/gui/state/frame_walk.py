@@ -74,6 +74,9 @@ class FrameWalk(QObject):
         workspace = self._store.state.workspace
         if workspace is None or not 0 <= index < len(workspace.frames):
             return
+        if index == self._store.state.frame_index:
+            self.stay()
+            return
         self._aim = index
         if self._bringing.running:
             return
@@ -86,6 +89,11 @@ class FrameWalk(QObject):
             lambda _: self._come(index),
             failed=lambda _: self._come(index),  # the frame says itself that it cannot be read
         )
+
+    def stay(self) -> None:
+        """Give up the frame that is still to be come to: somebody went elsewhere, or stays."""
+        self._aim = -1
+        self._bringing.cancel()
 
     @property
     def coming(self) -> bool:
@@ -135,8 +143,7 @@ class FrameWalk(QObject):
         frame = workspace.frames[index] if index >= 0 else None
         name = frame.name if frame is not None else None
         self._whole.cancel()
-        if index != self._aim:
-            self._bringing.cancel()  # somebody went elsewhere
+        self.stay()
         self._outside.watch_file(None if frame is None else frame.annotation_path)
         self._editing.review.enter(name)
         self._editing.presence.enter(name)

@@ -21,10 +21,11 @@ class PaintedWidth(Derived[ProjectedField]):
         self._store, self._judge = store, judge
         self.failed.connect(self._say)
         signals.scoreChanged.connect(self.try_again)
+        signals.frameChanged.connect(self.try_again)
 
     def _made_of(self) -> Inputs | None:
         camera = self._judge.camera
-        return None if camera is None else (camera, self._store.state.setup)
+        return None if camera is None else (camera, self._judge.frame_setup)
 
     def _say(self, text: str) -> None:
         say(self._store, tr("the painted width cannot be drawn: {why}", why=text), "warning")

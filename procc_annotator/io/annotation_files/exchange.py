@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from dataclasses import field as attribute
+from functools import cached_property
 from typing import Any, Literal
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
@@ -16,7 +17,7 @@ from procc_annotator.io.annotation_files.label_map import LabelMap, Rule, Shape
 from procc_annotator.io.annotation_files.named_pictures import PictureNames
 from procc_annotator.io.annotation_files.px_numbers import normalised, to_px
 from procc_annotator.io.annotation_files.soccernet_annotation import FARTHEST
-from procc_annotator.io.frame_names import PICTURE_SUFFIX, frame_of_file
+from procc_annotator.io.frame_names import PICTURE_SUFFIX, FrameTable, frame_of_file
 from procc_annotator.io.json_text import is_finite_number, printable, spelled
 from procc_annotator.words import count_of
 
@@ -140,7 +141,7 @@ class Reading:
         """
         self.frame_of_file(file)
         folder = file.rpartition("/")[0] if self.in_tree else ""
-        self._pictures = PictureNames(pictures, folder)
+        self._pictures = PictureNames(pictures, folder, self._there)
 
     def frame_of_picture(self, picture: Any, path: str, place: str) -> str:
         """The frame that a picture's name in the file belongs to; whatever goes wrong next is told
@@ -152,6 +153,11 @@ class Reading:
         names = self._pictures or PictureNames(())
         self._at = names.frame(picture, path, place)
         return self._at
+
+    @cached_property
+    def _there(self) -> FrameTable[str]:
+        """The frames of the pictures around the files."""
+        return FrameTable((PICTURE_SUFFIX.sub("", name), name) for name in self.pictures)
 
     def rule_of(self, label: str) -> Rule | Literal[False]:
         """What a label stands for: its class, or what the map says (False: to be left out); None

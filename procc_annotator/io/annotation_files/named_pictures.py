@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from typing import Any
 
 from procc_annotator.errors import AnnotationError
@@ -14,17 +14,25 @@ _LONGEST_NAME = 200
 
 class PictureNames:
     """How the pictures of one file are called as frames: by their last parts, or by their paths
-    where they lie in several folders.
+    where they lie in several folders, or in one folder of the dataset's tree.
 
     Paths that lead out of the dataset (absolute ones, ``..``) tell no folder.
 
     Args:
         pictures: their names, as the file tells them.
         folder: of the file, below the dataset, if that is a tree.
+        there: the frames of the dataset that have a picture.
     """
 
-    def __init__(self, pictures: Iterable[Any], folder: str = "") -> None:
-        self._by_path = len(folders_told(slashed(p) for p in pictures if type(p) is str)) > 1
+    def __init__(
+        self, pictures: Iterable[Any], folder: str = "", there: Container[str] = frozenset()
+    ) -> None:
+        paths = [slashed(p) for p in pictures if type(p) is str]
+        folders = folders_told(paths)
+        in_one = len(folders) == 1 and "" not in folders
+        self._by_path = len(folders) > 1 or (
+            in_one and any(PICTURE_SUFFIX.sub("", path) in there for path in paths)
+        )
         self._folder = folder
 
     def frame(self, picture: Any, path: str, place: str) -> str:

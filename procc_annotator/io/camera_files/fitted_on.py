@@ -15,6 +15,7 @@ from typing import Any
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.csv_text import formula_text
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.language import word
 
 # The mark of cameras that explain the points they were made from, and predict none of them.
@@ -103,17 +104,17 @@ def _object(data: bytes) -> object:
         return None
 
 
-def _table(data: bytes | None) -> dict[str, str]:
+def _table(data: bytes | None) -> FrameTable[str]:
     """Frame -> digest, of a table that has both columns; empty of any other file."""
     if data is None:
-        return {}
+        return FrameTable()
     text = data.decode("utf-8-sig", errors="replace")
     try:
         rows = list(csv.DictReader(io.StringIO(text, newline="")))
     except csv.Error:
-        return {}
-    return {
-        formula_text(row["name"]): row[DIGEST]
+        return FrameTable()
+    return FrameTable(
+        (formula_text(row["name"]), row[DIGEST])
         for row in rows
         if row.get("name") and row.get(DIGEST)
-    }
+    )

@@ -16,7 +16,7 @@ from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.frame_names import leads_out
+from procc_annotator.io.frame_names import FrameTable, leads_out
 from procc_annotator.io.source import FileSource, read_file
 from procc_annotator.report.release.card import dataset_card
 from procc_annotator.report.release.changes import Changes, changed_frame, changelog
@@ -159,21 +159,22 @@ def changes_since(before: Path, release: Release) -> Changes:
         InputError: it is no release, or cannot be read.
     """
     known = _read_release(before)
-    now = {frame.name: frame for frame in release.frames}
+    then = FrameTable(known.frames)
+    now = FrameTable((frame.name, frame) for frame in release.frames)
     changed = []
     for name, frame in now.items():
-        entry = known.frames.get(name)
+        entry = then.get(name)
         if entry is None or entry.sha256 == frame.sha256:
             continue
-        path = before / ANNOTATIONS / f"{name}.json"
+        path = before / ANNOTATIONS / f"{then.name_there(name)}.json"
         was = read_plain(read_file(path), str(path), release.field)
         if (found := changed_frame(name, was, frame.annotation)) is not None:
             changed.append(found)
-    splits = (n for n, f in now.items() if n in known.frames and known.frames[n].split != f.split)
+    splits = (n for n, f in now.items() if n in then and then[n].split != f.split)
     return Changes(
         f"version {known.version}",
-        tuple(name for name in now if name not in known.frames),
-        tuple(name for name in known.frames if name not in now),
+        tuple(name for name in now if name not in then),
+        tuple(name for name in then if name not in now),
         tuple(changed),
         tuple(splits),
         known.field_sha256 != release.fingerprint,

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from procc_annotator.errors import InputError
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.user_folders import data_folder
 from procc_annotator.session.database.dataset_mark import (
     Mark,
@@ -129,7 +130,7 @@ def read_settings(dataset: Path) -> dict[str, str]:
     return {k.removeprefix(start): v for k, v in meta.items() if k.startswith(start) and v}
 
 
-def read_times(dataset: Path) -> dict[str, float]:
+def read_times(dataset: Path) -> FrameTable[float]:
     """When the last point of each frame came to be, seconds since 1970; nothing is written.
 
     Args:
@@ -138,7 +139,8 @@ def read_times(dataset: Path) -> dict[str, float]:
     Raises:
         InputError: there is a workspace, but it cannot be read.
     """
-    return _read_only(dataset, "SELECT frame, max(time) FROM origin GROUP BY frame", as_number)
+    question = "SELECT frame, max(time) FROM origin GROUP BY frame"
+    return FrameTable(_read_only(dataset, question, as_number))
 
 
 def _read_only(dataset: Path, question: str, as_value: Callable[[Value], T]) -> dict[str, T]:

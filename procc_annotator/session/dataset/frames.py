@@ -187,7 +187,7 @@ def _folder_of(root: Path, below: str, names: Iterable[str], *, in_tree: bool) -
     if not below:
         return annotation_folder(root)
     usual = annotation_folder(root)
-    if usual != root or {os.path.splitext(name)[0] for name in names} & {*json_stems(root)}:
+    if usual != root or _has_any_of(root, names):
         return usual
     beside = annotation_folder(root / below)
     return beside if json_stems(beside) else root / ANNOTATIONS_FOLDER
@@ -201,8 +201,17 @@ def _folder_in_tree(root: Path, below: str, names: Iterable[str]) -> Path:
     if not inner or json_stems(beside):
         return beside
     above = annotation_folder(root / below.removesuffix(f"{inner}/"))
-    stems = ByFrame((stem, stem) for stem in json_stems(above))
-    return above if any(os.path.splitext(name)[0] in stems for name in names) else beside
+    return above if _has_any_of(above, names) else beside
+
+
+def _has_any_of(folder: Path, names: Iterable[str]) -> bool:
+    """Whether a folder has a JSON file called like one of these pictures."""
+    stems = _stems_in(folder)
+    return any(os.path.splitext(name)[0] in stems for name in names)
+
+
+def _stems_in(folder: Path) -> ByFrame[str]:
+    return ByFrame((stem, stem) for stem in json_stems(folder))
 
 
 def _taken_by_others(root: Path, found: PictureTree) -> bool:
@@ -211,8 +220,8 @@ def _taken_by_others(root: Path, found: PictureTree) -> bool:
     tells."""
     for below, names in found.folders:
         folder = root / below
-        stems = {*json_stems(folder)} if annotation_folder(folder) == folder else set()
-        if first := next((s for s, _ in map(os.path.splitext, names) if s in stems), None):
+        stems = _stems_in(folder) if annotation_folder(folder) == folder else ByFrame[str]()
+        if first := next(filter(None, (stems.get(os.path.splitext(n)[0]) for n in names)), None):
             try:
                 told = json_format(read_if_there(folder / f"{first}.json", AnnotationError) or b"")
             except InputError:  # is told where the frame is read
@@ -227,7 +236,7 @@ def _not_used(root: Path, only_folder: str, frames: Sequence[Frame]) -> Iterator
     beside = root / only_folder if only_folder else root
     if folder == beside:
         return
-    names = {frame.name for frame in frames}
+    names = ByFrame((frame.name, None) for frame in frames)
     if unused := sum(stem in names for stem in json_stems(beside)):
         yield f"annotations are those in {folder}; {unused} beside the pictures are not used"
 

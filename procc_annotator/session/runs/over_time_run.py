@@ -18,6 +18,7 @@ from procc_annotator.image.motion import Motion, carried_points, estimate_motion
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.over_time.frame_offset import FrameOffset, frame_offset, shifts
@@ -340,7 +341,7 @@ class OverTimeRun(SetRun[ShotFrames, ShotOverTime, None]):
             threshold,
             camera_size,
             dict(annotations_for(cameras.frames, annotations)),
-            dict(pictures or {}),
+            FrameTable(pictures or {}),
         )
         super().__init__(shots, task, executor)
 

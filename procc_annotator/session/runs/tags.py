@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.io.csv_text import csv_cells
+from procc_annotator.io.csv_text import csv_cells, formula_text
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.words import count_of
 
@@ -72,7 +72,7 @@ class Tags:
             if len(cells) != len(header):
                 problem = f"has {_cells_of(len(cells))}, expected {len(header)} as in the header"
                 raise InputError(path, problem, place=f"line {line}")
-            row = dict(zip(header, (cell.strip() for cell in cells), strict=True))
+            row = dict(zip(header, (formula_text(cell.strip()) for cell in cells), strict=True))
             key = (row[_SET] if has_sets else None, row[_FRAME])
             if not row[_FRAME]:
                 raise InputError(path, "names no frame", place=f"line {line}")

@@ -12,7 +12,7 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.load import resized
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame, field_of_stadium, stadium_of
-from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.fitting import fit_camera, fit_cameras
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.together.stadium import StadiumFit, fit_dimensions
 from procc_annotator.fit.together.tripod import SharedPosition, Tripod, share_position
@@ -64,17 +64,21 @@ class FitChunk(AnnotationTask):
     model: str
 
     def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[OwnFit], None]:
-        return [self._fit(name, file) for name, file in chunk], None
+        found = [self._read(name, file) for name, file in chunk]
+        given = [
+            (one.annotation, field_of_frame(self.field, one.name), one.size.fitted)
+            for one in found
+            if one.annotation is not None and one.size is not None
+        ]
+        fits = iter(fit_cameras(given, model=self.model))
+        return [one if one.error else replace(one, fit=next(fits)) for one in found], None
 
-    def _fit(self, name: str, file: str) -> OwnFit:
+    def _read(self, name: str, file: str) -> OwnFit:
         try:
             annotation = self.read(file, self.field)
         except InputError as error:
             return OwnFit(name, error=str(error))
-        size = self.sizes.of_frame(name, annotation)
-        field = field_of_frame(self.field, name)
-        fit = fit_camera(annotation, field, model=self.model, size=size.fitted)
-        return OwnFit(name, None, annotation, fit, size)
+        return OwnFit(name, None, annotation, None, self.sizes.of_frame(name, annotation))
 
 
 class SetFits(SetRun[FrameFile, OwnFit, None]):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from procc_annotator import (
     fit_camera,
     jac_curve,
     load_annotations,
+    load_camera,
     load_cameras,
     load_dataset,
     load_field,
@@ -206,3 +208,18 @@ def test_annotations_in_pixels_are_told(sample_data: Path) -> None:
     px = FrameAnnotation.from_dict(annotations[name].to_dict(size=(960, 540)))
     with pytest.warns(UserWarning, match=r"look like pixels, expected 0 to 1, in .*00002"):
         evaluate_set({name: px}, {name: fit_camera(annotations[name])})
+
+
+def test_frames_are_found_however_cameras_call_them(sample_data: Path, tmp_path: Path) -> None:
+    """Without the folder of pictures, composed otherwise, in the only folder of their place."""
+    for place in ("set/cafe\u0301/img1", "cameras/caf\u00e9"):
+        (tmp_path / place).mkdir(parents=True)
+    camera = sample_data / "cameras/pinhole/camera_00001.json"
+    shutil.copy(sample_data / "00001.json", tmp_path / "set/cafe\u0301/img1/1.json")
+    shutil.copy(camera, tmp_path / "cameras/caf\u00e9/1.json")
+    cameras = load_cameras(tmp_path / "cameras")
+    assert list(cameras) == ["1"]
+    found = evaluate_set(tmp_path / "set", cameras)
+    assert list(found.frames) == ["cafe\u0301/img1/1"]
+    by_name = {"caf\u00e9/1": load_camera(camera)}
+    assert evaluate_set(tmp_path / "set", by_name).rows() == found.rows()

@@ -179,3 +179,22 @@ def test_a_link_in_a_circle_is_one_file_that_cannot_be_read(tmp_path: Path) -> N
         assert list(list_annotations(folder)) == ["good", "loop"]
         with pytest.raises(InputError, match=r"loop\.json: cannot be read"):
             folder.read("loop.json")
+
+
+def test_a_packed_tree_is_called_by_what_lies_in_its_own_folder(tmp_path: Path) -> None:
+    """As who packs a folder of matches gets it; beside what a Mac adds."""
+    for stem, frames in (("anna", ["g1/1", "g2/1"]), ("ben", ["anna/g1/1", "anna/g2/1"])):
+        path = tmp_path / f"{stem}.zip"
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr("anna/", "")
+            archive.writestr("__MACOSX/anna/g1/._1.json", "x")
+            for game in ("g1", "g2"):
+                archive.writestr(f"anna/{game}/1.json", game)
+        with open_source(path) as source:
+            found = list_annotations(source)
+            assert list(found) == frames
+            assert [source.read(file) for file in found.values()] == [b"g1", b"g2"]
+    with zipfile.ZipFile(tmp_path / "test.zip", "w") as archive:
+        archive.writestr("test/1.json", "{}")
+    with open_source(tmp_path / "test.zip") as source:
+        assert list_annotations(source).only_folder == "test/"

@@ -106,6 +106,7 @@ class Assistant(QObject):
         self._regularise(self._document.annotation.polylines)
 
     def _regularise(self, polylines: tuple[Polyline, ...]) -> None:
+        self._work.finish()  # what was asked for before is done first
         document, picture = self._document, self._document.picture
         field, size = document.field, document.picture_size
         # Smoothing would round the corners off, and a single place has no line.
@@ -186,6 +187,7 @@ class Assistant(QObject):
     def copy_from_previous(self) -> None:
         """Take over the elements of the nearest annotated frame before this one, moved as the
         camera moved; they wait for a hand."""
+        self._work.finish()
         document = self._document
         document.aboutToLeave.emit()
         workspace = document.workspace
@@ -205,7 +207,7 @@ class Assistant(QObject):
         self._doing = _COPYING
         fit = document.shot_track.fit_here if document.proposals.allowed else None
         if fit is not None:
-            here, field = document.annotation, document.field
+            here, field = document.annotation, document.state.sized_field
             self._work.start(
                 lambda _: copy_along_track(polylines, here, picture, field, fit),
                 partial(self._apply_copied, frame.name, along_track=True),

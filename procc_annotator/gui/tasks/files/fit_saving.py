@@ -10,10 +10,9 @@ from PySide6.QtCore import QObject
 
 from procc_annotator.errors import ProccError
 from procc_annotator.fit.determined import hardly_determined
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
+from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet
@@ -37,7 +36,6 @@ class FitSaving(QObject):
     def __init__(self, document: Document) -> None:
         super().__init__(document)
         self._document = document
-        self._work = Latest(self, lambda text: document.say(text, "error"))
 
     def save(self) -> None:
         """Write the fit on screen into the dataset's folder of fits, in the background."""
@@ -71,7 +69,7 @@ class FitSaving(QObject):
             if source.files is not None and _same(source.files.path, folder)
         ]
         left_open = hardly_determined(insight.fit)
-        annotation, fit, field = insight.annotation, insight.fit, document.field.described
+        annotation, fit, field = insight.annotation, insight.fit, document.frame_field.described
 
         def work(control: JobControl) -> _Saved:
             path = save_fit(folder, frame.name, annotation, fit, field=field)
@@ -83,7 +81,14 @@ class FitSaving(QObject):
                 return _Saved(path, frame.name, (), left_open, str(error))
             return _Saved(path, frame.name, again, left_open)
 
-        self._work.start(work, self._tell)
+        # Each is written, however soon the next one is asked for.
+        run_in_background(
+            work,
+            on_result=self._tell,
+            on_error=lambda text: document.say(text, "error"),
+            owner=self,
+            writes=True,
+        )
 
     def _tell(self, saved: _Saved) -> None:
         document = self._document

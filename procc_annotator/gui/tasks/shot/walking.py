@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QTimer, Signal
+from PySide6.QtWidgets import QApplication
 
 from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.gui.picture.canvas import Canvas
@@ -30,13 +31,14 @@ class ShotWalk(QObject):
 
     playingChanged = Signal(bool)
 
-    def __init__(self, document: Document, canvas: Canvas, parent: QObject) -> None:
-        super().__init__(parent)
-        self._document = document
+    def __init__(self, document: Document, canvas: Canvas, window: QObject) -> None:
+        super().__init__(window)
+        self._document, self._window = document, window
         self._at: int | None = None  # where playing is
         self._clock = QTimer(self, singleShot=True)
         self._clock.timeout.connect(self._play_on)
         canvas.editor.changed.connect(self.stop)  # a hand does something
+        canvas.menuWanted.connect(self.stay)  # before the menu is there, and with it a choice
         document.annotationChanged.connect(self.stop)
         document.datasetChanged.connect(self.stop)
 
@@ -94,6 +96,7 @@ class ShotWalk(QObject):
         if self.playing:
             self.stop()
         elif self._has_order():
+            self._window.installEventFilter(self)
             self._at = self._document.frame_index
             self.playingChanged.emit(True)
             self._play_on()
@@ -103,7 +106,19 @@ class ShotWalk(QObject):
         if self._at is not None:
             self._at = None
             self._clock.stop()
+            self._window.removeEventFilter(self)
             self.playingChanged.emit(False)
+
+    def stay(self) -> None:
+        """Stop, without a frame that is on its way still: something was chosen on this one."""
+        if self.playing:
+            self.stop()
+            self._document.walk.stay()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.WindowBlocked:  # a dialog asks about the frame on screen
+            self.stay()
+        return False
 
     def _play_on(self) -> None:
         """Go to the next frame, unless somebody went elsewhere or the last one is there."""
@@ -111,6 +126,9 @@ class ShotWalk(QObject):
         sequence = document.sequence.value
         if at is None or sequence is None:
             self.stop()
+            return
+        if QApplication.activePopupWidget() is not None:  # a menu of the bar
+            self.stay()
             return
         if document.walk.coming:  # pictures come more slowly than they should be shown
             self._clock.start(5)

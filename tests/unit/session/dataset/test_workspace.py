@@ -408,3 +408,11 @@ def test_somebody_elses_empty_file_is_not_removed_for_ours(
     with pytest.raises(ChangedOnDiskError):
         work.save(0)
     assert path.read_bytes() == b"{}"
+
+
+def test_annotations_around_an_only_folder_may_be_composed_otherwise(tmp_path: Path) -> None:
+    (tmp_path / "img1").mkdir()
+    (tmp_path / "img1/caf\u00e9.png").touch()
+    (tmp_path / "cafe\u0301.json").write_text("{}")
+    workspace = Workspace.open(tmp_path, load_field())
+    assert workspace.has_file(0)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import SaveError
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
@@ -17,6 +18,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.fitted_on import annotation_digest
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
@@ -88,6 +90,16 @@ def test_what_it_was_fitted_to_is_known_in_folders_too(
         beside = cameras.beside()
     assert told == [annotation_digest(clicks)] * len(frames)
     assert beside == ([f"{frame}.fit" for frame in frames] if model == "H" else [])
+
+
+def test_a_table_tells_of_files_that_are_composed_otherwise(tmp_path: Path) -> None:
+    """As where files were copied to a Mac, and the table was not written anew."""
+    camera = PinholeCamera(0.1, 1.3, 0.0, (0.0, 60.0, -15.0), (1500.0, 1500.0), (479.5, 269.5))
+    (tmp_path / "camera_cafe\u0301.json").write_bytes(write_camera(camera))
+    rows = "name,annotation_sha256\ncaf\u00e9,0123\n"
+    (tmp_path / "calibration.csv").write_text(rows, "utf-8")
+    with CameraCollection.open(tmp_path) as cameras:
+        assert cameras.read("caf\u00e9").fitted_on == "0123"
 
 
 @pytest.mark.parametrize("theirs", ["camera_a.json", "a.npy"])
