@@ -1083,6 +1083,11 @@
    </translation>
   </message>
   <message>
+   <source>Measuring the set…</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Der Satz wird gemessen…</translation>
+  </message>
+  <message>
    <source>Distances by element</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>Abstände je Element</translation>
@@ -1096,11 +1101,6 @@
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>JaC der Übereinstimmung bei {tau:g} px: {jac:.3f}</translation>
-  </message>
-  <message>
-   <source>Measuring the set…</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Der Satz wird gemessen…</translation>
   </message>
   <message>
    <source>No element is annotated by both in any frame.</source>

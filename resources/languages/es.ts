@@ -1083,6 +1083,11 @@
    </translation>
   </message>
   <message>
+   <source>Measuring the set…</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Midiendo el conjunto…</translation>
+  </message>
+  <message>
    <source>Distances by element</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>Distancias por elemento</translation>
@@ -1096,11 +1101,6 @@
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>JaC de concordancia a {tau:g} px: {jac:.3f}</translation>
-  </message>
-  <message>
-   <source>Measuring the set…</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Midiendo el conjunto…</translation>
   </message>
   <message>
    <source>No element is annotated by both in any frame.</source>

@@ -1083,6 +1083,11 @@
    </translation>
   </message>
   <message>
+   <source>Measuring the set…</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>Mesure du jeu…</translation>
+  </message>
+  <message>
    <source>Distances by element</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>Distances par élément</translation>
@@ -1096,11 +1101,6 @@
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>JaC de l’accord à {tau:g} px : {jac:.3f}</translation>
-  </message>
-  <message>
-   <source>Measuring the set…</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>Mesure du jeu…</translation>
   </message>
   <message>
    <source>No element is annotated by both in any frame.</source>

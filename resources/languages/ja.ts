@@ -1071,6 +1071,11 @@
    </translation>
   </message>
   <message>
+   <source>Measuring the set…</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>セットを測定中…</translation>
+  </message>
+  <message>
    <source>Distances by element</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>要素ごとの距離</translation>
@@ -1084,11 +1089,6 @@
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>一致度 JaC（{tau:g} px）：{jac:.3f}</translation>
-  </message>
-  <message>
-   <source>Measuring the set…</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>セットを測定中…</translation>
   </message>
   <message>
    <source>No element is annotated by both in any frame.</source>

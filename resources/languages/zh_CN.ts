@@ -1071,6 +1071,11 @@
    </translation>
   </message>
   <message>
+   <source>Measuring the set…</source>
+   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
+   <translation>正在测量数据集…</translation>
+  </message>
+  <message>
    <source>Distances by element</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>各元素的距离</translation>
@@ -1084,11 +1089,6 @@
    <source>Agreement JaC at {tau:g} px: {jac:.3f}</source>
    <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
    <translation>{tau:g} px 下的一致性 JaC：{jac:.3f}</translation>
-  </message>
-  <message>
-   <source>Measuring the set…</source>
-   <extracomment>[procc_annotator/gui/panels/agreement.py]</extracomment>
-   <translation>正在测量数据集…</translation>
   </message>
   <message>
    <source>No element is annotated by both in any frame.</source>

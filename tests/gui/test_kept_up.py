@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -209,3 +210,83 @@ def test_a_dataset_whose_pictures_lie_in_a_folder_of_it_is_opened_when_dropped(
     window.opening.drop([tmp_path / "match"])
     assert window.document.workspace.root == tmp_path / "match"
     assert not window.document.sources
+
+
+class TestWhatWasLeft:
+    def test_a_comment_that_is_half_typed_stays_with_its_frame(
+        self, window: MainWindow, annotated: Path
+    ) -> None:
+        box, document = window.review.text, window.document
+        box.setText("the post is")
+        document.go_to(1)
+        assert box.text() == ""
+        document.go_to(0)
+        assert box.text() == "the post is"
+        document.open_path(annotated)
+        assert box.text() == ""
+
+    def test_approved_in_the_panel_stays_when_a_line_was_under_way(
+        self, window: MainWindow, hand: Hand
+    ) -> None:
+        window.document.select_class(MIDDLE)
+        hand.click(100, 100)
+        box = window.review.status
+        box.setCurrentIndex(box.findText("Approved"))
+        box.activated.emit(box.currentIndex())
+        window.document.go_to(1)
+        assert window.document.review.status("frame_0") is Status.APPROVED
+
+    def test_a_frame_left_before_its_fit_came_keeps_no_fit_of_other_clicks(
+        self, begun: MainWindow, qtbot: QtBot
+    ) -> None:
+        document = begun.document
+        name, fits = document.frame.name, document.fit_source
+        qtbot.waitUntil(lambda: name in fits.cameras.fits)
+        first = document.annotation.annotated[0]
+        document.edit("taken out", lambda seen: seen.without(first))
+        document.next_frame()
+        assert name not in fits.cameras.fits
+        settle(begun, qtbot)
+
+    def test_the_noise_of_two_annotators_follows_the_clicks(
+        self, audited: MainWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        other = tmp_path / "other"
+        other.mkdir()
+        for path in annotated.glob("*.json"):
+            shutil.copy(path, other)
+        panel, document = audited.agreement, audited.document
+        panel.open(other)
+        qtbot.waitUntil(lambda: "median 0.00 px" in panel.noise.text())
+        line = document.annotation.polylines[0]
+        moved = tuple(point._replace(v=point.v + 0.02) for point in line.points)
+        others = tuple(p for p in document.annotation.polylines if p is not line)
+        document.commit_edit("moved", FrameAnnotation((replace(line, points=moved), *others)))
+        before = document.state.noise_floor
+        qtbot.waitUntil(lambda: document.state.noise_floor != before)
+        settle(audited, qtbot)
+
+
+def test_what_is_regularised_first_is_done_when_the_next_is_asked_for(
+    begun: MainWindow, qtbot: QtBot
+) -> None:
+    document = begun.document
+    for name in document.annotation.annotated[:2]:
+        document.select_class(name)
+        begun.assistant.regularise_named(name)
+    qtbot.waitUntil(lambda: not begun.assistant.busy)
+    steps = []
+    while (step := document.editing.steps[0]) is not None:
+        steps.append(step)
+        document.undo()
+    assert sum("regularise" in step for step in steps) == 2
+
+
+class TestPaintedWidth:
+    def test_it_is_drawn_in_the_next_frame_too(self, audited: MainWindow, qtbot: QtBot) -> None:
+        document = audited.document
+        document.painted_width.set_wanted(True)
+        qtbot.waitUntil(lambda: document.painted_width.value is not None)
+        document.next_frame()
+        qtbot.waitUntil(lambda: document.painted_width.value is not None)
+        document.painted_width.set_wanted(False)

@@ -573,6 +573,15 @@ class TestSaving:
         assert loaded.size == (1280, 720)
         assert json.loads(path.read_text())["fit"]["model"] == "P"
 
+    def test_each_fit_is_written_however_soon_the_next_is_asked_for(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        told: list[str] = []
+        fitted.document.message.connect(lambda text, level: told.append(text))
+        for _ in range(2):
+            fitted.actions_["save_fit"].trigger()
+        qtbot.waitUntil(lambda: sum("is saved as" in text for text in told) == 2)
+
     def test_a_camera_that_is_hardly_determined_is_called_so(
         self, fitted: MainWindow, qtbot: QtBot
     ) -> None:

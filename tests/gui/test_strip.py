@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Iterable
 from pathlib import Path
 from time import thread_time
@@ -13,7 +14,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QFocusEvent, QPalette, QPixmap, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialog
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.pinhole import PinholeCamera
@@ -50,13 +51,19 @@ def panned(number: int, scene: int = 0) -> np.ndarray:
     return np.ascontiguousarray(wide[:, 2 * number : 2 * number + SIZE[0]])
 
 
+@pytest.fixture(scope="module")
+def following() -> list[bytes]:
+    """PNG of pictures that follow one another."""
+    return [cv2.imencode(".png", panned(number))[1].tobytes() for number in range(COUNT)]
+
+
 @pytest.fixture
-def shot(tmp_path: Path) -> Path:
-    """A folder of pictures that follow one another."""
+def shot(tmp_path: Path, following: list[bytes]) -> Path:
+    """A folder of them."""
     folder = tmp_path / "shot"
     folder.mkdir()
-    for number in range(COUNT):
-        cv2.imwrite(str(folder / f"shot_{number + 100:04d}.png"), panned(number))
+    for number, picture in enumerate(following, start=100):
+        (folder / f"shot_{number:04d}.png").write_bytes(picture)
     return folder
 
 
@@ -296,6 +303,58 @@ class TestKeys:
         qtbot.waitUntil(lambda: not walk.playing)
 
         assert document.frame_index == COUNT - 1
+
+    def test_a_menu_of_the_picture_is_of_the_frame_it_was_asked_for_on(
+        self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        document, seen = window.document, []
+
+        class Menu:
+            def exec(self, _: QPoint) -> None:
+                before = document.frame_index
+                assert not window.shot_walk.playing
+                assert not document.walk.coming
+                seen.append(before)
+
+            def deleteLater(self) -> None:
+                pass
+
+        monkeypatch.setattr("procc_annotator.gui.main_window.canvas_menu", lambda *_, **__: Menu())
+        key(window, Qt.Key.Key_Space, SHIFT)
+        qtbot.waitUntil(lambda: document.frame_index > 2)
+        window.canvas.menuWanted.emit(QPoint())
+        assert seen == [document.frame_index]
+
+    def test_a_dialog_is_about_the_frame_it_was_opened_on(
+        self, window: MainWindow, qtbot: QtBot
+    ) -> None:
+        key(window, Qt.Key.Key_Space, SHIFT)
+        qtbot.waitUntil(lambda: window.document.frame_index > 2)
+        dialog = QDialog(window)
+        dialog.open()
+        assert not window.shot_walk.playing
+        assert not window.document.walk.coming
+        dialog.close()
+        dialog.deleteLater()
+
+    def test_a_picture_on_its_way_takes_nobody_back_who_went_elsewhere(
+        self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        document, visited, go = window.document, [], threading.Event()
+        decode = document.cache.get_ready
+
+        def slow(path: Path) -> object:
+            go.wait(30)
+            return decode(path)
+
+        monkeypatch.setattr(document.cache, "get_ready", slow)
+        document.frameChanged.connect(lambda: visited.append(document.frame_index))
+        document.walk.come_to(10)
+        document.walk.come_to(20)
+        document.go_to(20)
+        go.set()
+        all_done(qtbot)
+        assert visited == [20]
 
 
 class TestWhatItTells:

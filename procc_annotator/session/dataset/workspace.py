@@ -311,9 +311,8 @@ class Workspace:
         if found is not None:
             self.memory.keep(self.frames[index].name, found, word("overwritten"))
         state.made_here = False
-        written = write_one(
-            pending_of(index, self.frames[index], state, self.root), over_anything=True
-        )
+        pending = pending_of(index, self.frames[index], state, self.root)
+        written = write_one(pending, over_anything=True)
         self._keep(written)
         self.note_saved(written)
         if written.error is not None:
