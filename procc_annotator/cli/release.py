@@ -22,7 +22,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.csv_text import csv_cells, formula_text
 from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.io.source import FileSource, read_file
+from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
 from procc_annotator.report import agreement, findings
 from procc_annotator.report.provenance import export_provenance
 from procc_annotator.report.release.publishing import (
@@ -36,7 +36,6 @@ from procc_annotator.report.release.released import (
     FIELD_COPY,
     FINDINGS_FILE,
     PROVENANCE_FILE,
-    RELEASE_FILE,
     Release,
     ReleaseTerms,
 )

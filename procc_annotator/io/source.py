@@ -23,6 +23,9 @@ from procc_annotator.io.folders import DEEPEST, counts, entries, too_deep, walk
 from procc_annotator.io.frame_names import leads_out
 from procc_annotator.io.json_text import printable
 
+# What a release keeps beside the folder of its annotations.
+RELEASE_FILE = "release.json"
+_RELEASED = "annotations/"
 _LONGEST_NAME = 255  # of what a file system takes; an archive may hold any
 # Annotations and cameras have a few kilobytes. A larger file is another one, or a zip bomb.
 LARGEST_FILE = 50 * 1024 * 1024
@@ -217,10 +220,13 @@ class ZipSource(_Opened):
             ) from error
         # A member that was replaced by appending is listed twice; the later one counts.
         self._stored = {name.removeprefix("./"): name for name in self._archive.namelist()}
+        members = self._members()
         # A packed tree of folders: its own name on top is that of the archive, not of frames.
-        own, members = f"{path.stem}/", self._members()
+        own = f"{path.stem}/"
         if members and all(n.startswith(own) and n.count("/") > 1 for n in members):
-            self._stored = {n.removeprefix(own): self._stored[n] for n in members}
+            self._have_only(own)
+        elif RELEASE_FILE in members and any(n.startswith(_RELEASED) for n in members):
+            self._have_only(_RELEASED)
         for member in self._archive.infolist():
             name = member.orig_filename  # as stored; zipfile may cut or translate the other one
             if leads_out(name):
@@ -230,6 +236,11 @@ class ZipSource(_Opened):
                     f"holds the name {printable(name, 120)!r}, which leads out of the archive",
                     advice="the archive is not used: look at it, or make it anew",
                 )
+
+    def _have_only(self, folder: str) -> None:
+        """Look alike to what is in one of the folders."""
+        inside = (name for name in self._members() if name.startswith(folder))
+        self._stored = {name.removeprefix(folder): self._stored[name] for name in inside}
 
     def files(self) -> list[str]:
         names = self._members()

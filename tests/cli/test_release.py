@@ -241,3 +241,21 @@ def test_a_release_before_that_is_none(cli, keep: Path, tmp_path: Path) -> None:
     assert done.exit_code == 2
     assert "is no release" in done.output
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("flat", [True, False])
+def test_an_archive_of_a_release_is_read_as_what_it_was_made_of(
+    cli, keep: Path, tmp_path: Path, flat: bool
+) -> None:
+    place = keep if flat else tmp_path / "season"
+    cameras = keep / "cameras/pinhole" if flat else tmp_path / "cameras"
+    for match in () if flat else ("a", "b"):
+        (place / match).mkdir(parents=True)
+        shutil.copy(keep / "00001.json", place / match)
+        shutil.copytree(keep / "cameras/pinhole", cameras / match)
+    out, before, after = tmp_path / "r.zip", tmp_path / "before.csv", tmp_path / "after.csv"
+    made(cli, place, out, "--version", "1.0", "--licence", "CC-BY-4.0", "--no-check")
+    assert cli("evaluate", place, cameras, "-o", before).exit_code == 0
+    done = cli("evaluate", out, cameras, "-o", after)
+    assert done.exit_code == 0, done.stderr
+    assert after.read_text() == before.read_text()

@@ -19,6 +19,7 @@ import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.cli import track as command
+from procc_annotator.field.load import load_field
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.io.camera_files.cameras import read_camera_file
@@ -160,10 +161,12 @@ def test_only_the_shot_of_a_frame(cli, video, cameras, tmp_path) -> None:
         assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(CUT, FRAMES)]
 
 
-def follow_by(monkeypatch: pytest.MonkeyPatch, follow: Callable[..., Track]) -> None:
-    """Something else follows shots; nor is anything prepared for looking for cameras."""
+def follow_by(monkeypatch: pytest.MonkeyPatch, follow: Callable[..., Track]) -> list[object]:
+    """Something else follows shots; what was to be prepared for looking for cameras is told."""
+    prepared: list[object] = []
     monkeypatch.setattr(command, "follow_shot", follow)
-    monkeypatch.setattr(command, "_prepare", lambda *_: None)
+    monkeypatch.setattr(command, "prepare", lambda *given: prepared.append(given))
+    return prepared
 
 
 def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_path) -> None:
@@ -173,10 +176,11 @@ def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_p
         given.append((numbers, dict(anchors)))
         return nothing_found(frame, numbers, field, anchors=anchors, known=known, on_frame=on_frame)
 
-    follow_by(monkeypatch, followed)
+    prepared = follow_by(monkeypatch, followed)
     done = cli("track", video, tmp_path / "out", "--from", "14")
     assert done.exit_code == 0, done.output
     assert given == [(range(CUT, FRAMES), {})]
+    assert prepared == [(load_field("soccer"), SIZE)]
 
 
 def test_a_shot_without_a_camera_is_looked_at_where_the_other_one_stands(

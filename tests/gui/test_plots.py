@@ -47,8 +47,9 @@ PAGES = (
 
 
 @pytest.fixture
-def sample(sample_copy: Path) -> Path:
-    return sample_copy
+def sample(annotated: Path) -> Path:
+    """A few frames; classes that need the whole sample have it."""
+    return annotated
 
 
 @pytest.fixture
@@ -107,6 +108,10 @@ def numbers(window: MainWindow, qtbot: QtBot, path: Path) -> list[dict[str, str]
 
 class TestSteady:
     @pytest.fixture
+    def sample(self, sample_copy: Path) -> Path:
+        return sample_copy
+
+    @pytest.fixture
     def panning(self, plotted: MainWindow, tmp_path: Path) -> MainWindow:
         """Cameras of all frames, annotated or not, that pan evenly but for the seventh."""
         folder = tmp_path / "panning"
@@ -144,6 +149,10 @@ class TestSteady:
 
 
 class TestTimeline:
+    @pytest.fixture
+    def sample(self, sample_copy: Path) -> Path:
+        return sample_copy
+
     def test_a_click_shows_the_frame_and_the_mark_follows(
         self, plotted: MainWindow, qtbot: QtBot
     ) -> None:
@@ -195,6 +204,10 @@ class TestTimeline:
 
 
 class TestTau:
+    @pytest.fixture
+    def sample(self, sample_copy: Path) -> Path:
+        return sample_copy
+
     def test_the_frames_curves_and_the_line_that_can_be_dragged(
         self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
     ) -> None:
@@ -358,6 +371,10 @@ class TestErrors:
 
 
 class TestPoses:
+    @pytest.fixture
+    def sample(self, sample_copy: Path) -> Path:
+        return sample_copy
+
     def test_values_a_click_and_models_without_pose(
         self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
     ) -> None:

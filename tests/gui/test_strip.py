@@ -51,13 +51,19 @@ def panned(number: int, scene: int = 0) -> np.ndarray:
     return np.ascontiguousarray(wide[:, 2 * number : 2 * number + SIZE[0]])
 
 
+@pytest.fixture(scope="module")
+def following() -> list[bytes]:
+    """PNG of pictures that follow one another."""
+    return [cv2.imencode(".png", panned(number))[1].tobytes() for number in range(COUNT)]
+
+
 @pytest.fixture
-def shot(tmp_path: Path) -> Path:
-    """A folder of pictures that follow one another."""
+def shot(tmp_path: Path, following: list[bytes]) -> Path:
+    """A folder of them."""
     folder = tmp_path / "shot"
     folder.mkdir()
-    for number in range(COUNT):
-        cv2.imwrite(str(folder / f"shot_{number + 100:04d}.png"), panned(number))
+    for number, picture in enumerate(following, start=100):
+        (folder / f"shot_{number:04d}.png").write_bytes(picture)
     return folder
 
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,7 @@ from numpy.typing import NDArray
 from procc_annotator.metric.polylines import FloatArray, IntArray
 
 _AT_ONCE = 1 << 20  # entries of a matrix of counts
+_KEPT = 1 << 22  # entries of all matrices that are kept, two bytes each
 
 
 @dataclass(frozen=True)
@@ -162,7 +164,18 @@ def sample(ratios: Ratios, clusters: IntArray, draws: Draws | None) -> Sampled:
 
 def counts_drawn(clusters: int, draws: Draws) -> Iterator[FloatArray]:
     """How often each cluster is in each set drawn, (b, G), until all sets are drawn."""
+    if clusters * draws.count > _KEPT or clusters > np.iinfo(np.uint16).max:
+        return _counts(clusters, draws)
+    return (counts.astype(np.float64) for counts in _counts_kept(clusters, draws))
 
+
+@lru_cache(maxsize=1)
+def _counts_kept(clusters: int, draws: Draws) -> tuple[NDArray[np.uint16], ...]:
+    """The same of a set of usual size: a command draws the same sets for every source and curve."""
+    return tuple(counts.astype(np.uint16) for counts in _counts(clusters, draws))
+
+
+def _counts(clusters: int, draws: Draws) -> Iterator[FloatArray]:
     def drawn(rng: np.random.Generator, rows: int) -> FloatArray:
         chosen = rng.integers(0, clusters, (rows, clusters), dtype=np.uint32)
         counts = np.empty((rows, clusters))

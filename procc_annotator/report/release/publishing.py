@@ -17,7 +17,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.frame_names import FrameTable, leads_out
-from procc_annotator.io.source import FileSource, read_file
+from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
 from procc_annotator.report.release.card import dataset_card
 from procc_annotator.report.release.changes import Changes, changed_frame, changelog
 from procc_annotator.report.release.croissant import croissant_bytes
@@ -30,7 +30,6 @@ from procc_annotator.report.release.released import (
     INDEX_FILE,
     ONE_SPLIT,
     PICTURES,
-    RELEASE_FILE,
     SPLITS,
     Release,
     ReleasedFrame,

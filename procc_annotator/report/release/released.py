@@ -11,7 +11,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.report.sheet.sheet import Column, Sheet, whole
 
-INDEX_FILE, RELEASE_FILE, CARD_FILE = "index.csv", "release.json", "README.md"
+INDEX_FILE, CARD_FILE = "index.csv", "README.md"
 CHANGES_FILE, CROISSANT_FILE = "CHANGELOG.md", "croissant.json"
 FINDINGS_FILE, AGREEMENT_FILE = "findings.csv", "agreement.json"
 PROVENANCE_FILE, FIELD_COPY = "provenance.json", "field.toml"
