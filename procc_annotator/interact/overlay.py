@@ -283,6 +283,8 @@ def _pointer_label(
     text = tr(field.title_of(name))
     place = np.array([at], dtype=np.float64)
     if draft is None or draft.hand is NO_HAND:
-        return Labels(place, (text,), tones.LABEL)
+        return Labels(place, (text,), tones.LABEL, carried=True)
     signs = HandSigns(draft_colour(draft, field), draft.hand.snap)
-    return Labels(place, (f"{text}  {hand_words(draft.hand)}",), tones.LABEL, hand=signs)
+    return Labels(
+        place, (f"{text}  {hand_words(draft.hand)}",), tones.LABEL, hand=signs, carried=True
+    )

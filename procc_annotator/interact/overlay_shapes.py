@@ -86,7 +86,7 @@ class Labels:
 
     ``sign`` is a finding's severity, whose sign goes before each text (or stands alone before "");
     ``below``: on the other side of their points than texts usually are. ``hand``: what stands
-    beside the text at the cursor.
+    beside the text at the cursor. ``carried``: at the cursor; others need not give way.
     """
 
     positions: FloatArray
@@ -95,6 +95,7 @@ class Labels:
     sign: str = ""
     below: bool = False
     hand: HandSigns | None = None
+    carried: bool = False
 
 
 @dataclass(frozen=True, eq=False)

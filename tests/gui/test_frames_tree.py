@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -167,3 +169,19 @@ def test_while_blind_no_folder_tells_a_score(
     assert scores() == [None, None]
     all_done(qtbot)
     assert scores() == [None, None]
+
+
+def test_an_annotation_without_the_folder_of_pictures_is_shown_and_saved_where_it_is(
+    make_window: MakeWindow, tree: Path, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
+) -> None:
+    path = tree / "annotations/a/0.json"
+    path.parent.mkdir(parents=True)
+    path.write_text(json.dumps({"Middle line": [{"x": 0.1, "y": 0.1}, {"x": 0.4, "y": 0.4}]}))
+    window = make_window(tree)
+    assert [p.class_name for p in window.document.annotation.polylines] == ["Middle line"]
+    hand_on(window).draw("Side line top", (10, 30), (60, 30))
+    qtbot.waitUntil(lambda: "Side line top" in json.loads(path.read_text()))
+    assert [p.name for p in (tree / "annotations").rglob("*.json")] == ["0.json"]
+    window.document.go_to(1)
+    hand_on(window).draw("Side line top", (10, 30), (60, 30))
+    qtbot.waitUntil((tree / "annotations/a/img1/1.json").exists)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF, QTransform
 
-from procc_annotator.gui.picture.label_plates import LABEL_REACH, paint_labels
+from procc_annotator.gui.picture.label_plates import anchored, arranged, carried, paint_plates
 from procc_annotator.interact.overlay_shapes import Box, FilledArea, Overlay, PointMarks, Strokes
 
 Array = NDArray[np.float64]
@@ -37,7 +37,6 @@ def paint_overlay(
     clip: QRectF | None = None,
     room: QRectF | None = None,
     labelled: bool = True,
-    apart: bool = False,
     text_times: float = 1.0,
 ) -> None:
     """Paint an overlay.
@@ -51,8 +50,6 @@ def paint_overlay(
         clip: what needs painting, in device px; None for the whole device.
         room: what can be seen of the device; texts of points in it stay inside. None for all.
         labelled: whether with its texts.
-        apart: whether texts give way to each other; for whole pictures, since where one goes then
-            depends on all others.
         text_times: how large texts are of what they usually are.
     """
     area = clip if clip is not None else QRectF(painter.viewport())
@@ -73,10 +70,12 @@ def paint_overlay(
     for marks in overlay.seen_marks:
         if _touches(marks.box, near):
             _paint_marks(painter, marks, view, near)
-    if labelled:
-        reach = view.reach(LABEL_REACH * unit * text_times)
-        texts = [(x, *at) for x in overlay.labels for at in view.places(x.positions, reach)]
-        paint_labels(painter, texts, view.area, seen, unit, apart=apart, times=text_times)
+    if labelled and overlay.labels:
+        at = scale, view.x, view.y
+        room_box = seen.left(), seen.top(), seen.right(), seen.bottom()
+        for labels in (anchored(overlay.labels), carried(overlay.labels)):
+            plates = arranged(labels, at, room_box, unit=unit, times=text_times)
+            paint_plates(painter, plates, view.area, unit=unit, times=text_times)
     painter.restore()
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QGuiApplication, QPainter
 
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
@@ -24,49 +26,101 @@ _GAP = 9.0
 _FONT_PIXELS = 12.0  # in points of the overlay, as all sizes here
 _SIGN = 15.0  # of a finding, before its text
 _PLATE = QColor(20, 20, 20, 190)
-_WIDTHS_KEPT = 2_000
-_widths: dict[tuple[str, tuple[str, int]], float] = {}  # of texts, by their fonts
 
 
-def paint_labels(
-    painter: QPainter,
-    near: Sequence[tuple[Labels, int, float, float]],
-    area: QRectF,
-    room: QRectF,
-    unit: float,
+class Plate(NamedTuple):
+    """A text, and the plate it stands on: left, top, right, bottom, device px."""
+
+    labels: Labels
+    row: int
+    place: Box
+
+    @property
+    def text(self) -> str:
+        return self.labels.texts[self.row]
+
+
+def anchored(groups: tuple[Labels, ...]) -> tuple[Labels, ...]:
+    """Without what is at the cursor: they stay what they are while it moves."""
+    return tuple([labels for labels in groups if not labels.carried])
+
+
+def carried(groups: tuple[Labels, ...]) -> tuple[Labels, ...]:
+    """What is at the cursor."""
+    return tuple([labels for labels in groups if labels.carried])
+
+
+@lru_cache(maxsize=16)  # painted again and again, part by part
+def arranged(
+    groups: tuple[Labels, ...],
+    at: tuple[float, float, float],
+    room: Box,
     *,
-    apart: bool,
-    times: float,
-) -> None:
-    """Paint texts on plates.
+    unit: float = 1.0,
+    times: float = 1.0,
+) -> tuple[Plate, ...]:
+    """Where texts go so that they do not cover each other; signs of findings stand where they are,
+    and so does what is at the cursor, which nothing gives way to. What needs painting does not
+    matter: a part that is painted anew fits the rest.
 
     Args:
-        near: a group, which of its texts, and the place of its point, device px.
-        area: what needs painting, device px.
-        room: what can be seen; texts of points in it stay inside.
+        groups: texts and their points, picture px.
+        at: device px per picture px, and the device px of the first pixel's centre.
+        room: what can be seen, device px; texts of points in it stay inside.
         unit: device px per point.
-        apart: whether texts give way to each other.
         times: how large texts are of what they usually are.
     """
-    if not near:
-        return
-    font = QFont(painter.font())
-    font.setPixelSize(max(1, round(_FONT_PIXELS * unit * times)))
+    letter = QFontMetricsF(_font(unit, times)).height()
+    seen = QRectF(QPointF(*room[:2]), QPointF(*room[2:]))
+    reach = LABEL_REACH * unit * times
+    near = seen.adjusted(-reach, -reach, reach, reach)
+    found: list[Plate] = []
+    for labels in groups:
+        for row, (x, y) in enumerate(labels.positions.tolist()):
+            point = QPointF(x * at[0] + at[1], y * at[0] + at[2])
+            if near.contains(point):
+                size = _size(labels, labels.texts[row], letter, unit, times)
+                box = place_label(point, size, seen, unit, below=labels.below)
+                found.append(Plate(labels, row, _box(box)))
+    taken = [plate.place for plate in found if plate.labels.sign]
+    for i, plate in enumerate(found):
+        if not (plate.labels.sign or plate.labels.carried):
+            taken.append(place_apart(plate.place, taken, room))
+            found[i] = plate._replace(place=taken[-1])
+    return tuple(found)
+
+
+def paint_plates(
+    painter: QPainter, plates: Sequence[Plate], area: QRectF, *, unit: float, times: float
+) -> None:
+    """Paint texts on plates, as far as they lie in what needs painting, device px."""
+    font = _font(unit, times)
     painter.setFont(font)
-    metrics, known = QFontMetricsF(font), (font.family(), font.pixelSize())
-    letter, taken = metrics.height(), list[Box]()
-    for labels, row, x, y in near:
-        text, sign = labels.texts[row], _SIGN * unit if labels.sign else 0.0
-        # A plate behind the text keeps it readable on grass, lines and crowd alike.
-        wide = _width(text, known, metrics) + (8 * unit if text else 4 * unit) + sign
-        wide += sum(_hand_room(labels.hand, letter))
-        size = QSizeF(wide, max(letter, sign) + 2 * unit)
-        plate = place_label(QPointF(x, y), size, room, unit, below=labels.below)
-        if apart:
-            taken.append(place_apart(_box(plate), taken, _box(room)))
-            plate.moveTo(*taken[-1][:2])
-        if plate.intersects(area):
-            _paint_label(painter, labels, text, plate, unit, letter)
+    letter = QFontMetricsF(font).height()
+    for plate in plates:
+        left, top, right, bottom = plate.place
+        box = QRectF(left, top, right - left, bottom - top)
+        if box.intersects(area):
+            _paint_label(painter, plate.labels, plate.text, box, unit, letter)
+
+
+def _font(unit: float, times: float) -> QFont:
+    font = QGuiApplication.font()
+    font.setPixelSize(max(1, round(_FONT_PIXELS * unit * times)))
+    return font
+
+
+def _size(labels: Labels, text: str, letter: float, unit: float, times: float) -> QSizeF:
+    """Of a plate: behind the text it keeps it readable on grass, lines and crowd alike."""
+    sign = _SIGN * unit if labels.sign else 0.0
+    wide = _width(text, unit, times) + (8 * unit if text else 4 * unit) + sign
+    wide += sum(_hand_room(labels.hand, letter))
+    return QSizeF(wide, max(letter, sign) + 2 * unit)
+
+
+@lru_cache(maxsize=2_000)
+def _width(text: str, unit: float, times: float) -> float:
+    return QFontMetricsF(_font(unit, times)).horizontalAdvance(text)
 
 
 def _hand_room(signs: HandSigns | None, letter: float) -> tuple[float, float]:
@@ -78,16 +132,6 @@ def _hand_room(signs: HandSigns | None, letter: float) -> tuple[float, float]:
 
 def _box(rectangle: QRectF) -> Box:
     return rectangle.left(), rectangle.top(), rectangle.right(), rectangle.bottom()
-
-
-def _width(text: str, font: tuple[str, int], metrics: QFontMetricsF) -> float:
-    """Of a text; kept, for a text is painted again and again."""
-    wide = _widths.get((text, font))
-    if wide is None:
-        if len(_widths) >= _WIDTHS_KEPT:
-            _widths.clear()
-        wide = _widths[text, font] = metrics.horizontalAdvance(text)
-    return wide
 
 
 def _paint_label(

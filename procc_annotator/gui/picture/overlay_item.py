@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
 from itertools import chain, repeat, zip_longest
 
 import numpy as np
@@ -13,10 +15,12 @@ from PySide6.QtGui import QPainter, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.gui.picture.items import paint_overlay
+from procc_annotator.gui.picture.label_plates import anchored, arranged
 from procc_annotator.gui.picture.still import StillOverlay
 from procc_annotator.gui.theme import text_times
 from procc_annotator.interact.overlay_shapes import (
     NOTHING,
+    Box,
     HandSigns,
     Labels,
     Overlay,
@@ -39,6 +43,49 @@ _NO_ROWS = np.empty((0, 4))
 _NO_PLACES = np.empty((0, 2))
 
 
+# A text beside its point: the point, picture px, the text, and its plate from the point, device px.
+Beside = tuple[tuple[float, float], str, tuple[float, ...]]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Seen:
+    """How the view looked when it was painted: where the picture lay, and what could be seen."""
+
+    world: QTransform
+    room: QRectF  # device px
+
+    def beside_points(self, groups: tuple[Labels, ...]) -> frozenset[Beside]:
+        """Where texts are that give way to others."""
+        scale, room = self.world.m11(), self.room
+        at = scale, self.world.dx() + 0.5 * scale, self.world.dy() + 0.5 * scale
+        box = room.left(), room.top(), room.right(), room.bottom()
+        return _beside_points(anchored(groups), at, box, text_times())
+
+    def areas_of(self, texts: frozenset[Beside]) -> list[QRectF]:
+        """What they cover, scene coordinates."""
+        point = 1.0 / self.world.m11()
+        areas = []
+        for (x, y), _, moved in texts:
+            left, top, right, bottom = (point * edge for edge in moved)
+            box = QRectF(x + 0.5 + left, y + 0.5 + top, right - left, bottom - top)
+            areas.append(box.adjusted(-2 * point, -2 * point, 2 * point, 2 * point))
+        return areas
+
+
+@lru_cache(maxsize=8)
+def _beside_points(
+    groups: tuple[Labels, ...], at: tuple[float, float, float], room: Box, times: float
+) -> frozenset[Beside]:
+    scale, left, top = at
+    found = []
+    for plate in arranged(groups, at, room, times=times):
+        x, y = plate.labels.positions[plate.row].tolist()
+        point = (x * scale + left, y * scale + top) * 2
+        moved = tuple(round(p - a, 2) for p, a in zip(plate.place, point, strict=True))
+        found.append(((x, y), plate.text, moved))
+    return frozenset(found)
+
+
 class OverlayItem(QGraphicsItem):
     """Everything drawn over the picture; scene coordinates are the picture's pixel squares."""
 
@@ -54,7 +101,7 @@ class OverlayItem(QGraphicsItem):
         self._still = StillOverlay()
         self.side: QRectF | None = None  # of the viewport, in points; None: all of it
         self._area = QRectF()
-        self._painted_at: tuple[tuple[Labels, ...], QTransform, QRectF] | None = None
+        self._painted_at: _Seen | None = None
 
     def set_area(self, area: QRectF) -> None:
         """Where anything may be painted (points may lie outside the picture)."""
@@ -73,6 +120,7 @@ class OverlayItem(QGraphicsItem):
         if overlay is self.overlay:
             return
         changed = changed_areas(self.overlay, overlay, scale)
+        changed += self._given_way(self.overlay.labels, overlay.labels)
         self.overlay, self._layers = overlay, None
         scene = self.scene()
         for area in changed:  # Qt would unite those of an item
@@ -93,26 +141,31 @@ class OverlayItem(QGraphicsItem):
             self.update(area & self._area)
 
     def place_labels(self) -> None:
-        """View or side changed: texts at the edges may have to lie elsewhere beside their points.
+        """View or side changed: texts may have to lie elsewhere beside their points.
 
         The view moves what is painted along and paints only what comes into sight.
         """
         scene = self.scene()
         if scene is None or not scene.views():
             return
-        view = scene.views()[0]
-        before = QRectF() if self._painted_at is None else _at_edges(*self._painted_at)
-        world, room = view.viewportTransform(), self._room(view.viewport().size())
-        self._painted_at = self._labels, world, room
-        self.update((before | _at_edges(*self._painted_at)) & self._area)
+        view, before = scene.views()[0], self._painted_at
+        self._painted_at = _Seen(view.viewportTransform(), self._room(view.viewport().size()))
+        for labels in (self.ghosts.labels, self.overlay.labels):
+            now = self._painted_at.beside_points(labels)
+            was = now if before is None else before.beside_points(labels)
+            for area in self._painted_at.areas_of(was ^ now):
+                self.update(area & self._area)
+
+    def _given_way(self, before: tuple[Labels, ...], after: tuple[Labels, ...]) -> list[QRectF]:
+        """Where texts go that stay what they are, and come to, as others came or went."""
+        seen = self._painted_at
+        if seen is None or anchored(before) == anchored(after):
+            return []
+        return seen.areas_of(seen.beside_points(before) ^ seen.beside_points(after))
 
     def _room(self, viewport: QSize) -> QRectF:
         """What can be seen of this item, in points of the viewport."""
         return self.side if self.side is not None else QRectF(QPointF(), QSizeF(viewport))
-
-    @property
-    def _labels(self) -> tuple[Labels, ...]:
-        return *self.ghosts.labels, *self.overlay.labels
 
     def boundingRect(self) -> QRectF:
         return self._area
@@ -137,7 +190,7 @@ class OverlayItem(QGraphicsItem):
     def _paint(self, painter: QPainter, world: QTransform, clip: QRectF, room: QSize) -> None:
         scale, offset = world.m11(), (world.dx(), world.dy())
         seen = self._room(room)
-        self._painted_at = self._labels, QTransform(world), seen
+        self._painted_at = _Seen(QTransform(world), seen)
         for layer in self.layers:
             if layer is self.ghosts or layer is self.wireframes:
                 still = self._still_ghosts if layer is self.ghosts else self._still
@@ -250,20 +303,6 @@ def _whole_area(overlay: Overlay, scale: float) -> QRectF:
     for labels in overlay.labels:
         for place, text, _ in _texts(labels):
             area |= _reach_of_label(place, text, point)
-    return area
-
-
-def _at_edges(groups: tuple[Labels, ...], world: QTransform, room: QRectF) -> QRectF:
-    """Where texts are, scene coordinates, that have or may not have room beside their points on the
-    usual side; ``room`` is what can be seen of them, in points of the viewport."""
-    area = QRectF()
-    for labels in groups:
-        for place, text in zip(labels.positions.tolist(), labels.texts, strict=True):
-            at = world.map(QPointF(place[0] + 0.5, place[1] + 0.5))
-            reach, above, below = _reach(text)
-            high, low = at.y() - above < room.top(), at.y() + below > room.bottom()
-            if at.x() + reach > room.right() or (low if labels.below else high):
-                area |= _reach_of_label(place, text, 1.0 / world.m11())
     return area
 
 

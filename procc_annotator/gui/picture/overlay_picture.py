@@ -167,8 +167,7 @@ class _Drawing:
         painter.save()
         painter.setClipRect(area)
         paint_overlay(
-            painter, self._overlay, scale=self._scale, unit=self._unit, clip=area, room=area,
-            apart=True,
+            painter, self._overlay, scale=self._scale, unit=self._unit, clip=area, room=area
         )  # fmt: skip
         painter.restore()
         if self._band is None:

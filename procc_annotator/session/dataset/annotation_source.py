@@ -16,7 +16,6 @@ from procc_annotator.io.annotation_files.exchange import ExchangedFrame
 from procc_annotator.io.annotation_files.label_map import LABELS_FILE, LabelMap, read_label_map
 from procc_annotator.io.annotation_files.read_set import ReadSet, read_set
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.collections import list_frame_files
 from procc_annotator.io.source import FileSource, FolderSource, open_source
 from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 from procc_annotator.session.dataset.fit_sizes import told_size
@@ -78,9 +77,10 @@ def open_files(path: Path, base: Path | None = None) -> FileSource:
     Args, Raises: as of `open_source`.
     """
     source = open_source(path, base)
-    if isinstance(source, FolderSource) and (folder := list_frame_files(source).only_folder):
-        root = folder_of_dataset(path if base is None else base / path)
-        source.of_tree = root is not None and find_pictures(root).has(folder)
+    if isinstance(source, FolderSource):
+        folder, slash, _ = next(iter(source.files()), "").rpartition("/")
+        root = folder_of_dataset(path if base is None else base / path) if slash else None
+        source.of_tree = root is not None and find_pictures(root).has(folder + slash)
     return source
 
 
