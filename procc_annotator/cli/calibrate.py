@@ -16,6 +16,7 @@ from procc_annotator.fit.determined import LIMITS
 from procc_annotator.fit.fitting import check_model
 from procc_annotator.io.camera_files.fitted_on import TABLE_FILE
 from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE
+from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report import calibration, together
@@ -283,17 +284,13 @@ def _check_out(
     outputs.check_place(out, [source])
     if out.is_dir():
         outputs.check_no_annotations(out)
-    kinds = [
-        "camera_*.json",
-        "*.npy",
-        "*.yml",
-        TABLE_FILE,
-        *([POSITIONS_FILE] if positions else []),
-        HELD_OUT_FILE,
-    ]
-    there = [kind for kind in kinds if any(True for _ in out.glob(kind))]
+    tables = [TABLE_FILE, *([POSITIONS_FILE] if positions else []), HELD_OUT_FILE]
+    there = any((out / table).exists() for table in tables) or outputs.holds_cameras(
+        out, list_annotations(source), ("camera_*.json", "*.npy", "*.yml")
+    )
     if (there or out.is_file()) and not overwrite:
-        stopped = "" if TABLE_FILE in there or out.is_file() else f" but no {TABLE_FILE}"
+        finished = (out / TABLE_FILE).exists() or out.is_file()
+        stopped = "" if finished else f" but no {TABLE_FILE}"
         why = ", as an interrupted run leaves them" if stopped else ""
         nothing = "; no run was stopped here, --resume has nothing to go on with" if resume else ""
         raise UsageError(

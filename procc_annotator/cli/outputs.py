@@ -10,7 +10,7 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.targets import is_archive, make_folder
@@ -104,6 +104,21 @@ def check_no_annotations(folder: Path) -> None:
                 raise UsageError(
                     f"{folder}: holds annotations ({Path(file).name}), write to another folder"
                 )
+
+
+def holds_cameras(
+    out: Path, frames: Iterable[str], kinds: Iterable[str] = (f"{CAMERA_PREFIX}*.json",)
+) -> bool:
+    """Whether cameras, of whatever frames, lie in a folder that those of some frames would go to.
+
+    Args:
+        out: the folder, which need not be there.
+        frames: their names; those of a tree go to folders of it.
+        kinds: of files, by name.
+    """
+    folders = {"", *(frame.rpartition("/")[0] for frame in frames)}
+    found = (place for folder in folders for kind in kinds for place in (out / folder).glob(kind))
+    return any(True for _ in found)
 
 
 def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) -> None:

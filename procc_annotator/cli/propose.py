@@ -149,7 +149,7 @@ def propose(given: AskedToPropose) -> None:
     left = unfinished_file(given.out, "propose")
     going_on = options.goes_on(left, given.out, resume=given.resume, overwrite=given.overwrite)
     inputs = [pictures.path, *([given.known] if given.known is not None else [])]
-    _check_out(given.out, inputs, overwrite=given.overwrite or going_on)
+    _check_out(given.out, inputs, pictures.frames, overwrite=given.overwrite or going_on)
     positions = (
         () if given.known is None else read_positions(given.known, shown, given.camera_format)
     )
@@ -178,7 +178,9 @@ def propose(given: AskedToPropose) -> None:
     raise typer.Exit(_report(found, wanted, given.out))
 
 
-def _check_out(out: Path, inputs: Sequence[Path], *, overwrite: bool) -> None:
+def _check_out(
+    out: Path, inputs: Sequence[Path], frames: Sequence[Frame], *, overwrite: bool
+) -> None:
     """Fail before the work.
 
     Raises:
@@ -194,8 +196,10 @@ def _check_out(out: Path, inputs: Sequence[Path], *, overwrite: bool) -> None:
     if not out.is_dir():
         return
     outputs.check_no_annotations(out)
-    kinds = ("camera_*.json", f"{UNSURE_FOLDER}/camera_*.json", TABLE_FILE)
-    if not overwrite and any(True for kind in kinds for _ in out.glob(kind)):
+    names = [frame.name for frame in frames]
+    places = (out, out / UNSURE_FOLDER)
+    there = any(outputs.holds_cameras(place, names) for place in places)
+    if not overwrite and (there or (out / TABLE_FILE).exists()):
         raise UsageError(
             f"{out}: holds cameras or their table already; choose another place, or --overwrite to"
             " replace them"

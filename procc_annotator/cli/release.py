@@ -172,7 +172,8 @@ def release(given: AskedToRelease) -> None:
             found = gather_frames(source, known, splits, sizes, progress)
         if unknown := [frame for frame in splits if frame not in list_annotations(source)]:
             typer.echo(f"note: in a split, but not annotated: {listed(unknown, 'frame')}", err=True)
-        made = _Making(source, given.dataset, folder, known)
+        released = FrameTable((frame.name, None) for frame in found.frames)
+        made = _Making(source, given.dataset, folder, known, released)
         files: dict[str, bytes] = {}
         open_findings = made.findings(files) if given.check else None
         agreed = "" if given.second is None else made.agreement(given.second, files)
@@ -188,7 +189,9 @@ def release(given: AskedToRelease) -> None:
         typer.echo(f"{split}: {count_of(len(names), 'frame')}")
     if changes is not None:
         counted = (len(changes.added), len(changes.removed), len(changes.changed))
-        typer.echo("since {}: {} added, {} removed, {} changed".format(changes.before, *counted))
+        said = "since {}: {} added, {} removed, {} changed".format(changes.before, *counted)
+        pictures = len(changes.pictures)
+        typer.echo(said + (f", {pictures} with another picture" if pictures else ""))
     typer.echo(f"release {given.version} of {called} written to {given.out}")
     raise typer.Exit(datasets.report_unreadable(found.problems, "left out"))
 
@@ -251,18 +254,28 @@ def _date(text: str | None) -> str:
 
 
 class _Making:
-    """What is found out about a dataset for its release; its files are added as they come."""
+    """What is found out about a dataset for its release; its files are added as they come.
+
+    Nothing is told of frames that are not released.
+    """
 
     def __init__(
-        self, source: FileSource, dataset: Path, folder: Path | None, known: Field
+        self,
+        source: FileSource,
+        dataset: Path,
+        folder: Path | None,
+        known: Field,
+        released: FrameTable[None],
     ) -> None:
         self._source, self._dataset, self._folder, self._known = source, dataset, folder, known
+        self._released = released
         self.fingerprint = field_fingerprint(known)
 
     def findings(self, files: dict[str, bytes]) -> Mapping[str, int]:
         """By severity, without those that somebody ignored."""
         sizes = fit_sizes(self._source, self._source.path, self._dataset, None)
         run = CheckRun(self._source, self._known, sizes, "R", looks=True)
+        run.frames = [frame for frame in run.frames if frame.name in self._released]
         report = findings.check_set(run, with_progress)
         ignored = {} if self._folder is None else ignored_keys(read_settings(self._folder))
         report.found = [
@@ -274,7 +287,9 @@ class _Making:
     def agreement(self, second: Path, files: dict[str, bytes]) -> str:
         """In one line."""
         with open_annotations(annotations_of(second), self._known) as other:
-            run = AgreementRun(self._source, other, self._known, (960, 540), (_AGREEMENT_TAU,))
+            run = AgreementRun(
+                self._source, other, self._known, (960, 540), (_AGREEMENT_TAU,), own=self._released
+            )
             agreed, files[AGREEMENT_FILE] = _as_file(
                 ".json", lambda path: agreement.agree_sets(run, outputs=(path,))
             )
@@ -290,7 +305,10 @@ class _Making:
         workspace = Workspace.open(folder, self._known)
         database = WorkspaceDatabase.open(folder, default_author())
         try:
-            _, data = _as_file(".json", lambda path: export_provenance(workspace, database, path))
+            _, data = _as_file(
+                ".json",
+                lambda path: export_provenance(workspace, database, path, only=self._released),
+            )
         finally:
             database.close()
         files[PROVENANCE_FILE] = data

@@ -128,8 +128,9 @@ def track(
     pictures = open_pictures(source, annotations)
     datasets.report_remarks(pictures.notices)
     start = None if begin is None else _number_of(begin, pictures)
-    _check_out(out, [source, annotations, cameras], overwrite=overwrite)
-    table = _table(out, tuple(frame.name for frame in pictures.frames), overwrite=overwrite)
+    called = tuple(frame.name for frame in pictures.frames)
+    _check_out(out, [source, annotations, cameras], called, overwrite=overwrite)
+    table = _table(out, called, overwrite=overwrite)
     size = options.shown_size(camera_size)
     clicked = None if annotations is None else pictures.annotated(annotations, shown, names)
     anchors = _anchors(pictures, shown, clicked, cameras, camera_format, size)
@@ -216,7 +217,9 @@ def _number_of(text: str, pictures: PictureSource) -> int:
     )
 
 
-def _check_out(out: Path, inputs: Sequence[Path | None], *, overwrite: bool) -> None:
+def _check_out(
+    out: Path, inputs: Sequence[Path | None], frames: Sequence[str], *, overwrite: bool
+) -> None:
     """Fail before the work.
 
     Raises:
@@ -232,7 +235,7 @@ def _check_out(out: Path, inputs: Sequence[Path | None], *, overwrite: bool) -> 
     if not out.is_dir():
         return
     outputs.check_no_annotations(out)
-    foreign = not (out / TABLE_FILE).exists() and any(True for _ in out.glob("camera_*.json"))
+    foreign = not (out / TABLE_FILE).exists() and outputs.holds_cameras(out, frames)
     if foreign and not overwrite:
         raise UsageError(
             f"{out}: holds cameras but no {TABLE_FILE}; choose another place, or --overwrite to"

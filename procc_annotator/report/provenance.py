@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -39,8 +39,13 @@ def export_provenance(
     database: WorkspaceDatabase | None,
     path: Path,
     progress: Callable[[int, int], None] | None = None,
+    *,
+    only: Container[str] | None = None,
 ) -> Exported:
     """Write how every point of the annotated frames came to be; see `provenance_json`.
+
+    Args:
+        only: names of frames, where nothing is to be told of others.
 
     Raises:
         InputError: the database cannot be read, as once another dataset was opened.
@@ -52,6 +57,8 @@ def export_provenance(
         for index, frame in enumerate(workspace.frames):
             if progress is not None and index % 100 == 0:
                 progress(index, len(workspace.frames))
+            if only is not None and frame.name not in only:
+                continue
             try:
                 annotation = workspace.read(index)
             except InputError as error:

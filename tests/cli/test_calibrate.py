@@ -6,6 +6,7 @@ import csv
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import zipfile
@@ -214,6 +215,20 @@ def test_cameras_that_are_there_stay_unless_asked_for(cli, dataset, tmp_path) ->
     assert {file.name: file.read_bytes() for file in out.iterdir()} == before
     assert cli("calibrate", dataset.root, out, "--overwrite").exit_code == 0
     assert {file.name: file.read_bytes() for file in out.iterdir()} != before
+
+
+def test_cameras_in_folders_of_out_stay_unless_asked_for(cli, dataset, tmp_path) -> None:
+    match, out = tmp_path / "halves", tmp_path / "out"
+    for half in ("1", "2"):
+        (match / half).mkdir(parents=True)
+        shutil.copy(dataset.annotations / "1.json", match / half)
+    theirs = out / "2" / "camera_1.json"
+    theirs.parent.mkdir(parents=True)
+    theirs.write_text("{}")
+    refused = cli("calibrate", match, out, "--model", "P")
+    assert refused.exit_code == 2
+    assert "--overwrite" in refused.stderr
+    assert theirs.read_text() == "{}"
 
 
 def test_cameras_do_not_go_among_annotations_of_another_set(cli, dataset, tmp_path) -> None:

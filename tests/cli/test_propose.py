@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import shutil
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -221,6 +222,22 @@ def test_nothing_is_replaced_that_nobody_asked_to_replace(
     done = cli("propose", bare.root, out, "--overwrite")
     assert done.exit_code == 0, done.output
     assert files(out) == ["proposals.csv"]  # what was sure before is none now
+
+
+def test_cameras_in_folders_of_out_are_not_replaced_either(cli, bare, pretend, tmp_path) -> None:
+    match = tmp_path / "halves"
+    for half in ("1", "2"):
+        shutil.copytree(bare.root, match / half)
+    pretend([none()] * 10)
+    for place in ("1/camera_1.json", "unsure/2/camera_1.json"):
+        out = tmp_path / place.replace("/", "_")
+        theirs = out / place
+        theirs.parent.mkdir(parents=True)
+        theirs.write_text("{}")
+        done = cli("propose", match, out)
+        assert done.exit_code == 2
+        assert "--overwrite to replace them" in done.stderr
+        assert theirs.read_text() == "{}"
 
 
 def test_what_makes_no_sense(cli, dataset, tmp_path) -> None:

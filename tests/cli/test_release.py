@@ -121,6 +121,39 @@ def test_splits_findings_and_a_second_annotator(cli, keep: Path, tmp_path: Path)
     assert "Label check, still open:" in card
 
 
+def test_nothing_is_told_of_frames_that_are_in_no_split(cli, keep: Path, tmp_path: Path) -> None:
+    splits, second = tmp_path / "splits.csv", tmp_path / "second"
+    splits.write_text("frame,split\n00001,train\n")
+    second.mkdir()
+    for name in ("00001", "00002"):
+        shutil.copy(keep / f"{name}.json", second)
+    content = json.loads((keep / "00003.json").read_text())
+    (keep / "00003.json").write_text(json.dumps(content | {"No such line": [{"x": 0, "y": 0}] * 2}))
+    WorkspaceDatabase.open(keep, "ann").close()
+    out = tmp_path / "release"
+    cli("release", keep, out, "--splits", splits, "--second", second)
+    assert {row["frame"] for row in rows_of(out / "findings.csv")} <= {"00001"}
+    agreed = json.loads((out / "agreement.json").read_text())
+    assert [image["name"] for image in agreed["images"]] == ["00001"]
+    assert "00003" not in json.dumps(agreed)
+    assert list(json.loads((out / "provenance.json").read_text())["frames"]) == ["00001"]
+
+
+def test_what_was_taken_out_is_not_published_again(cli, keep: Path, tmp_path: Path) -> None:
+    out = tmp_path / "release"
+    made(cli, keep, out, "--pictures")
+    (out / "notes.txt").write_text("ours")
+    (keep / "00001.json").unlink()
+    made(cli, keep, out, "--pictures", "--no-check", "--overwrite")
+    assert not (out / "annotations" / "00001.json").exists()
+    assert not (out / "images" / "00001.jpg").exists()
+    assert (out / "images" / "00002.jpg").exists()
+    assert not (out / "findings.csv").exists()
+    assert (out / "notes.txt").read_text() == "ours"
+    made(cli, keep, out, "--no-check", "--overwrite")
+    assert not (out / "images" / "00002.jpg").exists()
+
+
 @pytest.mark.parametrize(
     ("rows", "says"),
     [
@@ -213,6 +246,16 @@ def test_changes_against_the_release_before(cli, keep: Path, tmp_path: Path) -> 
     assert text.index("## 1.1") < text.index("## 1.0")
     same = made(cli, keep, tmp_path / "same", "--version", "1.2", "--before", then, "--no-check")
     assert "0 added, 0 removed, 0 changed" in same
+
+
+def test_another_picture_is_a_change(cli, keep: Path, tmp_path: Path) -> None:
+    made(cli, keep, tmp_path / "first", "--version", "1.0", "--no-check")
+    shutil.copy(keep / "00003.jpg", keep / "00002.jpg")
+    before = ("--before", tmp_path / "first")
+    said = made(cli, keep, tmp_path / "then", "--version", "1.1", *before, "--no-check")
+    assert "0 changed, 1 with another picture" in said
+    text = (tmp_path / "then" / "CHANGELOG.md").read_text()
+    assert "1 frame with another picture: 00002" in text
 
 
 def test_the_same_release_is_the_same_bytes(cli, keep: Path, tmp_path: Path) -> None:

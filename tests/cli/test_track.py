@@ -247,6 +247,19 @@ def test_the_track_of_something_else_is_not_replaced(cli, video, followed, tmp_p
     assert files(followed) == before
 
 
+def test_cameras_in_folders_of_out_are_not_replaced_either(cli, pictures, tmp_path) -> None:
+    match, out = tmp_path / "match", tmp_path / "out"
+    for half in ("1", "2"):
+        (match / half).mkdir(parents=True)
+        shutil.copy(next(pictures.iterdir()), match / half)
+    theirs = out / "2" / "camera_1.json"
+    theirs.parent.mkdir(parents=True)
+    theirs.write_text("{}")
+    done = cli("track", match, out)
+    assert done.exit_code == 2
+    assert "holds cameras but no track.csv" in done.stderr
+
+
 def lost(number: int, reason: str) -> TrackedFrame:
     return TrackedFrame(number, "lost", reason, None, 0.0, None, None)
 

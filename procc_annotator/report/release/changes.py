@@ -37,21 +37,25 @@ class ChangedFrame:
 
 @dataclass(frozen=True)
 class Changes:
-    """From the release before to this one."""
+    """From the release before to this one.
+
+    Attributes:
+        pictures: frames of both whose picture is another file now.
+    """
 
     before: str
     added: tuple[str, ...]
     removed: tuple[str, ...]
     changed: tuple[ChangedFrame, ...]
     moved_splits: tuple[str, ...]
+    pictures: tuple[str, ...]
     other_field: bool
 
     @property
     def any(self) -> bool:
         """Whether anything did."""
-        return bool(
-            self.added or self.removed or self.changed or self.moved_splits or self.other_field
-        )
+        frames = (self.added, self.removed, self.changed, self.moved_splits, self.pictures)
+        return self.other_field or any(frames)
 
 
 def changed_frame(name: str, before: FrameAnnotation, now: FrameAnnotation) -> ChangedFrame | None:
@@ -90,6 +94,7 @@ def _lines(changes: Changes) -> Sequence[str]:
         ("added", changes.added),
         ("removed", changes.removed),
         ("in another split", changes.moved_splits),
+        ("with another picture", changes.pictures),
     ):
         if names:
             found.append(f"- {count_of(len(names), 'frame')} {what}: {_listed(names)}")

@@ -12,24 +12,30 @@ from typing import Any
 
 import msgspec
 
-from procc_annotator.errors import ImageError, InputError, UsageError
+from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
+from procc_annotator.io.atomic import remove
 from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.csv_text import csv_cells, formula_text
 from procc_annotator.io.frame_names import FrameTable, leads_out
 from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
 from procc_annotator.report.release.card import dataset_card
 from procc_annotator.report.release.changes import Changes, changed_frame, changelog
 from procc_annotator.report.release.croissant import croissant_bytes
 from procc_annotator.report.release.released import (
+    AGREEMENT_FILE,
     ANNOTATIONS,
     CARD_FILE,
     CHANGES_FILE,
     CROISSANT_FILE,
+    FIELD_COPY,
+    FINDINGS_FILE,
     FORMAT,
     INDEX_FILE,
     ONE_SPLIT,
     PICTURES,
+    PROVENANCE_FILE,
     SPLITS,
     Release,
     ReleasedFrame,
@@ -38,7 +44,8 @@ from procc_annotator.report.release.released import (
 )
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import json_bytes
-from procc_annotator.report.targets import open_target
+from procc_annotator.report.targets import is_archive, open_target
+from procc_annotator.session.dataset.dataset_folder import STADIUMS_FILE
 from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_size
 from procc_annotator.version import __version__
 
@@ -118,6 +125,8 @@ def write_release(
 ) -> Changes | None:
     """Write everything; returns what changed since the release before.
 
+    What a release in the same folder has, and this one does not, is removed.
+
     Args:
         out: a folder, or an archive if it ends in ``.zip``.
         before: folder of the release before.
@@ -131,6 +140,7 @@ def write_release(
     changes = None if before is None else changes_since(before, release)
     earlier = "" if before is None else _earlier_changes(before)
     index = csv_bytes(index_sheet(release.frames))
+    older = () if is_archive(out) else _files_of_release(out)
     with open_target(out) as target:
         for number, frame in enumerate(release.frames, 1):
             progress(number, len(release.frames))
@@ -148,7 +158,48 @@ def write_release(
         target.write(CHANGES_FILE, text.encode())
         target.write(RELEASE_FILE, _release_bytes(release))
         target.write(CARD_FILE, dataset_card(release).encode())
+    _remove(out, set(older) - _own_files(release))
     return changes
+
+
+def _own_files(release: Release) -> set[str]:
+    """What a release has, but for the files that every release has."""
+    pictures = [f.picture.file for f in release.frames if f.picture and release.with_pictures]
+    return {
+        *(f"{ANNOTATIONS}/{frame.name}.json" for frame in release.frames),
+        *(f"{PICTURES}/{file}" for file in pictures),
+        *(f"{SPLITS}/{split}.txt" for split in release.splits),
+        *(name for name, _ in release.files),
+    }
+
+
+def _files_of_release(folder: Path) -> set[str]:
+    """The same of a release that was written to a folder; nothing where there is none.
+
+    Raises:
+        InputError: it cannot be read.
+    """
+    if not (folder / RELEASE_FILE).exists():
+        return set()
+    frames = _read_release(folder).frames
+    (_, header), *rows = csv_cells(folder / INDEX_FILE) or [(1, [])]
+    cells = (dict(zip(header, row, strict=False)) for _, row in rows)
+    pictures = [formula_text(row.get("picture", "")) for row in cells]
+    return {
+        *(f"{ANNOTATIONS}/{name}.json" for name in frames),
+        *(f"{PICTURES}/{file}" for file in pictures if file and not leads_out(file)),
+        *(f"{SPLITS}/{one.split}.txt" for one in frames.values() if not leads_out(one.split)),
+        *(FINDINGS_FILE, AGREEMENT_FILE, PROVENANCE_FILE, FIELD_COPY, STADIUMS_FILE),
+    }
+
+
+def _remove(folder: Path, names: Iterable[str]) -> None:
+    """Remove files of a folder, those that are there."""
+    for name in names:
+        try:
+            remove(folder / name)
+        except OSError as error:
+            raise SaveError(f"{folder / name}: could not be removed: {error.strerror}") from error
 
 
 def changes_since(before: Path, release: Release) -> Changes:
@@ -170,14 +221,22 @@ def changes_since(before: Path, release: Release) -> Changes:
         if (found := changed_frame(name, was, frame.annotation)) is not None:
             changed.append(found)
     splits = (n for n, f in now.items() if n in then and then[n].split != f.split)
+    pictures = (n for n, f in now.items() if n in then and _is_another(then[n], f.picture))
     return Changes(
         f"version {known.version}",
         tuple(name for name in now if name not in then),
         tuple(name for name in then if name not in now),
         tuple(changed),
         tuple(splits),
+        tuple(pictures),
         known.field_sha256 != release.fingerprint,
     )
+
+
+def _is_another(then: _Entry, picture: ReleasedPicture | None) -> bool:
+    """Whether a frame has another picture than before; not where either has none."""
+    known = picture is not None and then.picture_sha256 is not None
+    return known and picture is not None and then.picture_sha256 != picture.sha256
 
 
 @dataclass(frozen=True)

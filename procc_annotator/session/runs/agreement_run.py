@@ -89,6 +89,7 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
         size: (width, height) in px in which distances are taken.
         thresholds: tau of the JaC, px, at least one.
         among: names of frames of b, where others are not to be compared.
+        own: names of frames of a, where nothing is to be told of others.
 
     Attributes:
         only_a, only_b: names of the frames only one annotated: reported, not compared.
@@ -106,6 +107,7 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
         size: tuple[int, int],
         thresholds: Sequence[float],
         among: Collection[str] | None = None,
+        own: Collection[str] | None = None,
     ) -> None:
         if min(size) < 2:
             raise UsageError(f"the size {size[0]}x{size[1]} is too small")
@@ -117,7 +119,7 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
         frames = [
             SharedFrame(name, files_a[name], files_b[there])
             for name, there in shared.items()
-            if among is None or there in among
+            if (among is None or there in among) and (own is None or name in own)
         ]
         if not frames:
             raise UsageError(
@@ -129,7 +131,8 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
             frames, CompareAnnotations(source_kept_open(a), source_kept_open(b), field, size)
         )
         in_b = set(shared.values())
-        self.only_a = tuple(name for name in files_a if name not in shared)
+        told = (name for name in files_a if own is None or name in own)
+        self.only_a = tuple(name for name in told if name not in shared)
         self.only_b = tuple(name for name in files_b if name not in in_b)
         self._sums = AgreementSums(self.thresholds, self.only_a, self.only_b)
 
