@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QLocale, Signal
 from PySide6.QtGui import QValidator
-from PySide6.QtWidgets import QDoubleSpinBox, QWidget
+from PySide6.QtWidgets import QDoubleSpinBox, QToolTip, QWidget
+
+from procc_annotator.language import tr
 
 
 class DecimalBox(QDoubleSpinBox):
@@ -34,6 +36,17 @@ class RangeBox(DecimalBox):
         if number is not None:
             self.refused.emit(number)
         return str(super().fixup(text))
+
+    def tell_refused(self, number: float) -> None:
+        """Say beside the box that a number is not taken."""
+        told = tr(
+            "not {number:g}: {least:g} to {most:g}{unit}",
+            number=number,
+            least=self.minimum(),
+            most=self.maximum(),
+            unit=self.suffix(),
+        )
+        QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), told, self)
 
     def _outside(self, text: str) -> float | None:
         """The number of a text, if the range does not have it."""

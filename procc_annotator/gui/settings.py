@@ -15,7 +15,7 @@ from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.keymap import USUAL, Keymap, from_values, to_values
 from procc_annotator.gui.languages import LANGUAGES, SYSTEM
 from procc_annotator.gui.state.live_fit import DEFAULT_MODEL, MODELS
-from procc_annotator.gui.state.state import DEFAULT_TAU
+from procc_annotator.gui.state.state import DEFAULT_TAU, MAX_TAU, MIN_TAU
 from procc_annotator.language import word
 from procc_annotator.session.strokes.ghost_points import LEAST_SUPPORT
 
@@ -149,7 +149,7 @@ AUTHOR = Setting("author", TEXT, "", "Whose name points, comments and versions b
                  " the system's user", shown=Shown("Annotating", "Your name"))
 TAU = Setting("tau", NUMBER, DEFAULT_TAU, "How far an annotated point may be from its element,"
               " px of the evaluation size",
-              shown=Shown("Judging", "Threshold", limits=(0.5, 100, 0.5), unit=" px"))
+              shown=Shown("Judging", "Threshold", limits=(MIN_TAU, MAX_TAU, 0.5), unit=" px"))
 PROTOCOL = Setting("protocol", _one_of("soccernet", "procc"), "soccernet",
                    "How cameras are judged: as the official evaluation does, quirks included, or by"
                    " the paper's definition",

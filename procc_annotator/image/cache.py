@@ -14,18 +14,22 @@ from procc_annotator.image.decode import PixelArray, decode_bgra
 _KEPT_AT_LEAST = 3  # the frame on screen and the two that may come next
 
 
+_Stamp = tuple[int, int]  # of a file: when it was written, in ns, and its bytes
+
+
 class FrameCache:
     """The pictures used last, up to a number of bytes; safe to use from any thread.
 
     The newest few are kept even if they exceed the limit: with large pictures, the neighbours of
     the frame on screen must not push each other out. Failures are not remembered: a picture that
-    was repaired meanwhile is read again.
+    was repaired meanwhile is read again; so is one whose file was replaced, by `get`.
     """
 
     def __init__(self, max_bytes: int, kept_at_least: int = _KEPT_AT_LEAST) -> None:
         self._max_bytes = max_bytes
         self._kept_at_least = kept_at_least
         self._pictures: OrderedDict[Path, PixelArray] = OrderedDict()
+        self._stamps: dict[Path, _Stamp | None] = {}
         self._bytes = 0
         self._decoding: set[Path] = set()
         self._queue: deque[Path] = deque()
@@ -43,10 +47,11 @@ class FrameCache:
         Raises:
             ImageError: it is not a readable picture.
         """
+        stamp = _stamp_of(path)
         with self._changed:
             self._changed.wait_for(lambda: path not in self._decoding)
             picture = self._touch(path)
-            if picture is not None:
+            if picture is not None and stamp in (None, self._stamps[path]):
                 return picture
             self._decoding.add(path)
         return self._decode(path)
@@ -82,6 +87,7 @@ class FrameCache:
             self._closed = True
             self._queue.clear()
             self._pictures.clear()
+            self._stamps.clear()
             self._bytes = 0
         self._executor.shutdown()
 
@@ -100,21 +106,26 @@ class FrameCache:
     def _decode(self, path: Path) -> PixelArray:
         """Decode a path that the caller has put into `_decoding`."""
         picture: PixelArray | None = None
+        stamp = _stamp_of(path)  # before it is read: what is written meanwhile is read again
         try:
             picture = decode_bgra(path)
         finally:
             with self._changed:
                 self._decoding.discard(path)
                 if picture is not None and not self._closed:
-                    self._store(path, picture)
+                    self._store(path, picture, stamp)
                 self._changed.notify_all()
         return picture
 
-    def _store(self, path: Path, picture: PixelArray) -> None:
+    def _store(self, path: Path, picture: PixelArray, stamp: _Stamp | None) -> None:
+        if (older := self._pictures.pop(path, None)) is not None:
+            self._bytes -= older.nbytes
         self._pictures[path] = picture
+        self._stamps[path] = stamp
         self._bytes += picture.nbytes
         while self._bytes > self._max_bytes and len(self._pictures) > self._kept_at_least:
-            _, oldest = self._pictures.popitem(last=False)
+            name, oldest = self._pictures.popitem(last=False)
+            del self._stamps[name]
             self._bytes -= oldest.nbytes
 
     def _prefetch_queue(self) -> None:
@@ -131,3 +142,12 @@ class FrameCache:
                 self.foresee(self._decode(path))
             except ImageError:
                 continue  # told when somebody asks for this picture
+
+
+def _stamp_of(path: Path) -> _Stamp | None:
+    """None for what is out of reach, and for a frame of a video."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size

@@ -124,6 +124,15 @@ def spelled(value: object) -> str:
     return printable(json.dumps(value, ensure_ascii=False), 40)
 
 
+def is_unicode(text: str) -> bool:
+    """Whether text can be written to a file: the name of a file need not be valid Unicode."""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
 def printable(text: str, longest: int = _LONGEST_KEY) -> str:
     """A key or text of a file in an error message: cut, and nothing a terminal would obey."""
     short = text if len(text) <= longest else f"{text[: longest - 3]}..."

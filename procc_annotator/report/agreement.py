@@ -9,8 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any, Protocol
 
-import msgspec
-
 from procc_annotator.errors import UsageError
 from procc_annotator.metric.agreement import (
     AgreementSummary,
@@ -24,7 +22,7 @@ from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import replacing, score_format
 from procc_annotator.report.scores.tables import pixels, worst_words
 from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
-from procc_annotator.report.sheet.as_json import figure_entry
+from procc_annotator.report.sheet.as_json import encoded, figure_entry
 from procc_annotator.report.sheet.figure import shortest, values_of
 from procc_annotator.report.sheet.figures import (
     APART,
@@ -244,7 +242,7 @@ class _JsonWriter:
         self._stream = stream
         self._thresholds = run.thresholds
         self._separator = b"\n"
-        head = msgspec.json.encode(
+        head = encoded(
             {
                 **field_terms(run.field),
                 "size": list(run.size),
@@ -266,12 +264,12 @@ class _JsonWriter:
                 "mirrored_hint": frame.mirrored_hint,
                 "elements": {name: _element_entry(c) for name, c in frame.by_class.items()},
             }
-        self._stream.write(self._separator + msgspec.json.encode(entry))
+        self._stream.write(self._separator + encoded(entry))
         self._separator = b",\n"
 
     def end(self, summary: AgreementSummary, floor: dict[str, Any]) -> None:
         entry = _summary_entry(summary) | {"noise_floor": floor}
-        self._stream.write(b'\n],"summary":' + msgspec.json.encode(entry) + b"}\n")
+        self._stream.write(b'\n],"summary":' + encoded(entry) + b"}\n")
 
 
 def _element_entry(found: ClassAgreement) -> dict[str, Any]:

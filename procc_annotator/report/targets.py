@@ -12,6 +12,7 @@ from typing import IO, Protocol
 
 from procc_annotator.errors import SaveError
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.json_text import is_unicode, printable
 from procc_annotator.report.scores.score_files import replacing
 
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same dataset gives the same archive
@@ -104,6 +105,11 @@ def open_target(out: Path) -> Iterator[Target]:
 
 
 def _zip_entry(name: str) -> zipfile.ZipInfo:
+    if not is_unicode(name):
+        raise SaveError(
+            f"{printable(name)}: cannot be written to an archive: is no valid Unicode; rename the"
+            " file it is of, or write to a folder"
+        )
     entry = zipfile.ZipInfo(name, _ZIP_DATE)
     entry.compress_type = zipfile.ZIP_DEFLATED
     entry.external_attr = 0o644 << 16

@@ -605,6 +605,11 @@
    <extracomment>[procc_annotator/gui/actions.py, the menus]</extracomment>
    <translation>Ayuda</translation>
   </message>
+  <message>
+   <source>not {number:g}: {least:g} to {most:g}{unit}</source>
+   <extracomment>[procc_annotator/gui/decimal_box.py]</extracomment>
+   <translation>{number:g} no: de {least:g} a {most:g}{unit}</translation>
+  </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
    <extracomment>{n} element, symmetries: {turns} / {n} elements, symmetries: {turns} [procc_annotator/gui/field_preview.py]</extracomment>

@@ -126,11 +126,40 @@ def test_a_name_that_is_no_utf_8(dataset, tmp_path) -> None:
     few, out = tmp_path / "few", tmp_path / "out"
     few.mkdir()
     (few / f"{name}.json").write_bytes((dataset.annotations / "2.json").read_bytes())
-    for asked in (("calibrate", "-m", "P"), ("evaluate", "--click-noise", "1")):
+    files = ("-o", tmp_path / "scores.json", "--recipe", tmp_path / "recipe.json")
+    for asked in (("calibrate", "-m", "P"), ("evaluate", "--click-noise", "1", *files)):
         command = [sys.executable, "-m", "procc_annotator", *asked, few, out]
         done = subprocess.run(command, check=False, capture_output=True)
         assert done.returncode == 0, done.stderr
     assert (out / f"camera_{name}.json").is_file()
+    scores = json.loads((tmp_path / "scores.json").read_text())
+    assert [image["name"] for image in scores["images"]] == ["caf\\udce9_1"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "code", "said"),
+    [
+        (("export", "SET", "OUT", "--cameras", "CAMERAS"), 0, ""),
+        (("report", "SET", "--cameras", "CAMERAS", "-o", "OUT/x.json"), 0, ""),
+        (("release", "SET", "OUT", "--no-check"), 1, "rename the file"),
+        (("export", "SET", "OUT/x.zip", "--cameras", "CAMERAS"), 2, "rename the file"),
+        (("convert", "SET", "OUT/x.json", "--to", "coco", "--size", "960x540"), 1, "rename"),
+        (("convert", "SET", "OUT/x.xml", "--to", "cvat", "--size", "960x540"), 1, "rename"),
+        (("convert", "SET", "OUT", "--to", "labelme", "--size", "960x540"), 1, "rename"),
+    ],
+)
+def test_a_name_that_is_no_utf_8_ends_no_command(cli, dataset, tmp_path, asked, code, said) -> None:
+    name = os.fsdecode(b"caf\xe9_1")
+    places = {"SET": tmp_path / "few", "CAMERAS": tmp_path / "seen", "OUT": tmp_path / "out"}
+    places["SET"].mkdir()
+    places["CAMERAS"].mkdir()
+    for called in ("2", name):
+        shutil.copy(dataset.annotations / "2.json", places["SET"] / f"{called}.json")
+        shutil.copy(dataset.cameras / "camera_2.json", places["CAMERAS"] / f"camera_{called}.json")
+    words = [str(places.get(w, w)).replace("OUT/", f"{places['OUT']}/") for w in asked]
+    done = cli(*words)
+    assert done.exit_code == code, done.output
+    assert said in done.stderr
 
 
 def test_a_wrong_label_is_left_out_and_told(cli, dataset, tmp_path) -> None:

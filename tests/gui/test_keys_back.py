@@ -7,7 +7,15 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QDoubleSpinBox, QLineEdit, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QCheckBox,
+    QComboBox,
+    QDoubleSpinBox,
+    QLineEdit,
+    QToolTip,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.app import build_window
@@ -49,6 +57,21 @@ def test_a_threshold_that_was_typed_leaves_the_keys_to_the_picture(
     assert window.canvas.hasFocus()
     press("d")
     assert window.document.frame_index == 1
+
+
+def test_a_threshold_out_of_range_is_not_taken_and_that_is_said(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[str] = []
+    monkeypatch.setattr(QToolTip, "showText", lambda _, text, *__: told.append(text))
+    box = window.findChild(QDoubleSpinBox, "tauSpin")
+    for typed in ("31", "1000", "0"):
+        told.clear()
+        box.setFocus()
+        box.selectAll()
+        press(*typed, Qt.Key.Key_Return)
+        assert window.document.tau == box.value() == 5.0
+        assert told == [f"not {typed}: 0.5 to 30 px"]
 
 
 def test_a_list_is_left_by_escape_and_walked_by_arrows(window: MainWindow, qtbot: QtBot) -> None:

@@ -93,6 +93,8 @@ class Landmarks(QObject):
         self.close()
         self.file, self.groups = LandmarkFile(), ViewGroups()
         self.problem = self.strange = ""
+        for notice in (PROBLEM, STRANGE):  # of the dataset before
+            withdraw(self._store, notice)
         self._files.watch(workspace)
         try:
             self.file, self.groups = read_landmarks_in(workspace.folder)

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.decimal_box import DecimalBox
+from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.panels.parts import ScrolledContent, empty_state
 from procc_annotator.gui.settings import FLAG, NUMBER, OFFERED, Setting, Shown
 from procc_annotator.gui.window.options import Options
@@ -88,7 +88,7 @@ class SettingRow(QWidget):
             editor.setChecked(bool(value))
         elif isinstance(editor, QComboBox):
             editor.setCurrentIndex(editor.findData(value))
-        elif isinstance(editor, DecimalBox):
+        elif isinstance(editor, RangeBox):
             editor.setValue(float(value) * self._shown.times)
         elif isinstance(editor, QLineEdit):
             editor.setText(str(value))
@@ -107,7 +107,8 @@ class SettingRow(QWidget):
             combo.activated.connect(lambda index: self._take(combo.itemData(index)))
             made: QWidget = combo
         elif self.setting.kind is NUMBER:
-            number = DecimalBox()
+            number = RangeBox()
+            number.refused.connect(number.tell_refused)
             least, most, step = shown.limits
             number.setDecimals(0 if step == int(step) else 1)
             number.setRange(least, most)

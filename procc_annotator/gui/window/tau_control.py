@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QSlider, QWidget
 
-from procc_annotator.gui.decimal_box import DecimalBox
+from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.language import tr
@@ -25,7 +25,8 @@ class TauControl(QWidget):
         self.slider.setSingleStep(5)
         self.slider.setPageStep(20)
         self.slider.setFixedWidth(100)
-        self.spin = DecimalBox()
+        self.spin = RangeBox()
+        self.spin.refused.connect(self.spin.tell_refused)
         self.spin.setObjectName("tauSpin")
         self.spin.setRange(MIN_TAU, MAX_TAU)
         self.spin.setDecimals(1)

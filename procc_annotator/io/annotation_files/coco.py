@@ -262,7 +262,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     ids = {e.name: i for i, e in enumerate(writing.field.elements, start=1)}
     longest: dict[str, int] = dict.fromkeys(ids, 1)
     for frame in frames:
-        size = writing.size(frame)
+        size = writing.named_size(frame)
         if size is None:
             continue
         writing.lose_point_keys(frame, _TITLE)

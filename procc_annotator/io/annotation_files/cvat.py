@@ -105,7 +105,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     images: list[str] = []
     kinds: dict[str, str] = {}
     for frame in frames:
-        size = writing.size(frame)
+        size = writing.named_size(frame)
         if size is None:
             continue
         writing.lose_point_keys(frame, _TITLE)

@@ -135,7 +135,7 @@ def _picture(number: int, root: Element, path: str, reading: Reading) -> str:
 
 def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     """``annotations.xml`` for the server, and ``labels.json`` for the labels of a new task."""
-    kept = [frame for frame in frames if writing.size(frame) is not None]
+    kept = [frame for frame in frames if writing.named_size(frame) is not None]
     video, numbers = _numbered(kept, writing)
     size = kept[0].size if kept else None
     tracks: dict[tuple[str, str], dict[int, Polyline]] = {}

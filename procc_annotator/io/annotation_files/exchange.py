@@ -18,7 +18,7 @@ from procc_annotator.io.annotation_files.named_pictures import PictureNames
 from procc_annotator.io.annotation_files.px_numbers import normalised, to_px
 from procc_annotator.io.annotation_files.soccernet_annotation import FARTHEST
 from procc_annotator.io.frame_names import PICTURE_SUFFIX, FrameTable, frame_of_file
-from procc_annotator.io.json_text import is_finite_number, printable, spelled
+from procc_annotator.io.json_text import is_finite_number, is_unicode, printable, spelled
 from procc_annotator.words import count_of
 
 Size = tuple[int, int]
@@ -245,6 +245,15 @@ class Writing:
         self.problems.append(
             f"{printable(frame.name)}: not written: {SIZE_UNKNOWN}"
             " (put the pictures beside the annotations, or give the size)"
+        )
+        return None
+
+    def named_size(self, frame: ExchangedFrame) -> Size | None:
+        """The same for a format whose text holds the frame's name, which it must be able to."""
+        if is_unicode(frame.name):
+            return self.size(frame)
+        self.problems.append(
+            f"{printable(frame.name)}: not written: its name is no valid Unicode (rename the file)"
         )
         return None
 

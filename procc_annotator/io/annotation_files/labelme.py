@@ -120,7 +120,7 @@ def _point(pair: Any, size: Size, path: str, place: str) -> Point:
 def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     """One file a frame, to be put beside the pictures."""
     for frame in frames:
-        size = writing.size(frame)
+        size = writing.named_size(frame)
         if size is None:
             continue
         writing.lose_point_keys(frame, _TITLE)

@@ -19,6 +19,7 @@ from procc_annotator.io.atomic import remove
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.csv_text import csv_cells, formula_text
 from procc_annotator.io.frame_names import FrameTable, leads_out
+from procc_annotator.io.json_text import is_unicode, printable
 from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
 from procc_annotator.report.release.card import dataset_card
 from procc_annotator.report.release.changes import Changes, changed_frame, changelog
@@ -79,6 +80,11 @@ def gather_frames(
         progress(number, len(files))
         if splits and name not in splits:
             found.problems.append(f"{name}: is in no split; left out")
+            continue
+        if not is_unicode(name):
+            found.problems.append(
+                f"{printable(name)}: is no valid Unicode; left out (rename the file)"
+            )
             continue
         try:
             data = source.read(file)

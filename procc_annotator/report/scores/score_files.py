@@ -14,8 +14,6 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO, Any, Protocol
 
-import msgspec
-
 from procc_annotator.errors import SaveError, UsageError
 from procc_annotator.metric.measure import Labelling
 from procc_annotator.metric.score import Status
@@ -23,7 +21,7 @@ from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_columns import COUNTS
-from procc_annotator.report.sheet.as_json import figure_entry
+from procc_annotator.report.sheet.as_json import encoded, figure_entry
 from procc_annotator.report.sheet.figure import shortest
 from procc_annotator.report.sheet.figures import JAC, OF_ANNOTATION, OF_CLASS, OF_FRAME, OF_SET
 from procc_annotator.session.runs.evaluation_run import FrameResult, GroupSummary
@@ -57,14 +55,14 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
     Args:
         by: what the set is grouped by; the frame's values then follow as ``groups``.
     """
-    encoded: dict[int, _Elements] = {}  # by labelling, of which a frame has two at most
+    known: dict[int, _Elements] = {}  # by labelling, of which a frame has two at most
     entries = {}
     for threshold, score in result.scores.items():
         key = id(score.labelling)
-        if key not in encoded:
-            encoded[key] = _Elements(score.labelling)
+        if key not in known:
+            known[key] = _Elements(score.labelling)
         entries[shortest(threshold)] = frame_entry(score) | {
-            "elements": encoded[key].entries(threshold)
+            "elements": known[key].entries(threshold)
         }
     image: dict[str, Any] = {"name": result.name, "camera": result.camera, "error": result.error}
     image["model"] = result.model or None
@@ -75,7 +73,7 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
         image["fitted_on_these_clicks"] = True
     if by:
         image["groups"] = dict(zip(by, result.groups, strict=True))
-    return msgspec.json.encode(image)
+    return encoded(image)
 
 
 def frame_entry(score: Any) -> dict[str, Any]:
@@ -170,7 +168,7 @@ class JsonScores:
         self._separator = b"\n"
 
     def begin(self) -> None:
-        head = msgspec.json.encode(
+        head = encoded(
             {
                 **self._names,
                 "protocol": self._setup.protocol,
@@ -197,15 +195,15 @@ class JsonScores:
         entries = None
         if summary is not None:
             entries = _summary_entries(summary)
-        self._stream.write(b'\n],"summary":' + msgspec.json.encode(entries))
+        self._stream.write(b'\n],"summary":' + encoded(entries))
         if self._setup.planar_only:
             self._stream.write(b',"planar_only":true')
         elif ground_only:
-            self._stream.write(b',"off_plane":' + msgspec.json.encode(self._setup.off_plane))
+            self._stream.write(b',"off_plane":' + encoded(self._setup.off_plane))
         if self._setup.protocol == "procc" and self._setup.allow_mirrored:
             self._stream.write(b',"mirrored_labels":true')
         if groups:
-            self._stream.write(b',"groups":' + msgspec.json.encode(_group_entries(groups)))
+            self._stream.write(b',"groups":' + encoded(_group_entries(groups)))
         self._stream.write(_more(more) + b"}\n")
 
 
@@ -228,7 +226,7 @@ class JsonList:
 
 def _more(entries: Mapping[str, Any] | None) -> bytes:
     """More keys of an object that has some."""
-    return b"," + msgspec.json.encode(entries)[1:-1] if entries else b""
+    return b"," + encoded(entries)[1:-1] if entries else b""
 
 
 def _summary_entries(summaries: Mapping[float, SetSummary]) -> dict[str, Any]:

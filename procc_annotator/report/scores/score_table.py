@@ -18,6 +18,7 @@ from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.score_columns import COLUMNS, KEYS, Row, frame_values
 from procc_annotator.report.scores.score_table_reading import read_csv_rows, read_parquet_rows
 from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
+from procc_annotator.report.sheet.as_json import writable
 from procc_annotator.report.sheet.as_parquet import parquet_bytes
 from procc_annotator.report.sheet.figure import values_of
 from procc_annotator.report.sheet.figures import OF_ANNOTATION
@@ -105,7 +106,4 @@ def table_csv(rows: Sequence[Row]) -> bytes:
 
 
 def _text(text: str | None) -> str | None:
-    """Text that any file can hold: names of files need not be valid Unicode."""
-    if text is None or text.isascii():
-        return text
-    return text.encode("utf-8", "backslashreplace").decode("utf-8")
+    return text if text is None or text.isascii() else writable(text)

@@ -28,8 +28,29 @@ def sheet_entry(sheet: Sheet) -> dict[str, Any]:
 
 def json_bytes(content: Any, *, indent: int = 1) -> bytes:
     """A file for people and programs."""
-    encoded = msgspec.json.encode(content, enc_hook=_as_plain)
-    return msgspec.json.format(encoded, indent=indent) + b"\n"
+    return msgspec.json.format(encoded(content), indent=indent) + b"\n"
+
+
+def encoded(content: Any) -> bytes:
+    """As short as it can be; of a file's name that is no valid Unicode the bytes are spelled."""
+    try:
+        return msgspec.json.encode(content, enc_hook=_as_plain)
+    except UnicodeEncodeError:
+        plain = msgspec.to_builtins(content, enc_hook=_as_plain, str_keys=True)
+        return msgspec.json.encode(_all_writable(plain))
+
+
+def writable(text: str) -> str:
+    """Text that any file can hold: names of files need not be valid Unicode."""
+    return text.encode("utf-8", "backslashreplace").decode("utf-8")
+
+
+def _all_writable(content: Any) -> Any:
+    if isinstance(content, dict):
+        return {writable(key): _all_writable(value) for key, value in content.items()}
+    if isinstance(content, list | tuple):
+        return [_all_writable(value) for value in content]
+    return writable(content) if isinstance(content, str) else content
 
 
 def _as_plain(value: object) -> str:

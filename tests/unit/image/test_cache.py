@@ -145,3 +145,15 @@ def test_a_closed_cache_holds_nothing_but_still_reads(
     assert cache.used_bytes == 0
     assert cache.get(pictures[0]).shape == (10, 20, 4)
     assert cache.used_bytes == 0
+
+
+def test_a_picture_that_was_replaced_is_read_again(
+    cache: FrameCache, pictures: list[Path], decoded: list[Path]
+) -> None:
+    cache.get(pictures[0])
+    cv2.imwrite(str(pictures[0]), np.zeros((4, 6, 3), dtype=np.uint8))
+    assert cache.get(pictures[0]).shape == (4, 6, 4)
+    assert cache.used_bytes == 4 * 6 * 4
+    pictures[0].unlink()  # or out of reach
+    assert cache.get(pictures[0]).shape == (4, 6, 4)
+    assert decoded == [pictures[0]] * 2
