@@ -312,6 +312,51 @@ class TestDragging:
         window.canvas.undo()
         assert camera_pegs(window) == (moved,)
 
+    def test_let_go_beyond_what_a_camera_can_show_the_peg_lies_where_the_camera_shows_it(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
+    ) -> None:
+        drag.drag(*places[0])
+        all_done(qtbot)
+        start = wireframe_of(camera_of(window), window.document.field, SAMPLE).at(
+            places[1][1], 30.0
+        )
+        assert start is not None
+        drag.drag(start.px, (start.px[0] + 12.0, start.px[1]))
+        all_done(qtbot)
+        start = wireframe_of(camera_of(window), window.document.field, SAMPLE).at(
+            places[2][1], 30.0
+        )
+        assert start is not None
+        near, beyond = (start.px[0] + 12.0, start.px[1]), (start.px[0] + 900.0, start.px[1])
+        drag.carry(start.px, near, beyond)
+        shown = window.canvas.camera_hand.item.overlay.marks[-1].centres[0].tolist()
+        drag.release(beyond)
+        all_done(qtbot)
+        assert camera_pegs(window)[-1].px == pytest.approx(shown, abs=0.1)
+
+    def test_the_mouse_button_that_moves_the_picture_meanwhile_does_not_end_it(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]], qtbot: QtBot
+    ) -> None:
+        canvas, middle = window.canvas, Button.MiddleButton
+        drag.carry(*places[0])
+        at = drag.at(places[0][1])
+        QTest.mousePress(canvas.viewport(), middle, HELD, at)
+        drag.release(places[0][1])
+        assert not canvas.camera_hand.dragging
+        assert canvas.panning
+        QTest.mouseRelease(canvas.viewport(), middle, HELD, at)
+        assert not canvas.panning
+        assert len(camera_pegs(window)) == 1
+
+    def test_a_release_that_went_elsewhere_leaves_it_where_it_was_seen(
+        self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
+    ) -> None:
+        drag.carry(*places[0])
+        drag.move(places[0][0])
+        assert not window.canvas.camera_hand.dragging
+        (peg,) = camera_pegs(window)
+        assert peg.px == pytest.approx(drag.exactly(places[0][1]))
+
 
 class TestTakingBack:
     def test_escape_while_dragging_and_right_after(

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt
-from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtGui import QContextMenuEvent, QImage, QPixmap
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.exceptions import TimeoutError
@@ -145,6 +145,63 @@ def test_the_cursor_is_told_once_it_is_let_go(audited: MainWindow, qtbot: QtBot)
     held.drop(WAY[2])
     x, y = audited.canvas.cursor_px or (0.0, 0.0)
     assert shown.text() == f"{x:.1f} {y:.1f} px"
+
+
+def _places(window: MainWindow) -> np.ndarray:
+    polyline = window.document.annotation.get(ELEMENT)
+    assert polyline is not None
+    return np.array([point[:2] for point in polyline.points])
+
+
+def test_each_button_ends_its_own_gesture(audited: MainWindow, qtbot: QtBot) -> None:
+    held, middle = _Held(audited, qtbot), Qt.MouseButton.MiddleButton
+    canvas, before = audited.canvas, _places(audited)
+    held.take()
+    held.carry(WAY[1])
+    QTest.mousePress(canvas.viewport(), middle, NONE, held.grip + WAY[1])
+    held._hand._move(held.grip + WAY[3], LEFT | middle)
+    held.drop(WAY[3])
+    assert canvas.panning
+    assert not canvas.editor.holding
+    moved = _places(audited)
+    assert np.abs(moved - before).max() > 0
+    QTest.mouseRelease(canvas.viewport(), middle, NONE, held.grip + WAY[3])
+    assert not canvas.panning
+    held._hand._move(held.grip, Qt.MouseButton.NoButton)
+    assert (_places(audited) == moved).all()
+    audited.canvas.undo()
+    assert (_places(audited) == before).all()
+
+
+def test_no_menu_opens_while_a_point_is_carried(audited: MainWindow, qtbot: QtBot) -> None:
+    held, view, asked = _Held(audited, qtbot), audited.canvas.viewport(), []
+    audited.canvas.menuWanted.disconnect()
+    audited.canvas.menuWanted.connect(asked.append)
+    held.take()
+    held.carry(WAY[1])
+    at = held.grip + WAY[1]
+    mouse = QContextMenuEvent.Reason.Mouse
+    QApplication.sendEvent(view, QContextMenuEvent(mouse, at, view.mapToGlobal(at)))
+    assert not asked
+    held.drop(WAY[1])
+    QApplication.sendEvent(view, QContextMenuEvent(mouse, at, view.mapToGlobal(at)))
+    assert asked
+
+
+def test_a_point_whose_release_went_elsewhere_stays_where_it_was_seen(
+    audited: MainWindow, qtbot: QtBot
+) -> None:
+    held, before = _Held(audited, qtbot), _places(audited)
+    held.take()
+    held.carry(WAY[1])
+    x, y = held._hand.picture(held.at[0], held.at[1])
+    there = audited.canvas.cursor_px
+    held._hand._move(held.grip + WAY[3], Qt.MouseButton.NoButton)
+    assert not audited.canvas.editor.holding
+    w, h = audited.document.picture_size or (0, 0)
+    moved = (_places(audited) - before)[0] * (w - 1, h - 1)
+    assert there is not None
+    assert moved == pytest.approx((there[0] - x, there[1] - y), abs=0.01)
 
 
 class _Paints(QObject):

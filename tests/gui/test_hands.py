@@ -162,7 +162,7 @@ class TestLoupe:
         clicks.key(Qt.Key.Key_W)
         viewport, none = on_pitch.canvas.viewport(), Qt.KeyboardModifier.NoModifier
         QTest.mousePress(viewport, Qt.MouseButton.LeftButton, none, clicks.at(300, 300))
-        clicks.move(310, 310)
+        clicks._move(clicks.at(310, 310), Qt.MouseButton.LeftButton)
         assert on_pitch.canvas.loupe.isVisible()
         QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, none, clicks.at(310, 310))
         clicks.move(315, 315)

@@ -147,13 +147,17 @@ def test_a_file_in_the_middle_of_being_written_costs_no_history(
     document, path = audited.document, annotated / "00002.json"
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
     whole = path.read_text()
+    said: list[str] = []
+    document.message.connect(lambda text, _: said.append(text))
     path.write_text(whole[:20])
     document.look_at_frame()
+    assert not said  # it was not read; the frame says why
     assert not document.editable
     assert not document.annotation.annotated
     path.write_text(whole)
     document.look_at_frame()
     assert document.editable
+    assert "read again" in said[-1]
     drawn = document.annotation
     document.undo()
     assert document.annotation != drawn

@@ -254,6 +254,22 @@ class TestProvenance:
         assert any(len(m.centres) == 2 for m in clicked)
 
 
+class TestTime:
+    def test_the_panel_and_the_overview_count_the_time_of_the_frame_under_way(
+        self, window: MainWindow, hand: Hand, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
+    ) -> None:
+        document, now = window.document, [1000.0]
+        monkeypatch.setattr(document.review, "_clock", lambda: now[0])
+        document.go_to(1)
+        now[0] += 12.0
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        hand.key(Qt.Key.Key_Return, CTRL)
+        name = document.frame.name if document.frame is not None else ""
+        assert document.review.record(name).seconds == 12.0
+        window.panels.show("review")
+        qtbot.waitUntil(lambda: window.review.time.text() == "12 s")
+
+
 class TestOverview:
     def test_it_counts_statuses_classes_and_time(self, window: MainWindow, hand: Hand) -> None:
         hand.draw(MIDDLE, (100, 100), (200, 200))

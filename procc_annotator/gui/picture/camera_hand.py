@@ -68,6 +68,7 @@ class CameraHand(QObject):
         self._begun: PinholeCamera | None = None  # the camera when the button went down
         self._others: tuple[Peg, ...] = ()  # the pegs that are not in hand by then
         self._dragged: PinholeCamera | None = None
+        self._put: Peg | None = None  # the place in hand as that camera shows it
         self._fresh = False  # nothing else was done since the last drag
         view.installEventFilter(self)
         view.viewport().installEventFilter(self)
@@ -163,21 +164,24 @@ class CameraHand(QObject):
     def _follow_mouse(self, event: QMouseEvent) -> bool:
         """Whether an event was meant for the camera."""
         kind, self._at = event.type(), self._view.to_picture(event.position())
-        if self._view.panning or self._editor.holding:
+        released = kind == QEvent.Type.MouseButtonRelease
+        if self._editor.holding or (self._view.panning and not (self.dragging and released)):
             return False
         if not self.dragging:
             self._hold(event.modifiers() & _HELD == _HELD)
         if not self.held:
             return False
         if kind == QEvent.Type.MouseMove:
-            if self.dragging:
+            if not self.dragging:
+                self._look_under()
+            elif event.buttons() & Qt.MouseButton.LeftButton:
                 self._drag(self._at)
             else:
-                self._look_under()
+                self._release()  # another window had it
             self.moved.emit(self._at)
         elif event.button() != Qt.MouseButton.LeftButton:
             return False
-        elif kind == QEvent.Type.MouseButtonRelease:
+        elif released:
             self._release()
         else:
             self._press(self._at)
@@ -296,9 +300,10 @@ class CameraHand(QObject):
         if not self._moved and far <= _CLICK_PX:
             return
         self._moved = True
-        found = pegged(self._begun, self._others, self._in_hand(at))
+        put = self._in_hand(at)
+        found = pegged(self._begun, self._others, put)
         if found is not self._begun:  # else no camera shows it there: the last one stays
-            self._dragged = found
+            self._dragged, self._put = found, put
             self._paint()
 
     def _in_hand(self, at: Position) -> Peg:
@@ -312,9 +317,8 @@ class CameraHand(QObject):
         if not self.dragging:
             return
         document, camera, moved = self._document, self._dragged, self._moved
-        size, at = document.picture_size, self._at
+        size, put = document.picture_size, self._put
         others, grabbed = self._others, self._grabbed
-        put = self._in_hand(at) if at is not None else None
         self._end_drag()
         if not moved and grabbed is not None:
             self._take_away(others)
@@ -347,7 +351,7 @@ class CameraHand(QObject):
         self._show()
 
     def _end_drag(self) -> None:
-        self._pressed_at = self._begun = self._dragged = None
+        self._pressed_at = self._begun = self._dragged = self._put = None
         self._moved = False
         self._wireframe = None
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAccessible,
@@ -245,6 +247,8 @@ class Canvas(PictureView):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         event.accept()
+        if self.editor.holding or self.camera_hand.dragging or self.panning:
+            return  # a menu would take the release that ends it
         if event.reason() == QContextMenuEvent.Reason.Mouse:
             self.editor.point_at(self.to_picture(QPointF(event.pos())))
             self.menuWanted.emit(event.globalPos())
@@ -266,7 +270,7 @@ class Canvas(PictureView):
         event.accept()
         self.keys.put_away()
         if self._wants_pan(event):
-            self._start_pan(event.position().toPoint())
+            self._start_pan(event)
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
             self.cursor_px = self.to_picture(event.position())
             self._document.walk.see_whole()  # its lines are snapped to
@@ -278,7 +282,7 @@ class Canvas(PictureView):
         event.accept()
         px = self.to_picture(event.position())
         if self._wants_pan(event):
-            self._start_pan(event.position().toPoint())
+            self._start_pan(event)
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
             # Qt sent the first click already; it is the last point, and this one only finishes.
             self.editor.double_click(px, modifiers_of(event.modifiers()))
@@ -287,6 +291,9 @@ class Canvas(PictureView):
         event.accept()
         self.keys.put_away()
         px = self.to_picture(event.position())
+        if self.editor.holding and not event.buttons() & Qt.MouseButton.LeftButton:
+            # Another window had the release: what is held stays where it was seen last.
+            self.editor.release(self.cursor_px or px, modifiers_of(event.modifiers()))
         self.cursor_px, drawn = px, self.drawing.count
         if self.panning:
             self._pan_to(event.position().toPoint())
@@ -317,7 +324,7 @@ class Canvas(PictureView):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         event.accept()
-        if self.panning:
+        if self._ends_pan(event):
             self._end_pan()
         elif event.button() == Qt.MouseButton.LeftButton:
             self.editor.release(self.to_picture(event.position()), modifiers_of(event.modifiers()))
@@ -352,20 +359,13 @@ class Canvas(PictureView):
         self._say_cursor()
 
     def _make_held_keys(self) -> HeldKeys:
-        def dressed() -> None:
-            self.drawing.hide_by_key(False)
-
-        def no_loupe() -> None:
-            self._loupe(False)
-
-        def snap() -> None:
-            self._aside(False)
-
+        hide, loupe, aside = self.drawing.hide_by_key, self._loupe, self._aside
+        dressed, no_loupe, snap = partial(hide, False), partial(loupe, False), partial(aside, False)
         keys = {
-            Qt.Key.Key_X: HeldKey(lambda: self.drawing.hide_by_key(True), dressed, dressed),
-            Qt.Key.Key_Z: HeldKey(lambda: self._loupe(True), no_loupe, no_loupe),
+            Qt.Key.Key_X: HeldKey(partial(hide, True), dressed, dressed),
+            Qt.Key.Key_Z: HeldKey(partial(loupe, True), no_loupe, no_loupe),
             Qt.Key.Key_Comma: HeldKey(self._blink, self._end_blink, self._lose_blink),
-            Qt.Key.Key_Control: HeldKey(lambda: self._aside(True), snap, snap),
+            Qt.Key.Key_Control: HeldKey(partial(aside, True), snap, snap),
         }
         return HeldKeys(keys, self)
 

@@ -81,6 +81,7 @@ class PictureView(QGraphicsView):
         self._space_held = self._panned = False
         self.pan_tool = False  # whether the left button moves the picture
         self._pan_from: QPoint | None = None
+        self._pan_button = Qt.MouseButton.NoButton  # that the mouse moves the picture with
 
     # --- where things are -----------------------------------------------------------------
 
@@ -249,8 +250,12 @@ class PictureView(QGraphicsView):
         self._fitted = False
         self.viewChanged.emit()
 
-    def _start_pan(self, position: QPoint) -> None:
-        self._pan_from, self._panned = position, True
+    def _ends_pan(self, event: QMouseEvent) -> bool:
+        return self.panning and event.button() == self._pan_button
+
+    def _start_pan(self, event: QMouseEvent) -> None:
+        self._pan_from, self._panned = event.position().toPoint(), True
+        self._pan_button = event.button()
         self.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def _end_pan(self) -> None:

@@ -328,8 +328,11 @@ class Editing(QObject):
         say(self._store, self._store.state.why_not_editable, "warning")
 
     def _say_read_again(self) -> None:
-        if (name := self._store.state.frame_name) is not None:
-            say(self._store, tr("{frame} was changed elsewhere: read again", frame=name))
+        state = self._store.state
+        if state.frame_name is not None and not state.damage:  # the frame itself says what it is
+            say(
+                self._store, tr("{frame} was changed elsewhere: read again", frame=state.frame_name)
+            )
 
     def _say_saved_elsewhere(self, so: str) -> None:
         if (name := self._store.state.frame_name) is not None:

@@ -111,7 +111,8 @@ class ReviewState(QObject):
 
     def touched(self, frame: str, before: FrameAnnotation, after: FrameAnnotation) -> str:
         """The annotation changed: the frame is in progress again, or what it was if this took the
-        change back; what to tell the annotator, if much."""
+        change back; what to tell the annotator, if much. Its time so far is written down."""
+        self._write_time()
         was = self.status(frame)
         earlier, annotation = self._before_edits.get(frame, (was, None))
         revealed = self.blind_commit(frame) is not None
@@ -309,11 +310,16 @@ class ReviewState(QObject):
 
     def leave(self) -> None:
         """The frame is left: write down its time."""
-        if self._frame is not None and self.database is not None:
-            self.note_activity()
-            if self._seconds > 0.05:
-                self.database.add_seconds(self._frame, self._seconds)
+        self._write_time()
         self._frame, self._seconds = None, 0.0
+
+    def _write_time(self) -> None:
+        if self._frame is None or self.database is None:
+            return
+        self.note_activity()
+        if self._seconds > 0.05:
+            self.database.add_seconds(self._frame, self._seconds)
+            self._seconds = 0.0
 
     # --- other windows ------------------------------------------------------------------------
 
