@@ -334,8 +334,8 @@ def _report_problems(report: CalibrationReport, out: Path) -> int:
         )
     if report.stale:
         typer.echo(
-            f"note: {out} holds {count_of(len(report.stale), 'other camera')} of these frames, not"
-            f" written now and not touched: {first_of(report.stale)}",
+            f"note: {out} holds {count_of(len(report.stale), 'other camera')}, not written now and"
+            f" not touched: {first_of(report.stale)}",
             err=True,
         )
     return datasets.report_unreadable(report.errors)

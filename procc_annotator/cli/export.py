@@ -20,7 +20,7 @@ from procc_annotator.report.export import (
 )
 from procc_annotator.report.targets import is_archive
 from procc_annotator.session.dataset.annotated_frames import AnnotatedFrames
-from procc_annotator.words import count_of
+from procc_annotator.words import count_of, first_of
 
 HELP = """\
 DATASET has pictures and annotations, or annotations alone (of any format that is read, also an
@@ -133,6 +133,10 @@ def _tell(exported: Exported, setup: EvaluationSetup, *, scored: bool, split: st
             typer.echo(f"scores in {' and '.join(map(str, split_scores(exported.path)))}")
     elif not split:
         typer.echo("no --cameras given: jac.csv and jac.json name the frames and hold no scores")
+    if exported.others:
+        held = count_of(len(exported.others), "other annotation")
+        words = f"{exported.path} holds {held}, not written now and not touched"
+        datasets.report_remarks([f"{words}: {first_of(exported.others)}"])
     datasets.report_notices(exported.notices)
     datasets.report_remarks(
         f"{what} ({count_of(frames, 'frame')})" for what, frames in exported.left_out.items()

@@ -91,8 +91,8 @@ def decode_thumbnail(path: Path, max_side: int = 160) -> PixelArray:
         small.flags.writeable = False
         return small
     data = _read(path)
-    full_side = max(size_in_header(data.data) or (0, 0))
-    factor = next((f for f in (8, 4, 2) if full_side >= f * max_side), 1)
+    short, long = sorted(size_in_header(data.data) or (0, 0))
+    factor = next((f for f in (8, 4, 2) if long >= f * max_side and short >= f), 1)
     return bgra(shrink(_decode(path, data, _REDUCED[factor]), max_side))
 
 

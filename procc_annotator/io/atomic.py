@@ -58,7 +58,7 @@ def write_atomic(
     # Not named after the target, whose name may already be as long as the file system allows.
     temporary = target.with_name(f".procc-{secrets.token_hex(8)}.tmp")
     try:
-        _write_synced(temporary, data, _mode_of(target))
+        _write_synced(temporary, data, mode_to_keep(target))
         look_again()
         os.replace(temporary, target)
     except OSError as error:
@@ -84,7 +84,12 @@ def remove(path: Path) -> None:
     _sync_folder(path.parent)
 
 
-def _mode_of(target: Path) -> int | None:
+def mode_to_keep(target: Path) -> int | None:
+    """The permissions of a file that is to be replaced; None where there is none.
+
+    Raises:
+        OSError: it must not be replaced: it is no file, or write-protected.
+    """
     try:
         mode = target.stat().st_mode
     except FileNotFoundError:

@@ -109,7 +109,7 @@ def _check_folders(annotator: str, frames: Sequence[str]) -> None:
 def _give(source: Path, target: Path, *, link: bool) -> None:
     if link:
         with suppress(OSError):  # another disk, or a file system without links
-            os.link(source, target)
+            os.link(os.path.realpath(source), target)  # never a link, which leads elsewhere there
             return
     try:
         shutil.copyfile(source, target)

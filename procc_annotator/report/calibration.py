@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Protocol
 
 import numpy as np
+from natsort import natsorted
 
 from procc_annotator.io.camera_files.fitted_on import DIGEST, TABLE_FILE
 from procc_annotator.io.camera_files.held_out_table import (
@@ -16,7 +17,7 @@ from procc_annotator.io.camera_files.held_out_table import (
     HeldOutElement,
     camera_hash,
 )
-from procc_annotator.io.collections import camera_names
+from procc_annotator.io.collections import CAMERA_PREFIX, camera_names
 from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
@@ -69,7 +70,7 @@ class CalibrationReport:
         failures: frames without a camera, and why.
         errors: annotations that cannot be read, one line each.
         left_out: number of frames with an element that was taken for a mistake.
-        stale: files of earlier runs for frames that got none of this kind now.
+        stale: cameras of earlier runs: of these frames but of another kind, or of other frames.
         open: frames whose cameras the points hardly determine.
         folded: frames whose cameras the official evaluation folds into the picture.
         held_out: elements left out in turn, of all frames.
@@ -168,11 +169,15 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
 
 
 def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
-    """Cameras of these frames that this run did not write: nobody should take them for its own."""
+    """Cameras that this run did not write: nobody should take them for its own."""
+    folders = {""}
     for name in names:
-        for file_name in camera_names(name):
-            if file_name not in written and (out / file_name).exists():
-                yield file_name
+        folders.add(name.rpartition("/")[0])
+        _, *others = camera_names(name)
+        yield from (file for file in others if file not in written and (out / file).exists())
+    for folder in sorted(folders):
+        found = (path.relative_to(out) for path in (out / folder).glob(f"{CAMERA_PREFIX}*.json"))
+        yield from natsorted({file.as_posix() for file in found} - written)
 
 
 def _columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:

@@ -27,6 +27,8 @@ from procc_annotator.io.annotation_files.soccernet_classes import (
 )
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import open_source
 from procc_annotator.metric.clicked import clicked
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
@@ -67,6 +69,7 @@ class Exported:
         notices: remarks on cameras (scaled from another size), and for how many.
         left_out: what the files written have no place for (optional elements, say), in words, and
             in how many frames.
+        others: frames whose annotations lie in the folder from before, and were not written now.
     """
 
     path: Path
@@ -79,6 +82,7 @@ class Exported:
     ground_only: bool = False
     notices: Counter[str] = field(default_factory=Counter)
     left_out: Counter[str] = field(default_factory=Counter)
+    others: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -112,7 +116,7 @@ def export_dataset(
         UsageError: ``out`` is where the dataset itself lies.
         SaveError: writing failed; an archive is then not there at all.
     """
-    exported = Exported(out)
+    exported, written = Exported(out), set[str]()
     with _open_target(frames, out) as target, ExitStack() as open_files:
         writers = [
             _writer(open_files.enter_context(target.stream(name)), Path(name), scoring)
@@ -123,8 +127,13 @@ def export_dataset(
             leaves = _leaving(annotation, frames.field, exported, keep_optional)
             target.write(f"{name}.json", write_annotation(leaves))
             exported.annotations += 1
+            written.add(f"{name}.json")
             totals.add(name, annotation)
         totals.finish()
+    if not is_archive(out):
+        with open_source(out) as there:
+            kept = list_annotations(there).items()
+            exported.others = tuple(name for name, file in kept if file not in written)
     return exported
 
 

@@ -607,3 +607,11 @@ def test_elements_left_out_are_judged_by_the_others(cli, dataset, tmp_path) -> N
     assert "held_out_elements" not in table(plain)["1"]
     refused = cli("calibrate", dataset.root, tmp_path / "no", "--held-out", "--shared-position")
     assert refused.exit_code == 2
+
+
+def test_cameras_of_frames_that_are_gone_are_told(cli, dataset, tmp_path) -> None:
+    out = tmp_path / "out"
+    assert cli("calibrate", dataset.root, out, "--model", "P").exit_code == 0
+    (dataset.annotations / "2.json").unlink()
+    done = cli("calibrate", dataset.root, out, "--model", "P", "--overwrite")
+    assert "holds 1 other camera, not written now and not touched: camera_2.json" in done.stderr

@@ -205,3 +205,12 @@ def test_cameras_of_another_field_are_not_scored(tmp_path: Path, sample_data: Pa
     assert done.scored == 0
     assert done.summary[5.0].evaluated == 0
     assert "would be taken for a soccer field's" in done.problems[0]
+
+
+def test_annotations_that_stay_in_the_folder_are_told(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    assert cli("export", dataset.root, out).exit_code == 0
+    (dataset.annotations / "2.json").unlink()
+    done = cli("export", dataset.root, out, "--overwrite")
+    assert "holds 1 other annotation, not written now and not touched: 2" in done.stderr
+    assert (out / "2.json").exists()

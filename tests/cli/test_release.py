@@ -98,6 +98,19 @@ def test_croissant_names_every_column_by_what_is_there(cli, keep: Path, tmp_path
     assert (out / "images" / "00002.jpg").read_bytes() == (keep / "00002.jpg").read_bytes()
 
 
+def test_names_as_nobody_expects_them(cli, keep: Path, tmp_path: Path) -> None:
+    out = tmp_path / "release"
+    (keep / "00002.jpg").rename(keep / "00002.JPG")
+    terms = ("--name", "<b>Cup}</b>", "--by", "A {B")
+    made(cli, keep, out, "--pictures", "--no-check", *terms)
+    found = json.loads((out / "croissant.json").read_text())
+    kinds = {one["includes"]: one["encodingFormat"] for one in found["distribution"][1:]}
+    assert kinds["images/*.JPG"] == kinds["images/*.jpg"] == "image/jpeg"
+    cited = found["citeAs"]
+    assert cited.count("{") == cited.count("}") == 5
+    assert "\n# &lt;b>Cup}&lt;/b>\n" in (out / "README.md").read_text()
+
+
 def test_splits_findings_and_a_second_annotator(cli, keep: Path, tmp_path: Path) -> None:
     splits = tmp_path / "splits.csv"
     splits.write_text("frame,split\n00001,train\n00002,train\n00003,test\n")

@@ -8,6 +8,7 @@ import shutil
 import zipfile
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 
@@ -223,3 +224,18 @@ def test_frames_needed_grow_with_the_square_of_what_is_wanted(cli, dataset, stud
     assert [row[4] for row in rows] == ["1", "2", "5"]
     needed = [int(row[5]) for row in rows]
     assert 3.5 < needed[0] / needed[1] < 4.5
+
+
+def test_pictures_that_are_links_are_given_out(cli, dataset, tmp_path) -> None:
+    (dataset.root / "pool").mkdir()
+    for picture in list(dataset.root.glob("*.jpg")):
+        moved = picture.rename(dataset.root / "pool" / picture.name)
+        try:
+            picture.symlink_to(Path("pool") / moved.name)
+        except OSError:
+            pytest.skip("no right to make links")
+    done = cli(
+        "assign", dataset.root, tmp_path / "study", "--annotators", "anna,ben", "--overlap", "1"
+    )
+    assert done.exit_code == 0, done.output
+    assert cv2.imread(str(tmp_path / "study" / "anna" / "1.jpg")) is not None

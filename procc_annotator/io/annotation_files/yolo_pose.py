@@ -33,7 +33,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     """``labels/SPLIT/{frame}.txt``, and ``data.yaml`` that names classes and folders."""
     split = writing.folder or DEFAULT_SPLIT
     ids = {e.name: i for i, e in enumerate(writing.field.elements)}
-    kept: list[tuple[str, list[tuple[int, list[tuple[float, float]]]], tuple[Polyline, ...]]] = []
+    kept: list[tuple[str, list[tuple[int, list[tuple[float, float]]]]]] = []
     for frame in frames:
         size = writing.size(frame)
         if size is None:
@@ -48,12 +48,14 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
                 writing.remarks.add(f"{_TITLE} has no points outside the picture", frame.name)
             if inside:
                 lines.append((ids.setdefault(label, len(ids)), inside))
-        kept.append((frame.name, lines, polylines))
-    longest = max((len(points) for _, lines, _ in kept for _, points in lines), default=1)
-    for name, lines, polylines in kept:
+        kept.append((frame.name, lines))
+    longest = max((len(points) for _, lines in kept for _, points in lines), default=1)
+    for name, lines in kept:
         text = "".join(f"{_line(number, points, longest)}\n" for number, points in lines)
         if writing.put(f"labels/{split}/{name}.txt", text.encode()):
-            writing.count(polylines)
+            writing.frames += 1
+            writing.elements += len(lines)
+            writing.points += sum(len(points) for _, points in lines)
     if writing.frames:
         writing.put("data.yaml", _data(split, longest, ids).encode())
 

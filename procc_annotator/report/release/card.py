@@ -33,7 +33,7 @@ def dataset_card(release: Release) -> str:
     terms = release.terms
     parts = [
         _header(release),
-        f"# {_one_line(terms.title)}",
+        f"# {_text(_one_line(terms.title))}",
         _text(terms.description),
         _facts(release),
         "## Splits",

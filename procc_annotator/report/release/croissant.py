@@ -102,7 +102,7 @@ def _distribution(release: Release, size: int, sha256: str) -> list[dict[str, An
     if release.with_pictures:
         kinds = sorted({f.picture.file.rsplit(".", 1)[-1] for f in release.frames if f.picture})
         sets += [
-            (PICTURES, f"image/{'jpeg' if kind in ('jpg', 'jpeg') else kind}", f"*.{kind}", "")
+            (PICTURES, f"image/{kind.lower().replace('jpg', 'jpeg')}", f"*.{kind}", "")
             for kind in kinds
         ]
     return [index, *(_file_set(*one) for one in sets)]
@@ -143,9 +143,9 @@ def _frames(release: Release) -> dict[str, Any]:
 
 def _citation(release: Release) -> str:
     terms = release.terms
-    by = " and ".join(terms.creators)
+    title, by = (re.sub("[{}]", "", text) for text in (terms.title, " and ".join(terms.creators)))
     lines = [
-        f"  title = {{{terms.title}}}",
+        f"  title = {{{title}}}",
         *([f"  author = {{{by}}}"] if by else []),
         f"  year = {{{terms.date[:4]}}}",
         f"  version = {{{terms.version}}}",

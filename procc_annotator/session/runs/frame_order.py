@@ -18,6 +18,7 @@ from natsort import natsorted
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.csv_text import csv_cells, formula_text
 from procc_annotator.io.frame_names import FrameTable
+from procc_annotator.words import count_of
 
 _FRAME, _SHOT, _NUMBER = "frame", "shot", "number"
 _ADVICE = "the file needs a header like: frame,shot,number"
@@ -71,7 +72,11 @@ class FrameOrder:
         shots: dict[str, str] = {}
         numbers: dict[str, int] = {}
         for place, (line, cells) in enumerate(table[1:]):
-            row = dict(zip(header, (cell.strip() for cell in cells), strict=False))
+            if len(cells) != len(header):
+                found = count_of(len(cells), "cell")
+                problem = f"has {found}, expected {len(header)} as in the header"
+                raise InputError(path, problem, place=f"line {line}")
+            row = dict(zip(header, (cell.strip() for cell in cells), strict=True))
             frame = formula_text(row.get(_FRAME, ""))
             if not frame or frame in shots:
                 problem = f"frame {frame!r} again" if frame else "names no frame"

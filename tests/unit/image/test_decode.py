@@ -276,3 +276,9 @@ def test_a_picture_of_another_kind_is_refused_whatever_its_name(tmp_path: Path) 
     path.write_bytes(_encode(".tiff", _plain(40, 30)))
     with pytest.raises(ImageError, match="not jpg, png, bmp, webp"):
         decode_bgra(path)
+
+
+def test_a_thumbnail_of_a_picture_one_pixel_wide(tmp_path: Path) -> None:
+    path = tmp_path / "thin.png"
+    path.write_bytes(_encode(".png", _plain(1, 3000)))
+    assert decode_thumbnail(path).shape == (160, 1, 4)

@@ -464,6 +464,13 @@ def test_yolo_pose_is_what_its_readers_ask_for(tmp_path: Path) -> None:
     ))  # fmt: skip
     frames = [ExchangedFrame("1", RICH, SIZE), ExchangedFrame("2", outside, SIZE)]
     writing = write("yolo-pose", frames, tmp_path / "set")
+    lines = [
+        line.split()
+        for file in (tmp_path / "set" / "labels").rglob("*.txt")
+        for line in file.read_text().splitlines()
+    ]
+    assert writing.elements == len(lines)
+    assert writing.points == sum(line[5:].count("2") for line in lines)
     assert "YOLO has no points outside the picture (1 frame: 2)" in writing.remarks.lines()
     labels = tmp_path / "set" / "labels" / "train"
     assert sorted(p.name for p in labels.iterdir()) == ["1.txt", "2.txt"]

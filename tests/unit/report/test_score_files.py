@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import os
 from pathlib import Path
 
 import numpy as np
@@ -161,3 +162,18 @@ def test_elements_in_the_file_are_those_of_the_score(setup: EvaluationSetup) -> 
             }
             for element in judged.elements
         }
+
+
+def test_a_link_is_followed_and_permissions_stay(tmp_path: Path) -> None:
+    path, link = tmp_path / "scores.json", tmp_path / "latest.json"
+    path.write_text("old")
+    path.chmod(0o640)
+    try:
+        link.symlink_to(path)
+    except OSError:
+        pytest.skip("no right to make links")
+    with replacing(link) as stream:
+        stream.write(b"new")
+    assert link.is_symlink()
+    assert path.read_text() == "new"
+    assert os.name == "nt" or path.stat().st_mode & 0o777 == 0o640
