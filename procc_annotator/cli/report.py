@@ -336,9 +336,8 @@ def _tell(call: _Call, gathered: AuditReport, problems: list[str]) -> int:
 
 def _cost(request: ReportRequest, sources: int) -> int:
     """What a frame of the set costs, in scored frames: comparing two cameras is dear."""
-    pairs = set(request.disagreement)
     legacy = sources - 1 if request.reference else 0
-    return sources + _COMPARED_FRAME * (len(pairs) + legacy)
+    return sources + _COMPARED_FRAME * (len(set(request.disagreement)) + legacy)
 
 
 def dataset_name(dataset: Path) -> str:
