@@ -106,6 +106,22 @@ class TestAFrameWithoutAnnotation:
         assert plate.text == f"Camera found, sure: {finder.reason}"
         assert tones.GHOST in tones_of(window)
 
+    def test_a_long_reason_is_said_whole_in_a_narrow_window(
+        self, window: MainWindow, finder: Finder
+    ) -> None:
+        plate = window.canvas.found_plate
+        one_line = plate.wanted_size().height()
+        for text in ("short", "a", finder.reason, "not long either"):
+            plate.say(text, tones.PASSES)
+            plate._stand()
+            assert plate.height() == one_line
+        reason = "99 % of the lines in sight lie on paint, which explains 84 % of it " * 2
+        plate.say(reason, tones.PASSES)
+        plate._stand()
+        assert plate.width() < plate.wanted_size().width()
+        assert plate.height() > one_line * 1.3
+        assert plate.geometry().bottom() < window.canvas.viewport().height()
+
     def test_nothing_is_saved_before_somebody_accepts(self, window: MainWindow, bare: Path) -> None:
         window.document.next_frame()
         window.document.previous_frame()

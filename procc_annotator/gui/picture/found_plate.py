@@ -47,10 +47,10 @@ class FoundPlate(NamePlate):
         return self._viewport.width() - 2 * _MARGIN
 
     def _stand(self) -> None:
-        size = self.wanted_size()
-        width = min(size.width(), self._room())
-        top = self._viewport.height() - size.height() - _MARGIN
-        self.put(QRect(_MARGIN, top, width, size.height()))
+        width = min(self.wanted_size().width(), self._room())
+        height = self.wanted_height(width)
+        top = self._viewport.height() - height - _MARGIN
+        self.put(QRect(_MARGIN, top, width, height))
 
     def _words(self) -> tuple[str, str] | None:
         """Text and colour; None where there is nothing to say."""

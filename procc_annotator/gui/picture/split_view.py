@@ -56,6 +56,13 @@ class NamePlate(Pinned):
             round(metrics.horizontalAdvance(self._text)) + 34, round(metrics.height()) + 10
         )
 
+    def wanted_height(self, width: int) -> int:
+        """Room for the whole text, in as many lines as a width makes of it."""
+        room = QRectF(0, 0, width - 32, 0)
+        metrics = QFontMetricsF(self.font())
+        wrapped = metrics.boundingRect(room, Qt.TextFlag.TextWordWrap, self._text)
+        return round(wrapped.height()) + 10
+
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -69,10 +76,12 @@ class NamePlate(Pinned):
             painter.drawRect(QRectF(8.5, area.center().y() - 5, 10, 10))
         painter.setPen(_LIGHT)
         room = area.adjusted(26, 0, -6, 0)
-        text = self.fontMetrics().elidedText(
-            self._text, Qt.TextElideMode.ElideMiddle, int(room.width())
-        )
-        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
+        text = self._text
+        if room.height() < self.wanted_height(self.width()):
+            middle = Qt.TextElideMode.ElideMiddle
+            text = self.fontMetrics().elidedText(text, middle, int(room.width()))
+        where = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
+        painter.drawText(room, where | Qt.TextFlag.TextWordWrap, text)
 
 
 class _Line(Pinned):
