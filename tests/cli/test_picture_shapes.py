@@ -133,3 +133,16 @@ def test_a_picture_of_no_shape_ends_no_set(cli, dataset, tmp_path, width, height
         done = cli(command, few, tmp_path / command)
         assert done.exit_code == 1
         assert "expected a picture" in done.stderr
+
+
+def test_a_size_of_no_shape_ends_no_set(cli, dataset, tmp_path) -> None:
+    path = dataset.annotations / "2.json"
+    told = json.loads(path.read_text()) | {"width": 2, "height": 4000}
+    (dataset.root / "2.jpg").unlink()
+    path.write_text(json.dumps(told))
+    done = cli("calibrate", dataset.root, tmp_path / "fits", "--model", "auto")
+    assert done.exit_code == 0, done.output
+    assert (tmp_path / "fits" / "camera_2.json").exists()
+    done = cli("calibrate", dataset.root, tmp_path / "out", "--size", "2x4000")
+    assert done.exit_code == 2
+    assert "no shape of a picture" in done.stderr
