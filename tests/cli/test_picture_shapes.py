@@ -129,6 +129,7 @@ def test_a_picture_of_no_shape_ends_no_set(cli, dataset, tmp_path, width, height
     few = tmp_path / "few"
     few.mkdir()
     shutil.copy(dataset.root / "2.jpg", few)
-    done = cli("propose", few, tmp_path / "out")
-    assert done.exit_code == 1
-    assert "expected a picture" in done.stderr
+    for command in ("propose", "track"):
+        done = cli(command, few, tmp_path / command)
+        assert done.exit_code == 1
+        assert "expected a picture" in done.stderr
