@@ -12,6 +12,7 @@ import typer
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import LINES, Field
+from procc_annotator.image.header import has_shape
 from procc_annotator.io.annotation_files.label_map import LabelMap, read_label_map
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
@@ -29,7 +30,10 @@ def parse_size(text: str) -> tuple[int, int]:
     found = re.fullmatch(r"\s*(\d{1,6})\s*[xX×]\s*(\d{1,6})\s*", text)
     if found is None or min(int(found[1]), int(found[2])) < 2:
         raise typer.BadParameter(f"{text!r} is not WIDTHxHEIGHT in pixels, e.g. 960x540")
-    return int(found[1]), int(found[2])
+    size = int(found[1]), int(found[2])
+    if not has_shape(*size):
+        raise typer.BadParameter(f"{text!r} is no shape of a picture, expected e.g. 960x540")
+    return size
 
 
 def checked_size(text: str | None) -> str | None:

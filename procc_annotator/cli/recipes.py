@@ -22,6 +22,7 @@ from procc_annotator.io.annotation_files.label_map import LabelMap, read_label_m
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import FileSource, read_file
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.recipe import (
@@ -44,7 +45,11 @@ from procc_annotator.report.recipe_further import (
 from procc_annotator.report.scores.scoring import Asked
 from procc_annotator.session.dataset.annotation_source import ReadSource
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
-from procc_annotator.session.dataset.dataset_folder import STADIUMS_FILE, folder_of_dataset
+from procc_annotator.session.dataset.dataset_folder import (
+    STADIUMS_FILE,
+    VIEWS_FILE,
+    folder_of_dataset,
+)
 from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
     picture_folders,
@@ -119,11 +124,13 @@ class RecipeFor:
         further, own_file = further or Further(), self.field.file
         maps = {m.path for m in (map_of(one.annotations) for one in asked) if m is not None}
         stadiums = {p for one in asked if (p := stadiums_of(one)) is not None}
+        landmarks = {told for one in asked for told in landmarks_of(one)}
         more = [
             *((("field", own_file),) if own_file is not None else ()),
             *self.beside,
             *((LABELS_ROLE, path) for path in sorted(maps)),
             *(("stadiums", path) for path in sorted(stadiums)),
+            *sorted(landmarks),
             *(("frames", path) for path in sorted(further.frame_tables(asked))),
         ]
         paths = [p for one in asked for p in (one.annotations.path, one.cameras.path)]
@@ -218,6 +225,15 @@ def stadiums_of(one: Asked) -> Path | None:
     folder = folder_of_dataset(one.annotations.path)
     used = one.setup.field.stadiums is not None and folder is not None
     return folder / STADIUMS_FILE if used and folder is not None else None
+
+
+def landmarks_of(one: Asked) -> list[tuple[str, Path]]:
+    """The files that tell a set's landmarks and what is seen of them, with their roles."""
+    folder = folder_of_dataset(one.annotations.path)
+    if folder is None or not one.setup.field.landmarks:
+        return []
+    told = (("landmarks", folder / LANDMARKS_FILE), ("views", folder / VIEWS_FILE))
+    return [(role, path) for role, path in told if path.is_file()]
 
 
 def map_of(annotations: FileSource) -> LabelMap | None:

@@ -18,7 +18,6 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_stadium, stadium_of
 from procc_annotator.fit.from_picture.proposing import prepare
 from procc_annotator.fit.through_shot.following_shot import track as follow_shot
-from procc_annotator.image.decode import read_size
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.report.targets import Interrupted, is_archive
@@ -34,6 +33,7 @@ from procc_annotator.report.tracks import (
     write_tracks,
 )
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
+from procc_annotator.session.dataset.picture_sizes import picture_size
 from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
 from procc_annotator.session.runs.execution.executor import Executor, make_executor
 from procc_annotator.session.runs.shots import find_shots
@@ -281,7 +281,7 @@ def _prepare(pictures: PictureSource, shown: Field) -> None:
     """Work out what the search for a first camera looks up."""
     first = pictures.frames[0]
     try:
-        size = read_size(first.image_path)
+        size = picture_size(first.image_path)
     except ImageError:  # told when its shot is followed
         return
     prepare(field_of_stadium(shown, stadium_of(shown, first.name)), size)

@@ -17,7 +17,7 @@ import cv2
 import numpy as np
 
 from procc_annotator.errors import ImageError
-from procc_annotator.image.header import is_cut_off, size_in_header
+from procc_annotator.image.header import check_shape, is_cut_off, size_in_header
 from procc_annotator.image.pixels import PixelArray as PixelArray
 from procc_annotator.image.pixels import bgra, check_size
 from procc_annotator.image.video import frame_of, open_shared
@@ -46,6 +46,17 @@ def decode_bgra(path: Path) -> PixelArray:
         video, number = video_frame
         return open_shared(video).frame(number)
     return bgra(_decode(path, _read(path), cv2.IMREAD_COLOR))
+
+
+def decode_for_camera(path: Path) -> PixelArray:
+    """As `decode_bgra`, for a picture that a camera is looked for in.
+
+    Raises:
+        ImageError: as there, or it has no shape for that.
+    """
+    picture = decode_bgra(path)
+    check_shape(path, picture.shape[1], picture.shape[0])
+    return picture
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -4,14 +4,36 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from pathlib import Path
 from typing import BinaryIO
 
+from procc_annotator.errors import ImageError
+
+_LONGEST = 20  # times the shorter side: more than any panorama
 _PNG = b"\x89PNG\r\n\x1a\n"
 # Enough for every header but those with a large thumbnail in front.
 _HEADER_BYTES = 1 << 16
 # Markers without a length, and those that start a frame (C4, C8 and CC are tables).
 _JPEG_BARE = frozenset({0x01, *range(0xD0, 0xD8)})
 _JPEG_FRAMES = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
+
+
+def has_shape(width: int, height: int) -> bool:
+    """Whether a size in px can be that of a picture of a field."""
+    return min(width, height) >= 2 and max(width, height) <= _LONGEST * min(width, height)
+
+
+def check_shape(path: Path, width: int, height: int) -> None:
+    """Refuse what is no picture of a field, before a camera is looked for in it.
+
+    Raises:
+        ImageError: a side is too short beside the other one, or for any camera.
+    """
+    if not has_shape(width, height):
+        raise ImageError(
+            path, f"is {width} x {height} px, expected a picture of a field",
+            advice="replace or remove it",
+        )  # fmt: skip
 
 
 def size_in_header(data: bytes | memoryview) -> tuple[int, int] | None:

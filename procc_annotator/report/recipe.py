@@ -60,7 +60,7 @@ class RecipeInput:
 
     Attributes:
         role: ``annotations``, ``cameras``, ``field``, ``tags``, ``labels`` (names of others),
-            ``stadiums`` or ``click noise`` (what `agree` measured).
+            ``stadiums``, ``landmarks``, ``views`` or ``click noise`` (what `agree` measured).
         path: relative to the folder of all inputs.
         files: what was read of a folder, by name; of an archive or file itself, called ``.``.
     """

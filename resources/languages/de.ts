@@ -7655,6 +7655,11 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>an diese Klicks angepasst</translation>
   </message>
   <message>
+   <source>by file type and content</source>
+   <extracomment>[procc_annotator/io/camera_files/registry.py]</extracomment>
+   <translation>nach Dateityp und Inhalt</translation>
+  </message>
+  <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
    <translation>{element} stimmt: sein fernster Punkt, {number}, liegt {px} px daneben; es besteht bei tau &gt; {px}.</translation>

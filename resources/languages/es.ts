@@ -7655,6 +7655,11 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>ajustada a estos clics</translation>
   </message>
   <message>
+   <source>by file type and content</source>
+   <extracomment>[procc_annotator/io/camera_files/registry.py]</extracomment>
+   <translation>según el tipo y el contenido del archivo</translation>
+  </message>
+  <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
    <translation>{element} concuerda: su punto más lejano, el {number}, está a {px} px; pasa con tau &gt; {px}.</translation>

@@ -7655,6 +7655,11 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>ajustée à ces clics</translation>
   </message>
   <message>
+   <source>by file type and content</source>
+   <extracomment>[procc_annotator/io/camera_files/registry.py]</extracomment>
+   <translation>selon le type et le contenu du fichier</translation>
+  </message>
+  <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
    <translation>{element} convient : son point le plus loin, le {number}, est à {px} px ; il passe à tau &gt; {px}.</translation>

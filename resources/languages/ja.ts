@@ -7540,6 +7540,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>これらのクリックへの当てはめ</translation>
   </message>
   <message>
+   <source>by file type and content</source>
+   <extracomment>[procc_annotator/io/camera_files/registry.py]</extracomment>
+   <translation>ファイルの種類と内容から判断</translation>
+  </message>
+  <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
    <translation>{element} は合っています：最も遠い点 {number} のずれは {px} px。tau &gt; {px} で合格。</translation>

@@ -7540,6 +7540,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>根据这些点击拟合</translation>
   </message>
   <message>
+   <source>by file type and content</source>
+   <extracomment>[procc_annotator/io/camera_files/registry.py]</extracomment>
+   <translation>按文件类型和内容</translation>
+  </message>
+  <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
    <extracomment>[procc_annotator/metric/explain.py]</extracomment>
    <translation>{element} 吻合：最远的第 {number} 点偏离 {px} px；tau &gt; {px} 时通过。</translation>

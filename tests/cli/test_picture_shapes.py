@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import csv
 import json
+import shutil
 
+import cv2
+import numpy as np
 import pytest
 
 FOUR_THIRDS = (1024, 768)
@@ -108,3 +111,38 @@ def test_the_official_size_stays_but_is_warned_of(cli, square, tmp_path) -> None
     assert "soccernet, 960x540" in done.stdout
     again = cli("evaluate", square.annotations, tmp_path / "out", "--size", "960x720")
     assert "pictures are" not in again.stderr
+
+
+@pytest.mark.parametrize(("width", "height"), [(1, 1), (2, 4000)])
+def test_a_picture_of_no_shape_ends_no_set(cli, dataset, tmp_path, width, height) -> None:
+    odd = np.zeros((height, width, 3), np.uint8)
+    cv2.imwrite(str(dataset.root / "2.jpg"), odd)
+    for asked in (
+        ("check", dataset.root, "-o", tmp_path / "f.json"),
+        ("calibrate", dataset.root, tmp_path / "fits", "--model", "auto"),
+    ):
+        done = cli(*asked)
+        assert done.exit_code in (0, 1), done.output
+    assert (tmp_path / "fits" / "camera_2.json").exists()
+    released = cli("release", dataset.root, tmp_path / "released", "--no-check")
+    assert "expected a picture" in released.stderr
+    few = tmp_path / "few"
+    few.mkdir()
+    shutil.copy(dataset.root / "2.jpg", few)
+    for command in ("propose", "track"):
+        done = cli(command, few, tmp_path / command)
+        assert done.exit_code == 1
+        assert "expected a picture" in done.stderr
+
+
+def test_a_size_of_no_shape_ends_no_set(cli, dataset, tmp_path) -> None:
+    path = dataset.annotations / "2.json"
+    told = json.loads(path.read_text()) | {"width": 2, "height": 4000}
+    (dataset.root / "2.jpg").unlink()
+    path.write_text(json.dumps(told))
+    done = cli("calibrate", dataset.root, tmp_path / "fits", "--model", "auto")
+    assert done.exit_code == 0, done.output
+    assert (tmp_path / "fits" / "camera_2.json").exists()
+    done = cli("calibrate", dataset.root, tmp_path / "out", "--size", "2x4000")
+    assert done.exit_code == 2
+    assert "no shape of a picture" in done.stderr

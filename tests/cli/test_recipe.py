@@ -210,3 +210,18 @@ def test_dimensions_of_a_workspace_go_along(cli, data: Path, tmp_path: Path) -> 
     shutil.copytree(data, elsewhere, ignore=shutil.ignore_patterns(".procc"))
     done = cli("repeat", recipe, "--data", elsewhere)
     assert (done.exit_code, "the same" in done.stdout) == (0, True), done.output
+
+
+def test_landmarks_and_views_of_the_set_are_inputs(cli, data: Path, tmp_path: Path) -> None:
+    known = {"name": "Floodlight NE", "position": [61.2, -45.0, -28.4]}
+    (data / "landmarks.json").write_text(json.dumps({"landmarks": [known]}))
+    (data / "views.csv").write_text("frame,instant,view\n00001,1,main\n")
+    path = tmp_path / "recipe.json"
+    done = cli("evaluate", data, data / "cameras" / "true", "--recipe", path)
+    assert done.exit_code == 0, done.output
+    inputs = [(one["role"], one["path"]) for one in json.loads(path.read_text())["inputs"]]
+    assert inputs[2:] == [("landmarks", "landmarks.json"), ("views", "views.csv")]
+    known["position"] = [61.2, -45.0, -29.4]
+    (data / "landmarks.json").write_text(json.dumps({"landmarks": [known]}))
+    done = cli("repeat", path, "--data", data)
+    assert "other content: landmarks.json" in done.stdout

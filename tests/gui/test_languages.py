@@ -313,6 +313,20 @@ def test_a_title_says_below_its_group_what_the_group_does_not(qapp: QApplication
     assert shown["Circle left"] == "Linker Teilkreis"  # no part of it is only the group's
 
 
+@pytest.mark.new_window
+def test_how_cameras_are_read_is_said_in_the_language(
+    qapp: QApplication, request: pytest.FixtureRequest, qtbot: QtBot
+) -> None:
+    take_up(qapp, "de")
+    try:
+        window: MainWindow = request.getfixturevalue("window")
+        window.panels.show("cameras")
+        format_box = window.cameras.format
+        qtbot.waitUntil(lambda: format_box.itemText(0) == "nach Dateityp und Inhalt")
+    finally:
+        take_up(qapp, "en")
+
+
 def test_the_guide_says_that_it_is_in_english(german: None, window: MainWindow) -> None:
     window.commands.show_guide()
     guide = window.commands._guide

@@ -30,6 +30,7 @@ from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.matrix_file import matrix_records, read_matrix_file
 from procc_annotator.io.camera_files.opencv_camera import read_opencv
 from procc_annotator.io.camera_files.paired_files import PAIRED_FORMATS, half_of_pair
+from procc_annotator.language import word
 
 
 @dataclass(frozen=True)
@@ -120,7 +121,7 @@ def plugin_problems() -> tuple[str, ...]:
 
 def format_titles() -> dict[str, str]:
     """What people read for each name that can be asked for, ``auto`` first."""
-    return {"auto": "by file type and content", **{f.name: f.title for f in all_formats()}}
+    return {"auto": word("by file type and content"), **{f.name: f.title for f in all_formats()}}
 
 
 def format_of(path: str, fmt: str = "auto") -> CameraFormat:

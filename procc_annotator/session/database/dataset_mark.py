@@ -1,4 +1,4 @@
-"""What tells a dataset from another one at the same path: some of its pictures.
+"""What tells a dataset from another one at the same path: some of its pictures and videos.
 
 Drives are mounted where others were before; what was remembered of one must not be told of another.
 """
@@ -22,6 +22,7 @@ Mark = dict[
     str, str
 ]  # path of a picture below the folder, with slashes -> its size and a checksum of some of it
 
+_SUFFIXES = frozenset(PICTURE_SUFFIXES) | frozenset(VIDEO_SUFFIXES)
 _BYTES = 4096  # looked at in the middle of a picture
 _PICTURES = 24  # as many tell datasets apart, and take no time to look at
 _FOLDERS = 8  # of a tree, whose pictures are chosen from
@@ -29,7 +30,7 @@ _FOLDERS_LOOKED_INTO = 200  # until those are found
 
 
 def mark_of(folder: Path) -> Mark:
-    """The mark of a dataset's folder; empty if it holds no pictures or is out of reach.
+    """The mark of a dataset's folder; empty if it holds no pictures or videos, or is out of reach.
 
     Chosen by their names alone, so that pictures that come or go change little of it.
     """
@@ -40,17 +41,16 @@ def mark_of(folder: Path) -> Mark:
 
 
 def _pictures(folder: Path) -> list[str]:
-    """The pictures of a folder; of one without any, and without a video, those of the first folders
-    below it that hold some, with their paths."""
+    """The pictures and videos of a folder; of one without any those of the first folders below it
+    that hold some, with their paths."""
     found: list[str] = []
     holding = 0
     with suppress(InputError):  # what is out of reach has no mark
         for below, names in islice(walk(folder, lambda _: None), _FOLDERS_LOOKED_INTO):
-            here = [below + name for name in names if _suffix(name) in PICTURE_SUFFIXES]
+            here = [below + name for name in names if _suffix(name) in _SUFFIXES]
             found += here
             holding += bool(here)
-            at_top = not below and (here or any(_suffix(n) in VIDEO_SUFFIXES for n in names))
-            if at_top or holding == _FOLDERS:
+            if (here and not below) or holding == _FOLDERS:
                 break
     return found
 

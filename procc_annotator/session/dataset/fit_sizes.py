@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError
+from procc_annotator.image.header import has_shape
 from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.session.dataset.dataset_folder import frames_folder
@@ -93,7 +94,10 @@ class FitSizes:
             name: of the frame.
             annotation: whose further entries may tell the picture's size.
         """
-        picture = self._pictures.size(name) or told_size(annotation) or self.otherwise
+        told = told_size(annotation)
+        if told is not None and not has_shape(*told):
+            told = None
+        picture = self._pictures.size(name) or told or self.otherwise
         if self.asked is not None:
             return FrameSize(self.asked, picture)
         return FrameSize(DEFAULT_SIZE if picture is None else shaped(picture), picture)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from procc_annotator.errors import ImageError
-from procc_annotator.image.header import upright_size
+from procc_annotator.image.header import check_shape, upright_size
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
@@ -120,7 +120,7 @@ def picture_size(path: Path) -> Size:
     """(width, height) px of a picture as it is shown.
 
     Raises:
-        ImageError: it is not a readable picture.
+        ImageError: it is not a readable picture, or has the shape of none.
     """
     size = None
     if path.is_file():
@@ -129,8 +129,9 @@ def picture_size(path: Path) -> Size:
                 size = upright_size(file)
         except OSError as error:
             raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
-    if size is not None:
-        return size
-    from procc_annotator.image.decode import read_size  # OpenCV: most headers tell
+    if size is None:
+        from procc_annotator.image.decode import read_size  # OpenCV: most headers tell
 
-    return read_size(path)
+        size = read_size(path)
+    check_shape(path, *size)
+    return size

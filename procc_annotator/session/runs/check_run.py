@@ -111,11 +111,11 @@ class CheckFiles(AnnotationTask):
         if path is None:
             return None
         # OpenCV: only where there are pictures.
-        from procc_annotator.image.decode import decode_bgra
+        from procc_annotator.image.decode import decode_for_camera
         from procc_annotator.session.strokes.paint_evidence import paint_by_class
 
         try:
-            return paint_by_class(annotation, decode_bgra(path), field)
+            return paint_by_class(annotation, decode_for_camera(path), field)
         except ImageError:
             return None  # its size is told by its header or the others, and nothing of paint
 

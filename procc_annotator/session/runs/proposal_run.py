@@ -12,7 +12,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.from_picture.agreed_positions import positions_of_fits
 from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Proposal
-from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.decode import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.runs.kept_values import to_text
@@ -72,7 +72,7 @@ class ProposeCameras:
     def _propose(self, frame: Frame) -> Proposed:
         began = time.perf_counter()
         try:
-            picture = decode_bgra(frame.image_path)
+            picture = decode_for_camera(frame.image_path)
         except InputError as error:
             return Proposed(frame.name, error=str(error))
         field = field_of_frame(self.field, frame.name)

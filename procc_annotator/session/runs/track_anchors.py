@@ -10,7 +10,6 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
-from procc_annotator.image.decode import read_size
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.camera_files.cameras import fit_to_size
@@ -18,6 +17,7 @@ from procc_annotator.io.camera_files.fitted_on import annotation_digest
 from procc_annotator.session.clicks.anchors import anchor_camera
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.dataset.picture_sizes import picture_size
 
 
 @dataclass
@@ -54,7 +54,7 @@ class Anchors:
                 continue
             try:
                 loaded = collection.read(frame.name)
-                size = read_size(frame.image_path)
+                size = picture_size(frame.image_path)
             except (CameraError, InputError) as error:
                 self.errors.append(str(error))
                 continue
@@ -77,7 +77,7 @@ class Anchors:
                 annotation = given.read(frame, field)
                 if annotation is None or not annotation.annotated:
                     continue
-                size = read_size(frame.image_path)
+                size = picture_size(frame.image_path)
             except InputError as error:
                 self.errors.append(str(error))
                 continue

@@ -11,7 +11,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_stadium, stadium_of
 from procc_annotator.fit.from_picture.proposal import KnownPosition
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
-from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.decode import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.usable_pictures import UsablePictures, unseen
@@ -148,7 +148,9 @@ def damaged_pictures(shot: ShotToFollow, lost: Collection[str]) -> list[str]:
 
 def _pictures_of(shot: ShotToFollow) -> UsablePictures:
     paths = {n: frame.image_path for n, frame in zip(shot.numbers, shot.frames, strict=True)}
-    return UsablePictures(lambda n: decode_bgra(paths[n]), shot.numbers, lambda n: str(paths[n]))
+    return UsablePictures(
+        lambda n: decode_for_camera(paths[n]), shot.numbers, lambda n: str(paths[n])
+    )
 
 
 class TrackRun(SetRun[ShotToFollow, FollowedShot, None]):

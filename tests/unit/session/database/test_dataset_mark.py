@@ -1,0 +1,17 @@
+"""What is remembered of one dataset is not told of another at the same path."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from procc_annotator.session.database.dataset_mark import alike, belongs_to, mark_of
+
+
+def test_videos_tell_datasets_apart(tmp_path: Path) -> None:
+    for match, content in (("a", b"one half"), ("b", b"another half")):
+        (tmp_path / match).mkdir()
+        (tmp_path / match / f"{match}.mp4").write_bytes(content)
+    a, b = tmp_path / "a", tmp_path / "b"
+    assert belongs_to(mark_of(a), a)
+    assert not belongs_to(mark_of(a), b)
+    assert not alike(mark_of(a), mark_of(b))
