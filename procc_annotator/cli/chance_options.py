@@ -84,6 +84,9 @@ Noise = Annotated[
 Count = Annotated[int, typer.Option(min=100, max=1_000_000, metavar="N", help="Sets to draw.")]
 Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the sets drawn.")]
 
+# What holds where nobody says otherwise: method, sets drawn, seed.
+USUAL = USUAL_METHOD, USUAL_DRAWS, USUAL_SEED = "t", 10_000, 1
+
 
 def cluster_of(name: str | None, tags: Tags | None) -> str | None:
     """What to cluster by, if it is there.

@@ -151,14 +151,14 @@ class AskedToCompare:
     versus: Versus = None
     tags: chance_options.TagsFile = None
     cluster: chance_options.Cluster = None
-    seed: chance_options.Seed = 1
+    seed: chance_options.Seed = chance_options.USUAL_SEED
     workers: Workers = None
     dask: Dask = None
 
 
 def compare(given: AskedToCompare) -> None:
     by_chance = given.intervals or given.versus is not None or given.cluster is not None
-    if not by_chance and (given.tags is not None or given.seed != 1):
+    if not by_chance and (given.tags is not None or given.seed != chance_options.USUAL_SEED):
         raise UsageError("--tags and --seed need --intervals, --cluster or --versus")
     written_to = outputs.figure_files(given.output)
     shown_field = chosen_field(given.field, given.dataset, lines=given.lines)

@@ -157,11 +157,11 @@ class AskedToEvaluate:
     by: By = None
     intervals: chance_options.Intervals = False
     cluster: chance_options.Cluster = None
-    interval_method: chance_options.IntervalMethod = "t"
+    interval_method: chance_options.IntervalMethod = chance_options.USUAL_METHOD
     power: chance_options.Power = False
     click_noise: chance_options.Noise = None
-    draws: chance_options.Count = 10_000
-    seed: chance_options.Seed = 1
+    draws: chance_options.Count = chance_options.USUAL_DRAWS
+    seed: chance_options.Seed = chance_options.USUAL_SEED
     submission: Submission = None
     output: options.FigureFiles = None
     table: TableFile = None
@@ -247,7 +247,7 @@ def _chance(
     """How intervals are found, if anything asks for them."""
     told = given.click_noise is not None or given.cluster is not None
     if not (asked or told or given.intervals or given.power):
-        if (given.interval_method, given.draws, given.seed) != ("t", 10_000, 1):
+        if (given.interval_method, given.draws, given.seed) != chance_options.USUAL:
             raise UsageError("--interval-method, --draws and --seed need --intervals or the like")
         return None
     return chance_options.chance_terms(

@@ -175,10 +175,10 @@ class AskedToReport:
     tags: chance_options.TagsFile = None
     by: By = None
     cluster: chance_options.Cluster = None
-    interval_method: chance_options.IntervalMethod = "t"
+    interval_method: chance_options.IntervalMethod = chance_options.USUAL_METHOD
     power: chance_options.Power = False
     click_noise: chance_options.Noise = None
-    draws: chance_options.Count = 10_000
+    draws: chance_options.Count = chance_options.USUAL_DRAWS
     title: Title = None
     date: Date = None
     worst: Worst = 4

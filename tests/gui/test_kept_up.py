@@ -32,6 +32,16 @@ MIDDLE = "Middle line"
 ENDS = (100, 100), (200, 200)
 
 
+@pytest.fixture
+def second_annotator(annotated: Path, tmp_path: Path) -> Path:
+    """Somebody who clicked the very same."""
+    other = tmp_path / "other"
+    other.mkdir()
+    for path in annotated.glob("*.json"):
+        shutil.copy(path, other)
+    return other
+
+
 def test_the_overview_follows_what_is_done_and_another_dataset(
     window: MainWindow, qtbot: QtBot, annotated: Path
 ) -> None:
@@ -115,14 +125,10 @@ def test_frames_that_are_saved_by_now_leave_the_list_of_unsaved_ones(
 
 class TestBlind:
     def test_distances_to_a_second_annotator_are_hidden(
-        self, audited: MainWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
+        self, audited: MainWindow, second_annotator: Path, qtbot: QtBot
     ) -> None:
-        other = tmp_path / "other"
-        other.mkdir()
-        for path in annotated.glob("*.json"):
-            shutil.copy(path, other)
         panel, document = audited.agreement, audited.document
-        panel.open(other)
+        panel.open(second_annotator)
         qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
         document.set_blind(True)
         qtbot.waitUntil(lambda: panel.rows.rowCount() == 0)
@@ -249,14 +255,10 @@ class TestWhatWasLeft:
         settle(begun, qtbot)
 
     def test_the_noise_of_two_annotators_follows_the_clicks(
-        self, audited: MainWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
+        self, audited: MainWindow, second_annotator: Path, qtbot: QtBot
     ) -> None:
-        other = tmp_path / "other"
-        other.mkdir()
-        for path in annotated.glob("*.json"):
-            shutil.copy(path, other)
         panel, document = audited.agreement, audited.document
-        panel.open(other)
+        panel.open(second_annotator)
         qtbot.waitUntil(lambda: "median 0.00 px" in panel.noise.text())
         line = document.annotation.polylines[0]
         moved = tuple(point._replace(v=point.v + 0.02) for point in line.points)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -145,7 +145,7 @@ def final_fit_steps(
     """
     bounded = None if basis is not None else bounded_in(vectors)
     for _ in range(_SOFTENINGS):
-        final = yield _final_descent(seen, vectors, left_out, residuals, prior, bounded=bounded)
+        final = yield final_descent(seen, vectors, left_out, residuals, prior, bounded=bounded)
         found = FoundCamera(final.vectors[0], final, prior, seen, left_out, basis)
         if seen.spreads is None:
             break
@@ -155,7 +155,7 @@ def final_fit_steps(
     return found
 
 
-def final_stage(
+def final_descent(
     seen: Observations,
     vectors: FloatArray,
     left_out: NDArray[np.bool_],
@@ -166,26 +166,12 @@ def final_stage(
     held: NDArray[np.bool_] | None = None,
     iterations: int = 20,
     tolerance: float = 1e-5,
-) -> Solution:
-    """One descent of (B, n) parameters on the points of the elements that are believed."""
-    asked = _final_descent(seen, vectors, left_out, residuals, prior, bounded=bounded, held=held)
-    return solved(replace(asked, iterations=iterations, tolerance=tolerance))
-
-
-def _final_descent(
-    seen: Observations,
-    vectors: FloatArray,
-    left_out: NDArray[np.bool_],
-    residuals: Callable[..., Residuals],
-    prior: Prior,
-    *,
-    bounded: int | None = KAPPA,
-    held: NDArray[np.bool_] | None = None,
 ) -> Descent:
+    """One descent of (B, n) parameters on the points of the elements that are believed."""
     kept = seen.leaving_out(left_out)
     look = partial(residuals, seen=kept)
     problem = Problem(look, kept.weights, FINAL_LOSS, prior, bounded=bounded, held=held)
-    return Descent(problem, vectors, iterations=20, tolerance=1e-5)
+    return Descent(problem, vectors, iterations=iterations, tolerance=tolerance)
 
 
 def fit_models(
@@ -220,9 +206,10 @@ def fit_models(
     )
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=most)
     seen = softened(seen, linear_map(vector))
-    found = final_stage(
+    asked = final_descent(
         seen, vectors, left_out, residuals, prior, held=fixed[:, :most], tolerance=1e-4
     )
+    found = solved(asked)
     return {
         model: FoundCamera(
             found.vectors[row],

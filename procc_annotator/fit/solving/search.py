@@ -12,9 +12,9 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.final_fit import (
     OUTLIER_PX,
     FoundCamera,
+    final_descent,
     final_fit,
     final_fit_steps,
-    final_stage,
     mistakes,
 )
 from procc_annotator.fit.solving.models import (
@@ -45,6 +45,7 @@ from procc_annotator.fit.solving.solver import (
     Solution,
     Steps,
     solve,
+    solved,
     walked,
 )
 from procc_annotator.fit.solving.starts import (
@@ -128,9 +129,8 @@ def believed(
     if not left_out.any():
         return start, left_out
     nobody = np.zeros_like(left_out)
-    heard = final_stage(
-        seen, start[None], nobody, residuals, prior_near(start, around, free), iterations=8
-    )
+    prior = prior_near(start, around, free)
+    heard = solved(final_descent(seen, start[None], nobody, residuals, prior, iterations=8))
     all_agree = (heard.distances[0] <= OUTLIER_PX).all()
     if all_agree and side_of(heard.vectors[0], around) == side_of(start, around):
         return heard.vectors[0], nobody

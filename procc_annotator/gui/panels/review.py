@@ -221,7 +221,7 @@ class ReviewPanel(QWidget):
     def _begin_frame(self) -> None:
         """What is typed already belongs to the frame it was begun on."""
         document, typed = self._document, self.text.text()
-        if self._typed_on is not None:
+        if self._typed_on is not None and typed:
             self._typed[self._typed_on] = typed
         frame = document.frame
         self._typed_on = None if frame is None else frame.name
