@@ -44,15 +44,17 @@ class KeysBack(QObject):
         if new is None or new is picture or not beside_picture(new, picture):
             return
         clicked = QApplication.mouseButtons() != Qt.MouseButton.NoButton
-        if (floating := new.window()) is not picture.window():  # it became active, maybe later
-            clicked |= floating.frameGeometry().contains(QCursor.pos())
+        floating = new.window() is not picture.window()
+        if floating:  # it became active, maybe after the click
+            clicked |= new.window().frameGeometry().contains(QCursor.pos())
         # What goes with the keyboard in it leaves that to whatever comes next to it.
         gone = old is not None and not old.isVisible() and beside_picture(old, picture)
         if (clicked or gone) and not typed_into(new):
             if clicked:  # from now on not even for a moment
                 new.setFocusPolicy(new.focusPolicy() & Qt.FocusPolicy.TabFocus)
             picture.setFocus()
-            QTimer.singleShot(_CLICK_MS, picture, picture.activateWindow)
+            if floating:
+                QTimer.singleShot(_CLICK_MS, picture, picture.activateWindow)
             return
         new.installEventFilter(self)  # one that was watched before is not watched twice
         if isinstance(new, QDoubleSpinBox):
