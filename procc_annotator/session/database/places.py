@@ -13,6 +13,7 @@ from typing import Any
 from procc_annotator.errors import InputError
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.user_folders import data_folder
+from procc_annotator.regular_file import open_regular
 from procc_annotator.session.database.dataset_mark import (
     Mark,
     alike,
@@ -173,6 +174,7 @@ def _read_only(dataset: Path, columns: str, rest: str) -> tuple[dict[str, Any], 
 
 
 def _rows(path: Path, columns: str, rest: str) -> dict[str, Any]:
+    open_regular(path).close()  # SQLite would wait for a pipe
     connection = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", _BUSY_S, uri=True)
     with closing(connection):
         return dict(read(connection, columns, rest))
