@@ -10,9 +10,11 @@ from typing import Annotated, Any
 
 import typer
 from typer.core import TyperGroup
+from typer.main import get_command
 
 from procc_annotator.cli.lazy_command import LazyCommand
 from procc_annotator.errors import ProccError
+from procc_annotator.io.error_log import install, log_path
 from procc_annotator.version import __version__
 
 EXAMPLES = """
@@ -84,6 +86,7 @@ COMMANDS = (
     ),
 )
 
+FAULT = 3  # of the program, not of what it was given
 INTERRUPTED = 130  # 128 + SIGINT
 READER_GONE = 141  # 128 + SIGPIPE, as a shell has it
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
@@ -192,8 +195,17 @@ def run() -> None:
     # A character that the reader's encoding lacks is no reason to lose the whole table.
     if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
         sys.stdout.reconfigure(errors="replace")
+    install(_report_fault)
     try:
-        app(prog_name="procc-annotator")
+        # Called as ``app()``, typer would put its own hook for exceptions in place of ours.
+        get_command(app)(prog_name="procc-annotator")
     except KeyboardInterrupt:  # the commands were not put together yet
         typer.echo("procc-annotator: interrupted", err=True)
         sys.exit(INTERRUPTED)
+    except Exception as error:  # noqa: BLE001 - a fault of the program: logged and reported
+        sys.excepthook(type(error), error, error.__traceback__)
+        sys.exit(FAULT)
+
+
+def _report_fault(line: str, _details: str) -> None:
+    typer.echo(f"procc-annotator: unexpected error: {line} (see {log_path()})", err=True)

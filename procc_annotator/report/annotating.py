@@ -83,6 +83,7 @@ def annotate_pictures(
             closing.callback(_close, database, done)
             done.remarks += [n for n in database.notices if n not in done.remarks]
         for found in progress(run, run.total, "annotating"):
+            done.remarks += [n for n in found.notices if n not in done.remarks]
             _write(found, files[found.name], databases, author, done)
 
 

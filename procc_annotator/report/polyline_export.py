@@ -72,7 +72,7 @@ def export_polylines(
             except CameraError as error:
                 done.problems.append(str(error))
                 continue
-            done.losses.update([notice] if notice else [])
+            done.losses.update([*loaded.notices, *([notice] if notice else [])])
             pieces = projected_pieces(camera, setup.of_frame(frame))
             archive.write(f"{frame}.json", encode_polylines(pieces, setup.size))
             done.written += 1

@@ -136,6 +136,25 @@ def test_a_full_standard_output_is_one_line(dataset) -> None:
     assert "the standard output cannot be written" in line
 
 
+def test_an_unexpected_error_is_one_line_and_its_traceback_is_in_the_log(dataset, tmp_path) -> None:
+    code = "from procc_annotator.session.runs import evaluation_run as run; del run.EvaluationRun\n"
+    code += "from procc_annotator.cli.main import run; run()"
+    done = subprocess.run(
+        [sys.executable, "-c", code, "evaluate", *dataset.set_arguments],
+        env={**os.environ, "XDG_DATA_HOME": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    log = tmp_path / "procc-annotator" / "log" / "errors.log"
+    assert done.returncode == 3
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("procc-annotator: unexpected error: ImportError: cannot import name")
+    assert line.endswith(f"(see {log})")
+    assert f"ProCC Annotator {__version__}" in log.read_text()
+    assert "Traceback" in log.read_text()
+
+
 def test_one_of_anything_is_told_in_the_singular(cli, dataset, tmp_path) -> None:
     match, cameras = tmp_path / "one", tmp_path / "cameras"
     match.mkdir()

@@ -70,6 +70,7 @@ class LandmarksPanel(QWidget):
         self.list.setAccessibleName(tr("Landmarks"))
         self.list.setHeaderLabels([tr(column) for column in _COLUMNS])
         self.list.setRootIsDecorated(False)
+        self.list.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # as the list of findings
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.list.header().setStretchLastSection(True)

@@ -66,7 +66,7 @@ class ConvertedCameras:
         path: the folder or archive.
         written: number of cameras.
         problems: one line for each camera that could not be read or that the format cannot hold.
-        losses: what of the cameras the format does not hold, and for how many.
+        losses: remarks on the cameras, what of them the format does not hold, and for how many.
         folded: frames whose cameras the official evaluation folds into the picture.
     """
 
@@ -274,7 +274,7 @@ def _encoded(
     except ValueError as error:
         done.problems.append(f"{shown}: {error}; not written")
         return None
-    done.losses.update(losses)
+    done.losses.update([*loaded.notices, *losses])
     if writer.evaluated and folds_into_picture(
         loaded.camera, official_tables(), loaded.size or OFFICIAL_SIZE
     ):
