@@ -357,7 +357,7 @@ def read_if_there(path: Path | str, error: type[InputError] = InputError) -> byt
     try:
         return read_file(path, error)
     except error as problem:
-        if isinstance(problem.__cause__, FileNotFoundError):
+        if isinstance(problem.__cause__, FileNotFoundError | NotADirectoryError):
             return None
         raise
 

@@ -45,6 +45,7 @@ from procc_annotator.session.database.rows import SETTING_KEY, Write, read
 from procc_annotator.session.database.tables import DamagedError
 
 _MOST_DATASETS = 100  # at one path
+_LONGEST_NAME = 242  # bytes of a dataset's name, so that the mark behind it fits too
 _BUSY_S = 5.0
 
 
@@ -69,7 +70,8 @@ def own_path(dataset: Path) -> Path | None:
         return None
     folder = os.path.realpath(folder_of(dataset))
     mark = hashlib.sha256(os.fsencode(folder)).hexdigest()[:12]
-    return base / "procc-annotator" / f"{os.path.basename(folder) or 'root'}-{mark}" / FILE
+    name = os.fsdecode(os.fsencode(os.path.basename(folder))[:_LONGEST_NAME]) or "root"
+    return base / "procc-annotator" / f"{name}-{mark}" / FILE
 
 
 def kept_elsewhere(dataset: Path) -> Path | None:
