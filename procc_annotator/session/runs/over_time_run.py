@@ -12,7 +12,7 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.projections import CameraOrProjections
-from procc_annotator.errors import ImageError, InputError, UsageError
+from procc_annotator.errors import ImageError, InputError
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.motion import Motion, carried_points, estimate_motion
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -45,7 +45,7 @@ from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.frame_jitter import moves_on
-from procc_annotator.session.runs.frame_order import ShotFrames, require_in_order
+from procc_annotator.session.runs.frame_order import NotInOrderError, ShotFrames, require_in_order
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     KeptOpen,
@@ -331,7 +331,8 @@ class OverTimeRun(SetRun[ShotFrames, ShotOverTime, None]):
             pictures: frame -> its picture, where cameras are to be held against what moves in them.
 
         Raises:
-            UsageError: no annotation, or as of `require_in_order`.
+            UsageError: no annotation.
+            NotInOrderError: see `require_in_order`.
         """
         require_in_order(shots)
         task = MeasureShots(
@@ -350,11 +351,11 @@ def require_shots(found: Sequence[ShotOverTime], told_by: str) -> None:
     """Refuse figures over time of frames that have nothing to do with each other.
 
     Raises:
-        UsageError: in most shots the field is somewhere else in every frame.
+        NotInOrderError: in most shots the field is somewhere else in every frame.
     """
     lost = [one for one in found if not one.follows]
     if 2 * len(lost) > len(found):
-        raise UsageError(
+        raise NotInOrderError(
             f"the frames do not follow each other ({told_by}): from one to the next the field moves"
             " by more than a quarter of the picture; say which do in a frames.csv:"
             " frame,shot,number"
