@@ -14,12 +14,7 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from procc_annotator.cli.main import app
-from procc_annotator.field.load import load_field
-from procc_annotator.fit.from_picture.proposal import Proposal, State
-from procc_annotator.fit.result import FitResult
 from procc_annotator.session.runs import proposer_plugins
-from procc_annotator.session.runs.proposer_plugins import better_proposal
-from tests.drawn_shots import looking_at
 
 ROOT = Path(__file__).resolve().parent.parent
 EXAMPLE = ROOT / "docs" / "examples" / "proposer_plugin"
@@ -131,23 +126,6 @@ def test_what_a_detector_says_is_made_right_on_the_paint(
     helped, found = json.loads(camera_in(tmp_path / "out")), json.loads(alone)
     assert helped["pan_degrees"] == pytest.approx(found["pan_degrees"], abs=0.1)
     assert helped["position_meters"] == pytest.approx(found["position_meters"], abs=0.5)
-
-
-def test_the_better_of_two_proposals_is_unsure_where_the_other_is_nearly_as_good() -> None:
-    def proposal(x: float, coverage: float, state: State = "sure") -> Proposal:
-        fit = FitResult("P", (1280, 720), looking_at((0, 60, -16), (x, 0, 0), 1700.0))
-        return Proposal(state, "", fit, coverage, coverage, 0.3, 0.5, None)
-
-    soccer = load_field("soccer")
-    best = proposal(20.0, 0.9)
-    assert better_proposal(best, proposal(20.1, 0.85), soccer) is best
-    assert better_proposal(proposal(-20.0, 0.6), best, soccer).state == "sure"
-    doubtful = better_proposal(proposal(-20.0, 0.88), best, soccer)
-    assert doubtful.state == "unsure"
-    assert doubtful.fit is best.fit
-    assert doubtful.margin < 0.05
-    surer = better_proposal(proposal(20.0, 0.9, "unsure"), proposal(20.1, 0.89), soccer)
-    assert surer.state == "sure"
 
 
 def test_labelled_points_become_a_camera(sample_data: Path, match: Path, tmp_path: Path) -> None:

@@ -88,7 +88,8 @@ def propose_camera(
         field: the elements, metres; or a field's name, see `load_field`; the usual one (SoccerNet's
             classes, nominal size) if None.
         known: where its camera may be known to stand (`KnownPosition`: metres and covariance), as
-            on the tripod of other frames; that is faster and surer.
+            on the tripod of other frames: searched in addition to all other positions, and never
+            a replacement for a better camera found without it.
 
     Returns:
         ``state`` (``sure``, ``unsure`` or ``none``), the ``reason`` in words, and ``fit``: the

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from dataclasses import field as attribute
@@ -36,6 +37,7 @@ from procc_annotator.session.dataset.picture_sizes import (
 )
 from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
 from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
+from procc_annotator.words import count_of
 
 OnDamaged = Callable[[ProccError], None]
 _ANNOTATIONS = (".json", ".xml")
@@ -222,7 +224,8 @@ def load_cameras(
             one is raised.
 
     Returns:
-        Frame name -> its camera with the picture size (px) that it belongs to, in natural order. A
+        Frame name -> its camera with the picture size (px) that it belongs to, in natural order;
+        what a person should know of them (``notices``) is a warning, too. A
         frame is found, too, by a name that is composed otherwise, or that has the folders of its
         picture in it.
 
@@ -231,11 +234,13 @@ def load_cameras(
         UsageError: there is nothing at the path, no camera, or no such format.
     """
     found = FrameTable[LoadedCamera]()
+    notices = Counter[str]()
     with CameraCollection.open(as_path(path, "cameras"), format) as cameras:
         found.only_folder = cameras.frames.only_folder
         for frame in cameras.frames:
             try:
-                found[frame] = cameras.read(frame)
+                loaded = found[frame] = cameras.read(frame)
+                notices.update(loaded.notices)
             except InputError as error:
                 if on_damaged is None:
                     raise
@@ -245,6 +250,8 @@ def load_cameras(
                 f"{cameras.path}: holds no camera (format {format})"
                 + instead_of_cameras(cameras.path)
             )
+    for notice, count in notices.items():
+        warnings.warn(f"{path}: {notice} ({count_of(count, 'camera')})", stacklevel=2)
     return found
 
 

@@ -10,9 +10,11 @@ from typing import Annotated, Any
 
 import typer
 from typer.core import TyperGroup
+from typer.main import get_command
 
 from procc_annotator.cli.lazy_command import LazyCommand
 from procc_annotator.errors import ProccError
+from procc_annotator.io.error_log import install, log_path
 from procc_annotator.version import __version__
 
 EXAMPLES = """
@@ -84,6 +86,7 @@ COMMANDS = (
     ),
 )
 
+FAULT = 3  # of the program, not of what it was given
 INTERRUPTED = 130  # 128 + SIGINT
 READER_GONE = 141  # 128 + SIGPIPE, as a shell has it
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
@@ -136,8 +139,11 @@ class CommandOrPath(TyperGroup):
             typer.echo(f"procc-annotator: {qt_missing_words(error)}", err=True)
             raise typer.Exit(2) from error
         except OSError as error:
-            # Files are written by functions that name them; what is left is the standard output.
-            if error.errno not in _FULL or error.filename is not None:
+            if error.filename is not None:  # one that no function names better
+                name, why = os.fsdecode(error.filename), error.strerror or str(error)
+                typer.echo(f"procc-annotator: {ProccError(f'{name}: {why}')}", err=True)
+                raise typer.Exit(2) from error
+            if error.errno not in _FULL:
                 raise
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             said = f"the standard output cannot be written: {error.strerror}"
@@ -192,8 +198,17 @@ def run() -> None:
     # A character that the reader's encoding lacks is no reason to lose the whole table.
     if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
         sys.stdout.reconfigure(errors="replace")
+    install(_report_fault)
     try:
-        app(prog_name="procc-annotator")
+        # Called as ``app()``, typer would put its own hook for exceptions in place of ours.
+        get_command(app)(prog_name="procc-annotator")
     except KeyboardInterrupt:  # the commands were not put together yet
         typer.echo("procc-annotator: interrupted", err=True)
         sys.exit(INTERRUPTED)
+    except Exception as error:  # noqa: BLE001 - a fault of the program: logged and reported
+        sys.excepthook(type(error), error, error.__traceback__)
+        sys.exit(FAULT)
+
+
+def _report_fault(line: str, _details: str) -> None:
+    typer.echo(f"procc-annotator: unexpected error: {line} (see {log_path()})", err=True)

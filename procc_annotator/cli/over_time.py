@@ -12,6 +12,7 @@ import typer
 
 from procc_annotator.cli import outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
+from procc_annotator.cli.datasets import report_remarks
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.over_time import (
@@ -28,6 +29,7 @@ from procc_annotator.session.dataset.picture_source import open_pictures
 from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.frame_order import (
     FrameOrder,
+    NotInOrderError,
     ShotFrames,
     shots_by_name,
     shots_from,
@@ -119,31 +121,22 @@ class OverTimeCall:
     def run(
         self, evaluations: Sequence[Asked], threshold: float, executor: Executor
     ) -> list[SourceOverTime]:
-        """Look at every source of every set; of several sizes at the first.
-
-        Raises:
-            UsageError: no frames follow each other.
-        """
+        """Look at every source of every set; of several sizes at the first. Of a set whose frames
+        do not follow each other there is nothing but a note."""
         found: list[SourceOverTime] = []
+        refused: dict[str, list[str]] = {}
         for name, of_set in groupby(evaluations, key=lambda one: one.set_name):
             own = {one.method: one for one in reversed(list(of_set))}
             sources = list(reversed(own.values()))
-            shots, told_by, pictures = self._shots(sources)
+            known = self._shots(sources)
             for one in sources:
-                run = OverTimeRun(
-                    shots, one.annotations, one.cameras, one.setup, threshold,
-                    camera_size=one.camera_size, pictures=pictures, executor=executor,
-                )  # fmt: skip
-                with progress_bar(f"{one.method} over time") as progress:
-                    measured = []
-                    for shot in run:
-                        measured.append(shot)
-                        progress(len(measured), run.total)
-                require_shots(measured, told_by)
-                described = one.setup.describe(any(shot.ground_only for shot in measured))
-                found.append(
-                    SourceOverTime(name, one.method, tuple(measured), told_by, described, threshold)
-                )
+                try:
+                    found.append(_measured(one, known, threshold, executor))
+                except NotInOrderError as error:
+                    refused.setdefault(f"no metrics over time: {error}", []).append(
+                        f"{name}, {one.method}"
+                    )
+        report_remarks(f"{'; '.join(methods)}: {why}" for why, methods in refused.items())
         return found
 
     def _shots(self, sources: Sequence[Asked]) -> tuple[list[ShotFrames], str, Mapping[str, Path]]:
@@ -181,6 +174,9 @@ class OverTimeCall:
     def write(self, found: Sequence[SourceOverTime], unwritten: dict[Path, ProccError]) -> None:
         """Write the files; what could not be written goes to ``unwritten``."""
         for path in self.written_to:
+            if not found:
+                unwritten[path] = UsageError(f"{path}: not written, there are no metrics over time")
+                continue
             try:
                 write_atomic(path, over_time_bytes(found, path))
             except ProccError as error:
@@ -189,11 +185,32 @@ class OverTimeCall:
     def tell(self, found: Sequence[SourceOverTime], unwritten: Collection[Path]) -> None:
         """Print the tables, and which files were written."""
         console = stdout_console()
-        for sheet in shown_sheets(shots_sheet(found)):
+        for sheet in shown_sheets(shots_sheet(found)) if found else ():
             console.print(terminal_table(sheet))
         for path in self.written_to:
             if path not in unwritten:
                 typer.echo(f"written: {path}")
+
+
+def _measured(
+    one: Asked,
+    known: tuple[list[ShotFrames], str, Mapping[str, Path]],
+    threshold: float,
+    executor: Executor,
+) -> SourceOverTime:
+    shots, told_by, pictures = known
+    run = OverTimeRun(
+        shots, one.annotations, one.cameras, one.setup, threshold,
+        camera_size=one.camera_size, pictures=pictures, executor=executor,
+    )  # fmt: skip
+    with progress_bar(f"{one.method} over time") as progress:
+        measured = []
+        for shot in run:
+            measured.append(shot)
+            progress(len(measured), run.total)
+    require_shots(measured, told_by)
+    described = one.setup.describe(any(shot.ground_only for shot in measured))
+    return SourceOverTime(one.set_name, one.method, tuple(measured), told_by, described, threshold)
 
 
 def errors(found: Sequence[SourceOverTime], known: Collection[str]) -> list[str]:

@@ -14,7 +14,6 @@ from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposal import SURE
 from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.io.source import open_source
 from procc_annotator.report.proposals import (
@@ -48,10 +47,10 @@ not sure go to OUT/unsure. proposals.csv has a row a frame: state (sure, unsure,
 coverage (share of the visible model on paint), explained (share of the paint on the model),
 residual in px, margin (how much better than the next camera), standard deviations, seconds.
 
---known CAMERAS tells where cameras stand: cameras of other frames of the match, or positions.csv of
-calibrate --shared-position. A known position makes it faster and surer; cameras that stand
-elsewhere are not found. A position on which three frames or more agree, two of them sure, is known
-when those that are not sure are looked at again.
+--known CAMERAS gives positions of cameras: cameras of other frames of the match, or positions.csv
+of calibrate --shared-position. They are searched in addition to all others, and never replace a
+better camera found without them. A position on which three frames or more agree, two of them sure,
+is known in a second search of those that are not sure.
 
 --with NAME asks a detector, too: a package that proposes cameras or labelled points for a picture
 (docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found there is
@@ -173,8 +172,6 @@ def propose(given: AskedToPropose) -> None:
             kept.finish()
     except Interrupted as stopped:
         raise KeyboardInterrupt(_what_is_there(stopped, given.out)) from None
-    if positions and found.states and not found.states[SURE]:
-        datasets.report_remarks([_stands_elsewhere(given.known)])
     raise typer.Exit(_report(found, wanted, pictures.problems, given.out))
 
 
@@ -252,13 +249,6 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
     return (
         f"{count_of(stopped.written, 'sure camera')} of {count_of(stopped.total, 'frame')} written"
         f" to {out}, {TABLE_FILE} not; {go_on}"
-    )
-
-
-def _stands_elsewhere(known: Path | None) -> str:
-    return (
-        f"no frame is sure where {known} says that cameras stand; if these pictures are of another"
-        " camera or match, leave --known out: every place is searched then"
     )
 
 

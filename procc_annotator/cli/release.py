@@ -277,7 +277,7 @@ class _Making:
         run = CheckRun(self._source, self._known, sizes, "R", looks=True)
         run.frames = [frame for frame in run.frames if frame.name in self._released]
         report = findings.check_set(run, with_progress)
-        ignored = {} if self._folder is None else ignored_keys(read_settings(self._folder))
+        ignored = {} if self._folder is None else ignored_keys(read_settings(self._folder)[0])
         report.found = [
             told for told in report.found if told.key not in ignored.get(told.frame, frozenset())
         ]

@@ -304,7 +304,6 @@ def _make(
             Asked(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
             for spec, cameras in named
         ]
-        # Frames that do not follow each other are refused before the work.
         steady = call.over_time
         found = () if steady is None else steady.run(asked, call.thresholds[0], executor)
         judged = [NamedCameras(spec.name, collection) for spec, collection in named]

@@ -476,6 +476,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Give actions and elements other keys, or take those of another program"),
     _spec("Help", "guide", "User guide", "", "commands.show_guide",
           "The guide that comes with the program; it needs no network"),
+    _spec("Help", "copy_error", "Copy details of the last error", "", "error_reports.copy",
+          "What an unexpected error left in the log, for a report to the maintainers"),
     _spec("Help", "about", "About ProCC Annotator", "", "commands.about",
           "Version"),
 )

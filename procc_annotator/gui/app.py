@@ -102,6 +102,7 @@ def main(
     take_up(app, Settings().get(LANGUAGE))  # before anything is made that says something
     hold_back()
     window = build_window(path, annotations=annotations, cameras=cameras, field=field)
+    window.error_reports.install()
     window.installEventFilter(_FirstPaint(partial(go_to_work, app), window))
     window.coach.begin()
     return show_until_closed(app, window)

@@ -66,6 +66,7 @@ from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.desk_switch import DeskSwitch
 from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.drawer import Drawer
+from procc_annotator.gui.window.error_reports import ErrorReports
 from procc_annotator.gui.window.finding_tips import FindingTips
 from procc_annotator.gui.window.focus_ring import FocusRing
 from procc_annotator.gui.window.keys_back import KeysBack
@@ -95,6 +96,7 @@ class MainWindow(QMainWindow):
         dress(self.settings)
         self.document = Document(parent=self)
         self.canvas = Canvas(self.document)
+        self.error_reports = ErrorReports(self.document, self)
         self.options = Options(
             self.settings, self.document, self.canvas, lambda name: self.actions_[name]
         )

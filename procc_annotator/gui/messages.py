@@ -58,7 +58,7 @@ class Bar(QWidget):
 
 
 _USUAL_REMEDY = word("Choose another place…")
-_REMEDIES = {"save": word("Save again")}
+_REMEDIES = {"save": word("Save again"), "copy_error": word("Copy details")}
 
 
 class MessageBar(Bar):

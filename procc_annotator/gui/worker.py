@@ -24,6 +24,7 @@ import shiboken6
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal, Slot
 
 from procc_annotator.errors import ProccError
+from procc_annotator.io.error_log import one_line
 from procc_annotator.language import tr
 
 T = TypeVar("T")
@@ -342,9 +343,7 @@ def _give_way() -> None:
 
 
 def _unexpected(error: BaseException) -> str:
-    first = (str(error).splitlines() or [""])[0]
-    what = f"{type(error).__name__}: {first}" if first else type(error).__name__
-    return tr("unexpected error ({what}); the terminal says more", what=what)
+    return tr("unexpected error ({what})", what=one_line(error))
 
 
 def _cancel_each(jobs: WeakSet[Job]) -> None:

@@ -9,7 +9,6 @@ frame, because it may be predicted from it.
 
 from __future__ import annotations
 
-import stat
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,6 +22,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.errors import ImageError
 from procc_annotator.image.pixels import PixelArray, bgra, check_size
+from procc_annotator.regular_file import read_head
 
 if TYPE_CHECKING:  # imported with the first video: most datasets have none
     from av import Packet as AnyPacket
@@ -62,10 +62,7 @@ def check_file(path: Path) -> None:
         ImageError: missing, not a file, empty, or neither mp4, mov, mkv, avi nor ts inside.
     """
     try:
-        if not stat.S_ISREG(path.stat().st_mode):
-            raise ImageError(path, "expected a video file")
-        with path.open("rb") as file:
-            head = file.read(189)
+        head = read_head(path, 189)
     except OSError as error:
         raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
     if not head:
@@ -317,9 +314,7 @@ def _count_if_untimed(times: FloatArray, first: list[int | None]) -> int | None:
 
 def _is_shorter(path: Path) -> bool:
     """Whether a Matroska file ends before its segment does."""
-    with path.open("rb") as file:
-        head = file.read(1 << 12)
-    end = 0
+    head, end = read_head(path, 1 << 12), 0
     for name in (b"\x1a\x45\xdf\xa3", b"\x18\x53\x80\x67"):  # EBML header, segment
         begin = end + len(name)
         if head[end:begin] != name or begin + 8 > len(head):

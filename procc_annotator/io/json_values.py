@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,11 +12,24 @@ import numpy as np
 
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.errors import CameraError
-from procc_annotator.io.json_text import is_finite_number, kind_of, spelled
+from procc_annotator.io.json_text import is_finite_number, kind_of, printable, spelled
 
 _CORRECT = "correct the file"
 _WIDEST = 1_000_000
-_SIZE_KEYS = (("image_width", "image_height"), ("width", "height"))
+SIZE_KEYS = (("image_width", "image_height"), ("image_Width", "image_Height"), ("width", "height"))
+# Keys, as words joined by "_", that other programs use for the lens, the pose or the picture size.
+_CAMERA_KEY = re.compile(
+    r"(^|_)(dist(ortions?)?|coef+s?|coefficients?|radial|tangential|prism|lens|fisheye|intrinsics?|"
+    r"focal|principal|fov|skew|rotations?|rot|rvecs?|translations?|tvecs?|pose|extrinsics?|position|"
+    r"orientation|quat(ernion)?|euler|pan|tilt|roll|yaw|transform|projection|homography)(_|\d|$)|"
+    r"^(k\d|p[12]|s[1-4]|f|fl|f[xy]|c[xy]|[uv]0|kc|xi|mtx|c2w|w2c|camera_(matrix|model|cent(er|re)))$|"
+    r"^((image|img|im|picture|frame|video|sensor|camera|original)_?)?"
+    r"(size|resolution|shape|width|height|[wh])$"
+)
+_CAMERA_LETTER = re.compile(r"[kdrtcpq]", re.IGNORECASE)  # where a list stands under it
+_NO_PARAMETER = re.compile(
+    r"(^|_)(errors?|scores?|loss|std|sd|sigma|cov|covariance|confidence|rms|ids?|names?)(_|$)"
+)
 
 
 @dataclass(frozen=True)
@@ -84,7 +98,7 @@ class JsonValues:
 
     def missing(self, expected: str, *keys: str) -> CameraError:
         """That none of several spellings of a key is there."""
-        names = " or ".join(repr(key) for key in keys)
+        names = " or ".join(repr(key) for key in keys[:3])
         return self.error(
             f"the key {names} is missing, expected {expected}", advice=f"is this {self.kind}?"
         )
@@ -159,13 +173,25 @@ class JsonValues:
             )
         return np.array(flat).reshape(rows, columns)
 
+    def unused(self, *used: str) -> tuple[str, ...]:
+        """Return a notice that names the keys that are not used although they look like a lens, a
+        pose or a picture size, and hold something but zeros.
+
+        Args:
+            used: keys that the format has; the spellings of the picture size are among them.
+        """
+        known = {*used, *(key for pair in SIZE_KEYS for key in pair)}
+        left = sorted(_camera_keys(self.content, known))
+        named = ", ".join(printable(key, 40) for key in left)
+        return (f"not used, though it looks like lens, pose or size: {named}",) if left else ()
+
     def size(self) -> tuple[int, int] | None:
         """(width, height) px where the object tells it.
 
         Raises:
             CameraError: it is no picture size.
         """
-        return self.size_under(*_SIZE_KEYS)
+        return self.size_under(*SIZE_KEYS)
 
     def size_under(self, *spellings: tuple[str, str]) -> tuple[int, int] | None:
         """(width, height) px under the first pair of keys that is there.
@@ -213,6 +239,29 @@ class JsonValues:
         if not is_finite_number(value):
             raise self.error(f"expected a finite number, found {spelled(value)}", key)
         return float(value)
+
+
+def is_camera_key(key: str) -> bool:
+    """Return whether a key looks like a lens, a pose or a picture size."""
+    words = re.sub(r"[^A-Za-z0-9]+|(?<=[a-z0-9])(?=[A-Z])", "_", key).strip("_").lower()
+    return bool(_CAMERA_KEY.search(words)) and not _NO_PARAMETER.search(words)
+
+
+def _camera_keys(content: Mapping[str, Any], known: set[str]) -> Iterator[str]:
+    for key, value in content.items():
+        if key in known or not _holds_something(value):
+            continue
+        letter = _CAMERA_LETTER.fullmatch(key) and type(value) is list and len(value) > 1
+        if letter or is_camera_key(key):
+            yield key
+        elif type(value) is dict:
+            yield from (f"{key}.{inner}" for inner in _camera_keys(value, known))
+
+
+def _holds_something(value: object) -> bool:
+    if isinstance(value, list | dict):
+        return any(map(_holds_something, value.values() if isinstance(value, dict) else value))
+    return bool(value)
 
 
 def degrees(values: JsonValues, keys: tuple[str, str, str]) -> tuple[float, float, float]:

@@ -158,18 +158,27 @@ def test_options_that_cannot_be(cli, shot: Path, tmp_path: Path) -> None:
     assert ".json or .csv" in done.output
 
 
-def test_frames_that_do_not_follow_each_other_are_refused(
-    cli, shared_data: Path, tmp_path: Path
+def test_frames_that_do_not_follow_each_other_have_scores_and_a_note(
+    cli, sample_data: Path, tmp_path: Path
 ) -> None:
-    wc14 = shared_data / "wc14"
-    cameras, page = wc14 / "cameras_pnlcalib", tmp_path / "page.html"
-    for done in (
-        cli("evaluate", wc14 / "annotations", cameras, "--over-time"),
-        cli("report", wc14 / "annotations", "--cameras", cameras, "--over-time", "-o", page),
-    ):
-        assert done.exit_code == 2
-        assert "do not follow each other" in done.output
-    assert not page.exists()
+    files = {name: tmp_path / name for name in ("scores.json", "page.html", "time.json")}
+    cameras = sample_data / "cameras" / "true"
+    of_set = ("--cameras", f"a={cameras}", "--over-time", "--output")
+    done = cli("evaluate", sample_data, *of_set, files["scores.json"])
+    page = cli("report", sample_data, *of_set, files["page.html"])
+    for one in (done, page):
+        assert one.exit_code == 0, one.output
+        assert "sample_data, a: no metrics over time: the frames do not follow" in one.stderr
+    without = cli("evaluate", sample_data, "--cameras", f"a={cameras}")
+    assert without.stdout in done.stdout
+    assert "over_time" not in json.loads(files["scores.json"].read_text())
+    assert files["page.html"].exists()
+
+    done = cli("evaluate", sample_data, *of_set, tmp_path / "more.json",
+               "--over-time-output", files["time.json"])  # fmt: skip
+    assert done.exit_code == 2
+    assert f"{files['time.json']}: not written" in done.stderr
+    assert (tmp_path / "more.json").exists()
 
 
 def test_a_recipe_repeats_them(cli, shot: Path) -> None:

@@ -270,3 +270,69 @@ def test_an_unreadable_annotation_blocks_its_frame_only(
     window.document.next_frame()
     hand.draw(MIDDLE, (100, 100), (200, 200))
     assert classes(dataset / "frame_1.json") == [MIDDLE]
+
+
+FAILS = """
+    import sys, threading
+    from pathlib import Path
+    from PySide6.QtCore import QSettings, QTimer
+    from PySide6.QtGui import QGuiApplication
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, sys.argv[2])
+    from procc_annotator.annotation import Point
+    from procc_annotator.gui import app as program
+    from procc_annotator.gui.worker import run_in_background
+    from procc_annotator.session.dataset import edits
+
+    def fail_in_slot(): 1 / 0
+    def fail_in_thread(): [][1]
+    def fail_in_job(control): {}["a job"]
+
+    def look_and_close(window):
+        if "a job" not in window.message_bar.label.text():
+            QTimer.singleShot(20, lambda: look_and_close(window))
+            return
+        print(window.message_bar.label.text(), window.message_bar.remedy.text(), sep="|")
+        window.message_bar.remedy.click()
+        print(QGuiApplication.clipboard().text())
+        document = window.document
+        points = [Point(0.2, 0.2), Point(0.4, 0.4)]
+        edited = edits.append_points(document.annotation, "Middle line", points)
+        document.commit_edit("click", edited)
+        window.close()
+
+    def show(app, window):
+        window.show()
+        program.go_to_work(app)
+        QTimer.singleShot(0, fail_in_slot)
+        QTimer.singleShot(0, threading.Thread(target=fail_in_thread).start)
+        QTimer.singleShot(
+            100, lambda: run_in_background(fail_in_job, on_result=print, on_error=None)
+        )
+        QTimer.singleShot(0, lambda: look_and_close(window))
+        return app.exec()
+
+    program.show_until_closed = show
+    program.main(Path(sys.argv[1]))
+"""
+
+
+def test_an_unexpected_error_is_logged_and_shown_and_saving_goes_on(
+    dataset: Path, tmp_path: Path
+) -> None:
+    script = [sys.executable, "-c", textwrap.dedent(FAILS), str(dataset), str(tmp_path)]
+    home = {**os.environ, "XDG_DATA_HOME": str(tmp_path / "data")}
+    done = subprocess.run(script, env=home, cwd=ROOT, capture_output=True, text=True, check=False)
+
+    log = tmp_path / "data" / "procc-annotator" / "log" / "errors.log"
+    assert done.returncode == 0, done.stderr
+    shown, _, copied = done.stdout.partition("\n")
+    assert shown == (
+        f"unexpected error (KeyError: 'a job'); saving goes on, the details are in {log}"
+        "|Copy details"
+    )
+    assert "in fail_in_job" in copied
+    logged = log.read_text()
+    for function in ("fail_in_slot", "fail_in_thread", "fail_in_job"):
+        assert f"in {function}" in logged
+    assert "Traceback" not in done.stderr
+    assert classes(dataset / "frame_0.json") == [MIDDLE]

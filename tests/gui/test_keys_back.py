@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
+    QAbstractScrollArea,
     QApplication,
     QCheckBox,
     QComboBox,
@@ -20,6 +21,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.picture.held_keys import typed_into
 from tests.gui.conftest import Hand
 
 LEFT = Qt.MouseButton.LeftButton
@@ -94,6 +96,32 @@ def test_a_name_under_way_is_put_back_by_escape(window: MainWindow, qtbot: QtBot
     press("x", Qt.Key.Key_Escape)
     assert line.text() == ""
     assert window.canvas.hasFocus()
+
+
+@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+def test_a_click_beside_the_picture_leaves_it_the_keys(audited: MainWindow, qtbot: QtBot) -> None:
+    """Whatever is pressed in a panel and let go elsewhere: what is no text takes no key."""
+    pressed = set()
+    for name, dock in audited.docks.items():
+        audited.panels.show(name)
+        qtbot.waitUntil(lambda dock=dock: not dock.visibleRegion().isEmpty())
+        for widget in dock.findChildren(QWidget):
+            reached = widget.focusPolicy() & Qt.FocusPolicy.ClickFocus and widget.isEnabled()
+            if not reached or widget.visibleRegion().isEmpty() or typed_into(widget):
+                continue
+            audited.canvas.setFocus()
+            inner = widget.viewport() if isinstance(widget, QAbstractScrollArea) else widget
+            QTest.mousePress(inner, LEFT, pos=QPoint(6, 6))
+            QTest.mouseRelease(inner, LEFT, pos=QPoint(-999, -999))
+            if isinstance(widget, QComboBox):
+                widget.hidePopup()
+            assert audited.canvas.hasFocus(), widget.objectName()
+            pressed.add(type(widget).__name__)
+    assert {"QTableView", "QPushButton", "QComboBox", "QCheckBox"} <= pressed
+    audited.panels.show("review")
+    audited.review.text.setFocus()
+    audited.docks["review"].close()
+    assert audited.canvas.hasFocus()
 
 
 class TestWhileDrawing:

@@ -449,7 +449,7 @@ class TestSecondAnnotator:
 
 
 class TestDatabase:
-    def test_a_damaged_one_is_set_aside_and_the_annotations_stay(
+    def test_a_damaged_one_is_set_aside_and_restored(
         self, window: MainWindow, hand: Hand, dataset: Path, make_window: MakeWindow
     ) -> None:
         hand.draw(MIDDLE, (100, 100), (200, 200))
@@ -457,8 +457,14 @@ class TestDatabase:
         (dataset / ".procc" / "workspace.db").write_bytes(b"not a database at all" * 50)
         again = make_window(dataset)
         assert again.document.annotation.annotated == (MIDDLE,)
-        assert "workspace.db" in again.message_bar.label.text()
-        assert status(again) is Status.UNTOUCHED
+        assert "restored from the backup of 20" in again.message_bar.label.text()
+        assert status(again) is Status.IN_PROGRESS
+        (dataset / ".procc" / "workspace.db").write_bytes(b"")  # while the window has it open
+        again.document.review.set_status("frame_1", Status.DONE)
+        assert again.document.review.database.flush(20)  # type: ignore[union-attr]
+        again.document.review.poll()
+        assert "damaged-2; restored from" in again.message_bar.label.text()
+        assert [status(again, i) for i in (0, 1)] == [Status.IN_PROGRESS, Status.DONE]
 
     def test_a_foreign_one_is_not_touched(
         self, dataset: Path, make_window: MakeWindow, hand_on: object

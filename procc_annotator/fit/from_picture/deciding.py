@@ -13,7 +13,7 @@ from procc_annotator.language import said, said_joined
 # Below, what was found is no camera of this picture.
 _LEAST_BOTH = 0.4
 _SURE_COVERAGE, _SURE_EXPLAINED, _SURE_MARGIN = 0.65, 0.8, 0.18
-_WELL, _MARGIN_WELL = 0.85, 0.1  # where more is found, less has to part it from others
+_WELL, MARGIN_WELL = 0.85, 0.1  # where more is found, less has to part it from others
 _MOST_UNLIKELY = 6.0
 # So many elements tell a camera; one less, such as a circle and two lines, where all is found.
 _SURE_ELEMENTS, _ALL_FOUND = 4, 0.9
@@ -41,6 +41,11 @@ class Evidence:
     beside: str = ""
 
 
+def another_camera() -> str:
+    """The reason for a camera that is not sure because of another one."""
+    return said("another camera that shows other lines suits the picture nearly as well")
+
+
 def decide(seen: Evidence) -> tuple[State, str]:
     """Whether a camera is sure, unsure or none, and why, in a sentence."""
     shares = said(
@@ -61,8 +66,8 @@ def decide(seen: Evidence) -> tuple[State, str]:
 
 def _doubt(seen: Evidence) -> str:
     share = min(seen.coverage, seen.explained)
-    if seen.margin < (_SURE_MARGIN if share < _WELL else _MARGIN_WELL):
-        return said("another camera that shows other lines suits the picture nearly as well")
+    if seen.margin < (_SURE_MARGIN if share < _WELL else MARGIN_WELL):
+        return another_camera()
     if seen.coverage < _SURE_COVERAGE:
         return said("lines are missing that should be in sight")
     if seen.explained < _SURE_EXPLAINED:

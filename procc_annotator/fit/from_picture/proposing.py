@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.climbing import SearchScene, agreement_with_paint, harmonic
-from procc_annotator.fit.from_picture.deciding import Evidence, decide
+from procc_annotator.fit.from_picture.deciding import MARGIN_WELL, Evidence, another_camera, decide
 from procc_annotator.fit.from_picture.field_lines import FieldLines, lines_of
 from procc_annotator.fit.from_picture.hypotheses import at_places, on_side
 from procc_annotator.fit.from_picture.in_view import apart_px
-from procc_annotator.fit.from_picture.proposal import NONE, KnownPosition, Proposal
+from procc_annotator.fit.from_picture.proposal import NONE, SURE, UNSURE, KnownPosition, Proposal
 from procc_annotator.fit.from_picture.searching import STAGES, STAGES_KNOWN, search_picture
 from procc_annotator.fit.from_picture.seen_paint import SeenPaint, see_paint
 from procc_annotator.fit.on_paint.belief import Belief
@@ -46,6 +47,7 @@ _WITHIN_PX, _JUDGED = 3.0, 800
 _OTHER_PX = 15.0  # farther apart, two cameras show something else
 _ON_PAINT = 0.5  # of an element in sight, for it to be found
 _LEAST_SD_M = 0.05
+_MOST_IN_SD = 3.5  # beyond, the picture contradicts a known position (1 in 400 by chance)
 
 
 def _never_stop() -> None:
@@ -57,6 +59,7 @@ def propose_camera(
     field: Field,
     *,
     known: Sequence[KnownPosition] = (),
+    elsewhere: bool = True,
     go_on: Callable[[], None] = _never_stop,
 ) -> Proposal:
     """Find the camera of a picture from the paint on the ground.
@@ -64,7 +67,9 @@ def propose_camera(
     Args:
         picture: (H, W, 4) BGRA.
         field: the elements, metres.
-        known: where its camera may be known to stand; none: anywhere the field's file allows.
+        known: where its camera may be known to stand: more hypotheses, which replace the camera
+            found without them only by a better one, and a sure one only by a sure one.
+        elsewhere: also search all positions that the field's file allows; always without ``known``.
         go_on: called between steps; what it raises ends the search.
 
     Returns:
@@ -79,11 +84,69 @@ def propose_camera(
     if len(paint.on_ground) < _FEWEST:
         return _none(size, "there is hardly any paint on the ground in this picture")
     go_on()
-    tried = [_best(picture, field, lines, paint, place, go_on) for place in known or (None,)]
-    found = [best for best in tried if best is not None]
-    if not found:
-        return _none(size, "no camera has its lines on the paint of this picture")
-    return max(found, key=lambda best: best.score).proposal(picture, field, paint.frame)
+
+    def search(places: Sequence[KnownPosition | None]) -> Proposal:
+        tried = [_best(picture, field, lines, paint, place, go_on) for place in places]
+        found = [best for best in tried if best is not None]
+        if not found:
+            return _none(size, "no camera has its lines on the paint of this picture")
+        return max(found, key=lambda best: best.score).proposal(picture, field, paint.frame)
+
+    if not known:
+        return search((None,))
+    at_known = search(known)
+    return better_proposal(search((None,)), at_known, field) if elsewhere else at_known
+
+
+def better_proposal(free: Proposal, at_known: Proposal, field: Field) -> Proposal:
+    """Return the better of two proposals for one picture.
+
+    Args:
+        free: found anywhere.
+        at_known: found at known positions. It replaces a sure camera only if it is sure, one that
+            shows the same only if the picture does not contradict its position, and one that shows
+            something else only if it agrees better with the line pixels.
+        field: the elements, metres.
+    """
+    if at_known.fit.vector is None or (free.state == SURE and at_known.state != SURE):
+        return free
+    if free.fit.vector is None:
+        return at_known
+    lines = lines_of(field)
+    assert lines is not None
+    views = free.fit.vector[None]
+    if field.half_turn is not None:  # the position tells the side, the picture does not
+        views = np.concatenate([views, half_turned(views)])
+    away = apart_px(at_known.fit.vector, views, lines, _half_height(free.fit.size))
+    if away.min() <= _OTHER_PX:
+        return at_known if _same_position(free.fit, views[away.argmin()], at_known.fit) else free
+    second, best = sorted((free, at_known), key=lambda one: harmonic(one.coverage, one.explained))
+    worth, less = (harmonic(one.coverage, one.explained) for one in (best, second))
+    margin = float(min(best.margin, 1 - less / max(worth, 1e-6)))
+    other = second.fit.camera
+    assert isinstance(other, PinholeCamera)
+    if best.state != SURE or margin >= MARGIN_WELL:
+        return replace(best, margin=margin)
+    return replace(best, state=UNSURE, reason=another_camera(), margin=margin, runner_up=other)
+
+
+def _same_position(free: FitResult, vector: FloatArray, at_known: FitResult) -> bool:
+    """Whether the position that a picture alone gives, seen from the side of ``vector``, agrees
+    with the known one within the uncertainty of both."""
+    assert free.vector is not None
+    assert free.covariance is not None
+    assert at_known.vector is not None
+    assert at_known.covariance is not None
+    turned = np.where(vector[CENTRE] == free.vector[CENTRE], 1.0, -1.0)
+    spread = free.covariance[CENTRE, CENTRE] * np.outer(turned, turned)
+    away = vector[CENTRE] - at_known.vector[CENTRE]
+    spread = spread + at_known.covariance[CENTRE, CENTRE]
+    return bool(away @ np.linalg.solve(spread, away) <= _MOST_IN_SD**2)
+
+
+def _half_height(size: tuple[int, int]) -> float:
+    frame = PictureFrame(size)
+    return float(round(frame.size[1] * frame.scale / 2))
 
 
 def prepare(field: Field, size: tuple[int, int]) -> None:
@@ -92,8 +155,7 @@ def prepare(field: Field, size: tuple[int, int]) -> None:
     lines = lines_of(field)
     if lines is None:
         return
-    frame, sides = PictureFrame(size), _sides(field)
-    half_height = float(round(frame.size[1] * frame.scale / 2))
+    half_height, sides = _half_height(size), _sides(field)
     with ThreadPoolExecutor(len(sides), thread_name_prefix="preparing") as pool:
         list(pool.map(lambda side: on_side(lines, half_height, side), sides))
 

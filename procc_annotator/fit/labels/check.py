@@ -10,9 +10,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
+from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.labels.clicked import ClickedFrame
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.mistakes import camera_findings
+from procc_annotator.fit.labels.mistakes import camera_findings, suspects_of
 from procc_annotator.fit.labels.overlap import overlap_findings
 from procc_annotator.fit.labels.seen_paint import ElementPaint
 from procc_annotator.fit.labels.shape import shape_findings
@@ -21,7 +22,9 @@ from procc_annotator.fit.labels.sides import side_findings
 from procc_annotator.fit.labels.unknown import pixel_findings, unknown_findings
 from procc_annotator.fit.labels.unpainted import paint_findings
 from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.models import STRONG
 from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.solving.strong_lens import MANY_LEFT_OUT
 
 LabelRules = Callable[[ClickedFrame, Sequence[Finding]], Iterable[Finding]]
 """A family of rules: the frame, and what is known before: that is not to be told again."""
@@ -73,7 +76,13 @@ def check_labels(
         At most one finding about each mistake: what the camera explains is not told again by rules
         that need none.
     """
-    looked_at = ClickedFrame(annotation, field, PictureFrame(size), fit, go_on)
+    frame = PictureFrame(size)
+    if len(suspects_of(fit, frame)) >= MANY_LEFT_OUT and fit.model not in STRONG:
+        go_on()
+        other = fit_camera(annotation, field, model=AUTO, size=size)
+        if other.model in STRONG and len(suspects_of(other, frame)) < MANY_LEFT_OUT:
+            fit = other  # the lens is to blame, not the labels
+    looked_at = ClickedFrame(annotation, field, frame, fit, go_on)
     return tuple(sorted(_once(_found(looked_at, _WITH_CAMERA, _BY_EYE)), key=_sureness))
 
 

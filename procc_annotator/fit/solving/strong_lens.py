@@ -46,7 +46,7 @@ _WORTH = 9.0
 # Straight elements clicked so far beside the line through their ends are bent by a strong lens.
 _BENT_PX, _BENT_ELEMENTS = 6.0, 2
 # Of so many elements that fit no camera together it is rather the camera that is not understood.
-_MANY_LEFT_OUT = 3
+MANY_LEFT_OUT = 3
 
 
 def fit_strong(
@@ -114,16 +114,16 @@ def perhaps_strong(
         field: the elements.
         frame: the picture.
     """
-    doubted = _bends(seen) or found.left_out.sum() >= _MANY_LEFT_OUT
+    doubted = _bends(seen) or found.left_out.sum() >= MANY_LEFT_OUT
     if found.vector[KAPPA] >= 0 and not doubted:
         return None
     fisheye = fit_strong(seen, field, frame, "F", found)
-    fits = {"R2": fit_strong(seen, field, frame, "R2", found, fisheye), "F": fisheye}
-    model = min(fits, key=lambda name: _cost(fits[name]))
-    best = fits[model]
-    if objection(best.vector, surroundings_of(field)) or not explains_more(best, found):
-        return None
-    return best, model
+    fits = (fit_strong(seen, field, frame, "R2", found, fisheye), "R2"), (fisheye, "F")
+    around = surroundings_of(field)
+    better = [
+        fit for fit in fits if not objection(fit[0].vector, around) and explains_more(fit[0], found)
+    ]
+    return min(better, key=lambda fit: _cost(fit[0]), default=None)
 
 
 def explains_more(strong: FoundCamera, plain: FoundCamera) -> bool:

@@ -118,7 +118,7 @@ def track(
 
 
 def _proposed(picture: np.ndarray, field: Field, known: Sequence[KnownPosition]) -> Proposal:
-    return propose_camera(picture, field, known=known)
+    return propose_camera(picture, field, known=known, elsewhere=False)
 
 
 def _gaps(numbers: range, found: Mapping[int, TrackedFrame]) -> list[range]:

@@ -9,7 +9,6 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
-    QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -132,14 +131,14 @@ class PlotsPanel(TakingAlong):
         return more
 
     def _build(self) -> None:
-        self.chooser = _combo("plots_page", tr("Plot"))
+        self.chooser = choice("plots_page", tr("Plot"))
         self.chooser.currentIndexChanged.connect(self._turn_page)
-        self.scope = _combo("plots_scope", tr("Frames"))
+        self.scope = choice("plots_scope", tr("Frames"))
         for scope, words in _SCOPES.items():
             self.scope.addItem(tr(words), scope)
         self.scope.setToolTip(tr("Plot the frame on screen, or all frames scored so far"))
         self.scope.currentIndexChanged.connect(self._redraw)
-        self.classes = _combo("plots_class", tr("Element"))
+        self.classes = choice("plots_class", tr("Element"))
         self.classes.setToolTip(tr("Plot the points of one element only"))
         self._offer_classes()
         self._document.fieldChanged.connect(self._offer_classes)
@@ -369,9 +368,3 @@ class PlotsPanel(TakingAlong):
         way = QBoxLayout.Direction.LeftToRight if wide else QBoxLayout.Direction.TopToBottom
         self._choices.setDirection(way)
         self._read_out("")
-
-
-def _combo(name: str, title: str) -> QComboBox:
-    combo = choice(name, title)
-    combo.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
-    return combo

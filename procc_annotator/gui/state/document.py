@@ -276,7 +276,6 @@ class Document(QObject):
             store, signals, self.camera_sources, self.source_frames, self.live_fit
         )
         self.proposals = Proposals(store, signals, self.blind_lock, self.cache)
-        self.proposals.fits = lambda: (f.fit for f in self.fit_source.cameras.fits.values())
         self.corrections = Corrections(store, signals, self.proposals)
         self.foresight = Foresight(
             store,

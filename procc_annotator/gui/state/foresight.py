@@ -1,8 +1,9 @@
 """What the elements that are missing in the frame on screen follow from.
 
-That is the camera fitted to the clicks. As long as these give none, a camera that was found without
-clicks stands in for it: that of the track, where the shot was followed, else the proposed one. One
-that somebody dragged goes before all of them, until something is annotated after it.
+That is the camera fitted to the clicks. As long as these give none, or agree with a camera that was
+found without clicks and knows more elements, that one stands in for it: the camera of the track if
+the shot was followed, else the proposed one. A dragged camera comes before all of them, until
+something is annotated after it.
 """
 
 from __future__ import annotations
@@ -91,13 +92,10 @@ class Foresight(QObject):
     @property
     def insight(self) -> Insight | None:
         """What the camera tells; None while that is worked out, or to be hidden."""
-        fitted = self._live_fit.insight
-        if fitted is not None and fitted.fit.camera is not None and not self._corrections.rules:
-            return fitted
         stand_in = self._stand_in.value
         if stand_in is not None and stand_in.fit.camera is not None:
             return stand_in
-        return fitted if not self._stand_in.working else None
+        return self._live_fit.insight if not self._stand_in.working else None
 
     @property
     def doubt(self) -> str:
@@ -122,20 +120,17 @@ class Foresight(QObject):
     # --- inside ---
 
     def _made_of(self) -> Inputs | None:
-        """The clicks go before what was found without them, once they give a camera."""
+        """Clicks that give a camera are compared with the camera that was found without them."""
         found, state = self.found, self._store.state
         if found is None or state.frame_name is None:
             return None
+        fitted = None
         if state.annotation.annotated and self._live_fit.wanted and not self._corrections.rules:
             fitted = self._live_fit.insight
-            if fitted is None or fitted.fit.camera is not None:
+            if fitted is None:
                 return None
-        return (
-            state.annotation,
-            state.sized_field,
-            found,
-            self._review.not_visible(state.frame_name),
-        )
+        hidden = self._review.not_visible(state.frame_name)
+        return state.annotation, state.sized_field, found, hidden, fitted
 
     def _look(self, *_: object) -> None:
         self._stand_in.look()

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
-from procc_annotator.fit.from_picture.agreed_positions import positions_of_fits
-from procc_annotator.fit.from_picture.proposal import SURE, Proposal
+from procc_annotator.fit.from_picture.proposal import Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
-from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.signals import Signals
@@ -28,11 +26,9 @@ _NEIGHBOURS = (1, -1)  # looked at once nothing is left to do for the frame on s
 class Proposals(QObject):
     """Looks at the frame on screen if nothing is annotated there, then at those beside it.
 
+    The answer is that of the picture alone: it does not depend on what was opened before.
     Nothing of it is ever saved: what a person accepts is an edit like any other. In blind mode, and
     in a dataset locked to it, nothing is looked for.
-
-    Attributes:
-        fits: other cameras of this dataset: a search begins where they agree on a position.
     """
 
     changed = Signal()  # what is known of the frame on screen, or that it is looked for
@@ -42,10 +38,6 @@ class Proposals(QObject):
     ) -> None:
         super().__init__(store)
         self._store, self._blind_lock, self._cache = store, blind_lock, cache
-        self.fits: Callable[[], Iterable[FitResult]] = tuple
-        self._sure: dict[str, FitResult] = {}  # by frame
-        # The frame asked for, and the fits known by then, as the thread sees them.
-        self._asked: tuple[Frame | None, tuple[FitResult, ...]] = (None, ())
         self._wanted = True
         self._derived = Derived(
             self._next,
@@ -68,8 +60,6 @@ class Proposals(QObject):
             signals.fieldChanged,
         ):
             signal.connect(self._derived.look_later)
-        signals.datasetChanged.connect(self._sure.clear)
-        signals.fieldChanged.connect(self._sure.clear)
 
     @property
     def wanted(self) -> bool:
@@ -126,9 +116,6 @@ class Proposals(QObject):
                 if index == state.frame_index:
                     return None  # a hand works here: no search slows it down
             elif not self._derived.answered(frame, state.field):
-                if self._asked[0] is not frame:
-                    sure = (fit for name, fit in self._sure.items() if name != frame.name)
-                    self._asked = frame, (*sure, *self.fits())
                 return frame, state.field
         return None
 
@@ -158,18 +145,9 @@ class Proposals(QObject):
     def _look_at(self, frame: Frame, field: Field, *, go_on: Callable[[], None]) -> Proposal:
         """In a thread."""
         go_on()
-        asked, others = self._asked
         field = field_of_frame(field, frame.name)
-        known = positions_of_fits(others if asked is frame else (), field)
-        picture = self._cache.get(frame.image_path)
-        return propose_camera(picture, field, known=known, go_on=go_on)
+        return propose_camera(self._cache.get(frame.image_path), field, go_on=go_on)
 
     def _take(self) -> None:
-        state = self._store.state
-        for index in self._in_turn(state.frame_index):
-            frame = state.workspace.frames[index] if state.workspace is not None else None
-            found = self._derived.known(frame, state.field)
-            if frame is not None and found is not None and found.state == SURE:
-                self._sure[frame.name] = found.fit
         self.changed.emit()
         self._derived.look_later()  # there may be the next one to look at

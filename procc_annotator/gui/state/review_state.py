@@ -71,7 +71,7 @@ class ReviewState(QObject):
         self._frame: str | None = None
         self._last_activity: float | None = None
         self._seconds = 0.0
-        self._problem = ""
+        self._told: tuple[str, ...] = ()
         self._poll_timer = QTimer(self)
         self._poll_timer.setInterval(_POLL_MS)
         self._poll_timer.timeout.connect(self.poll)
@@ -86,7 +86,7 @@ class ReviewState(QObject):
         self.database = database
         self._origins.clear()
         self._before_edits.clear()
-        self._problem = ""
+        self._told = () if database is None else database.notices  # told when it was opened
         if database is None:
             self._poll_timer.stop()
             self._collect_soon.stop()
@@ -346,8 +346,7 @@ class ReviewState(QObject):
             self.settingChanged.emit(key)
         if database.looking:
             self._collect_soon.start()
-        problem = database.problem
-        if problem != self._problem:
-            self._problem = problem
-            if problem:
-                self.failed.emit(problem)
+        before, self._told = self._told, (*database.notices, database.problem)
+        for line in filter(None, self._told):
+            if line not in before:
+                self.failed.emit(line)

@@ -23,7 +23,6 @@ class Drawer(QToolButton):
         self.setObjectName("drawerHandle")
         self._docks, self._dock = docks, docks.by_name[_DOCK]
         self.setAutoRaise(True)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._keys = ""

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer
+from PySide6.QtGui import QCursor, QKeyEvent
 from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLineEdit, QWidget
 
 from procc_annotator.gui.panels.parts import LEFT_BY_ESCAPE
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.picture.held_keys import beside_picture, typed_into
 
+_CLICK_MS = 200  # window managers refuse to activate another window while a click is under way
 _ENTER, _BACKSPACE, _ESCAPE = "Enter", "Backspace", "Escape"  # not shown
 _NAMES = {
     Qt.Key.Key_Return: _ENTER,
@@ -22,10 +23,11 @@ _NAMES = {
 
 
 class KeysBack(QObject):
-    """Watches who has the keyboard beside the picture.
+    """Routes keys to the picture.
 
-    A number is taken by Enter and put back by Escape; a list is left by either, and by choosing
-    from it with the mouse. While a polyline is being clicked its keys mean it wherever nothing is
+    A click beside the picture gives the keyboard to text only: whatever else is clicked leaves the
+    picture the keys that the status bar names. A number is taken by Enter and put back by Escape;
+    a list is left by either. While a polyline is being clicked its keys mean it wherever nothing is
     typed.
     """
 
@@ -33,34 +35,36 @@ class KeysBack(QObject):
         super().__init__(canvas)
         self._canvas = canvas
         self._former: float | str = ""  # what was in the box when it got the keyboard
-        self._by_mouse = False  # the list was used last; arrows go on through it
-        self._lists: set[QComboBox] = set()
         application = QApplication.instance()
         assert isinstance(application, QApplication)
         application.focusChanged.connect(self._follow)
 
-    def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
-        if new is None or new is self._canvas or not beside_picture(new, self._canvas):
+    def _follow(self, old: QWidget | None, new: QWidget | None) -> None:
+        picture = self._canvas
+        if new is None or new is picture or not beside_picture(new, picture):
+            return
+        clicked = QApplication.mouseButtons() != Qt.MouseButton.NoButton
+        floating = new.window() is not picture.window()
+        if floating:  # it became active, maybe after the click
+            clicked |= new.window().frameGeometry().contains(QCursor.pos())
+        # What goes with the keyboard in it leaves that to whatever comes next to it.
+        gone = old is not None and not old.isVisible() and beside_picture(old, picture)
+        if (clicked or gone) and not typed_into(new):
+            if clicked:  # from now on not even for a moment
+                new.setFocusPolicy(new.focusPolicy() & Qt.FocusPolicy.TabFocus)
+            picture.setFocus()
+            if floating:
+                QTimer.singleShot(_CLICK_MS, picture, picture.activateWindow)
             return
         new.installEventFilter(self)  # one that was watched before is not watched twice
         if isinstance(new, QDoubleSpinBox):
             self._former = new.value()
         elif isinstance(new, QLineEdit):
             self._former = new.text()
-        elif isinstance(new, QComboBox) and new not in self._lists:
-            self._lists.add(new)
-            new.activated.connect(self._chosen)
-
-    def _chosen(self) -> None:
-        if self._by_mouse:
-            self._canvas.setFocus()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.MouseButtonPress:
-            self._by_mouse = True
         if not isinstance(event, QKeyEvent) or event.type() == QEvent.Type.KeyRelease:
             return False
-        self._by_mouse = False
         what = self._meant(watched, event)
         if what is None:
             return False

@@ -15,7 +15,7 @@ from procc_annotator.io.camera_files.camera_records import (
     CameraRecord,
     CameraRecords,
 )
-from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_notices
 from procc_annotator.io.camera_files.soccernet_camera import camera_from, is_soccernet
 from procc_annotator.io.json_values import JsonValues, degrees
 
@@ -58,7 +58,8 @@ def broadtrack_from(content: object, path: str, inside: str = "") -> LoadedCamer
     place = f"{inside}: cp" if inside else "cp"
     values = JsonValues.of(entry.content["cp"], path, place, KIND)
     if is_soccernet(values.content):
-        return camera_from(values.content, path=path, inside=place)
+        loaded = camera_from(values.content, path=path, inside=place)
+        return with_notices(loaded, entry.unused("cp"))
     for key in _SIZE:
         values.number(key)
     size = values.size_of(*_SIZE)
@@ -78,7 +79,8 @@ def broadtrack_from(content: object, path: str, inside: str = "") -> LoadedCamer
         (size[0] / 2, size[1] / 2),
         (k1, k2, k3, 0.0, 0.0, 0.0),
     )
-    return LoadedCamera(camera, "pinhole", size)
+    unused = values.unused(*_SIZE, _FIELD_OF_VIEW, *_ANGLES, *_POSITION, _RADIAL)
+    return LoadedCamera(camera, "pinhole", size, notices=(*unused, *entry.unused("cp")))
 
 
 def _radial(values: JsonValues, unit: float) -> tuple[float, float, float]:

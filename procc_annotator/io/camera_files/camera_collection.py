@@ -21,6 +21,7 @@ from procc_annotator.io.camera_files.fitted_on import (
     FittedOn,
     folders_of,
 )
+from procc_annotator.io.camera_files.free_world import with_doubt
 from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE, HeldOutTables
 from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
@@ -139,7 +140,7 @@ class CameraCollection:
         field = field or self.field
         if field is not None and (problem := of_another_field(loaded.assumed_field, field)):
             raise CameraError(self.display(frame), problem, advice=NAME_THE_FORMAT)
-        return loaded
+        return with_doubt(loaded)
 
     def display(self, frame: str) -> str:
         """How to name the camera of a frame to a person: its file, and the place in it."""
@@ -175,11 +176,13 @@ class CameraCollection:
 
     def _read_beside(self, file: str) -> bytes | None:
         """The content of a file of the source; None where there is none that can be read."""
-        if file not in self._all_files:
-            return None
         try:
-            return self._source.read(file)
-        except InputError:  # gone, or damaged: it says nothing
+            if file in self._all_files:
+                return self._source.read(file)
+            beside = self.path.parent / PurePosixPath(file).name  # of a file that was named alone
+            alone = file.endswith(BESIDE) and self.path.is_file() and beside.is_file()
+            return beside.read_bytes() if alone else None
+        except (InputError, OSError):  # gone, or damaged: it says nothing
             return None
 
     def __enter__(self) -> Self:

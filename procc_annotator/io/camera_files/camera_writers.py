@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import io
-import os
 import zipfile
 from collections import Counter
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,8 +18,9 @@ from procc_annotator.camera.matrices import calibration_matrix, translation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.camera.scaling import ScaledCamera, scaled
-from procc_annotator.errors import CameraError, SaveError, UsageError
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.io.atomic import make_folder, write_atomic
+from procc_annotator.io.camera_files.fitted_on import BESIDE, DIGEST, FIT_KEY, beside_content
 from procc_annotator.io.camera_files.homography_file import CONVENTIONS, HOMOGRAPHY_SIZE
 from procc_annotator.io.camera_files.krt_camera import write_krt
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
@@ -66,7 +67,7 @@ class ConvertedCameras:
         path: the folder or archive.
         written: number of cameras.
         problems: one line for each camera that could not be read or that the format cannot hold.
-        losses: what of the cameras the format does not hold, and for how many.
+        losses: remarks on the cameras, what of them the format does not hold, and for how many.
         folded: frames whose cameras the official evaluation folds into the picture.
     """
 
@@ -84,7 +85,7 @@ def _soccernet(loaded: LoadedCamera) -> tuple[bytes, Losses]:
         for key in _SIZE_KEYS:
             extra.pop(key, None)
         extra |= {"image_width": loaded.size[0], "image_height": loaded.size[1]}
-    return write_camera(camera, extra), ()
+    return write_camera(camera, extra | _fit(loaded)), ()
 
 
 def _submission(loaded: LoadedCamera) -> tuple[bytes, Losses]:
@@ -92,7 +93,7 @@ def _submission(loaded: LoadedCamera) -> tuple[bytes, Losses]:
     losses = _extra(loaded)
     if loaded.size is None:
         losses = (*losses, f"names no picture size: taken for pixels of {_spelled(OFFICIAL_SIZE)}")
-    return write_camera(camera), losses
+    return write_camera(camera, _fit(loaded)), losses
 
 
 def _krt(loaded: LoadedCamera) -> tuple[bytes, Losses]:
@@ -226,19 +227,23 @@ def write_cameras(
     archived = out.suffix.lower() == ".zip"
     if to == "submission" and not archived:
         raise UsageError(f"{out}: a submission is an archive, its name must end in .zip")
-    _make_folder(out.parent if archived else out)
+    make_folder(out.parent if archived else out)
     done = ConvertedCameras(out)
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
         for number, (frame, loaded) in enumerate(cameras, 1):
             encoded = _encoded(frame, loaded, writer, size, done)
             if encoded is not None:
-                name = _place(writer, frame, split)
-                if archived:
-                    archive.writestr(_entry(name), encoded)
-                else:
-                    _make_folder((out / name).parent)
-                    write_atomic(out / name, encoded)
+                files = {_place(writer, frame, split): encoded}
+                digest = None if isinstance(loaded, CameraError) else loaded.fitted_on
+                if digest is not None and not writer.evaluated:  # the others say it themselves
+                    files[file_of_frame(frame, BESIDE)] = beside_content(digest)
+                for name, data in files.items():
+                    if archived:
+                        archive.writestr(_entry(name), data)
+                    else:
+                        make_folder((out / name).parent)
+                        write_atomic(out / name, data)
                 done.written += 1
             if progress is not None:
                 progress(number, total)
@@ -274,7 +279,7 @@ def _encoded(
     except ValueError as error:
         done.problems.append(f"{shown}: {error}; not written")
         return None
-    done.losses.update(losses)
+    done.losses.update([*loaded.notices, *losses])
     if writer.evaluated and folds_into_picture(
         loaded.camera, official_tables(), loaded.size or OFFICIAL_SIZE
     ):
@@ -288,7 +293,7 @@ def _for_size(loaded: LoadedCamera, size: Size | None) -> LoadedCamera:
     if size is None or loaded.size is None or loaded.size == size:
         return loaded
     camera = scaled(loaded.camera, loaded.size, size)
-    return LoadedCamera(camera, loaded.model, size, loaded.extra, loaded.notices, loaded.content)
+    return replace(loaded, camera=camera, size=size)
 
 
 def _pinhole(camera: CameraOrProjections, what: str) -> PinholeCamera:
@@ -315,8 +320,15 @@ def _called(camera: CameraOrProjections) -> str:
     return names.get(type(camera).__name__, f"a camera model of a plug-in ({own})")
 
 
+def _fit(loaded: LoadedCamera) -> dict[str, Any]:
+    """What a file that has a place for it says of the annotation the camera was fitted to."""
+    if loaded.fitted_on is None:
+        return {}
+    return {FIT_KEY: loaded.content.get(FIT_KEY, {DIGEST: loaded.fitted_on})}
+
+
 def _extra(loaded: LoadedCamera) -> Losses:
-    left_out = sorted(key for key in loaded.extra if key not in _SIZE_KEYS)
+    left_out = sorted(key for key in loaded.extra if key not in (*_SIZE_KEYS, FIT_KEY))
     return (f"keys left out: {', '.join(map(printable, left_out[:5]))}",) if left_out else ()
 
 
@@ -326,13 +338,6 @@ def _spelled(size: Size) -> str:
 
 def _is_file_name(name: str) -> bool:
     return bool(name) and name.isprintable() and not set(name) & set('/\\:*?"<>|')
-
-
-def _make_folder(folder: Path) -> None:
-    try:
-        os.makedirs(folder, exist_ok=True)
-    except OSError as error:
-        raise SaveError(f"{folder}: cannot be made: {error.strerror or error}") from error
 
 
 def _entry(name: str) -> zipfile.ZipInfo:

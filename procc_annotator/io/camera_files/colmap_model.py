@@ -19,7 +19,6 @@ from procc_annotator.io.camera_files.camera_records import (
     CameraRecords,
     frame_of_image,
 )
-from procc_annotator.io.camera_files.free_world import with_doubt
 from procc_annotator.io.camera_files.krt_camera import krt_from
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.json_text import printable
@@ -104,7 +103,7 @@ def _camera(
         "dist": [of.get(term, 0.0) for term in terms],
         **dict(zip(("width", "height"), _numbers([width, height], path, at), strict=True)),
     }
-    return with_doubt(krt_from(own, path, at))
+    return krt_from(own, path, at)
 
 
 def _rotation(quaternion: list[float], path: str, at: str) -> FloatArray:

@@ -21,7 +21,10 @@ KIND = "a K, R, T camera of DeepSportRadar"
 _CM = 0.01
 # The centre of a FIBA court, in the file's units from the corner that is its origin.
 COURT_CENTRE_CM = (1400.0, 750.0, 0.0)
-_KEYS = KrtKeys(k=("K",), r=("R",), t=("T",), position=(), distortion=("kc",), model=())
+_KEYS = KrtKeys(
+    k=("K",), r=("R",), t=("T",), position=(), distortion=("kc",), model=(),
+    repeated=("C", "P"),
+)  # fmt: skip
 # What the challenge's code writes where it found no camera.
 _NO_CAMERA = [1.0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1]
 

@@ -14,10 +14,10 @@ from procc_annotator.io.camera_files.camera_records import (
     CameraRecord,
     CameraRecords,
 )
-from procc_annotator.io.camera_files.free_world import with_doubt
 from procc_annotator.io.camera_files.krt_camera import krt_from
-from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.opencv_camera import storage_numbers
+from procc_annotator.io.json_text import printable
+from procc_annotator.io.json_values import is_camera_key
 
 EXTRINSICS, INTRINSICS = "extri.yml", "intri.yml"
 _LENS = {"K_": "K", "dist_": "dist", "W_": "width", "H_": "height"}
@@ -35,27 +35,33 @@ def easymocap_records(
     Raises:
         CameraError: damaged, or no camera in both.
     """
-    poses = _by_name(extrinsics, path, _POSE)
-    lenses = _by_name(intrinsics, intrinsics_path, _LENS)
+    poses, left = _by_name(extrinsics, path, _POSE)
+    lenses, other = _by_name(intrinsics, intrinsics_path, _LENS)
+    left |= other | {f"lens of {name}" for name in lenses.keys() - poses.keys()}
     found = [
         (name, CameraRecord(f"camera {name}", {**lenses.get(name, {}), **pose}))
         for name, pose in poses.items()
     ]
     if not found:
         raise CameraError(path, "holds no camera, expected Rot_NAME (or R_NAME) and T_NAME")
-    return CameraRecords.of(path, found, _camera)
+    notices = (f"not used: {printable(', '.join(sorted(left)), 200)}",) if left else ()
+    return CameraRecords.of(path, found, krt_from, notices)
 
 
-def _by_name(data: bytes, path: str, parts: dict[str, str]) -> dict[str, dict[str, Any]]:
-    content = storage_numbers(
-        data, path, lambda names: sorted(n for n in names if n.startswith(tuple(parts)))
-    )
+def _by_name(
+    data: bytes, path: str, parts: dict[str, str]
+) -> tuple[dict[str, dict[str, Any]], set[str]]:
+    """Return the numbers of each camera, and the camera keys that are not read."""
+    others: set[str] = set()
+
+    def wanted(names: set[str]) -> list[str]:
+        own = sorted(n for n in names if n.startswith(tuple(parts)))
+        others.update(n for n in names.difference(own) if is_camera_key(n) or n[1:2] == "_")
+        return own
+
+    content = storage_numbers(data, path, wanted)
     found: dict[str, dict[str, Any]] = {}
     for key, value in content.items():
         start = next(part for part in parts if key.startswith(part))
         found.setdefault(key[len(start) :], {})[parts[start]] = value
-    return found
-
-
-def _camera(content: Any, path: str, inside: str) -> LoadedCamera:
-    return with_doubt(krt_from(content, path, inside))
+    return found, others

@@ -1,12 +1,10 @@
-"""Cameras in a world that only their maker knows: what can be said of where they stand."""
+"""What can be said of where a camera stands, whatever format its file has."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_notices
 
 _FAR_M = 1000.0
 
@@ -29,4 +27,4 @@ def with_doubt(loaded: LoadedCamera) -> LoadedCamera:
     if not doubt:
         return loaded
     told = f"{doubt} (is the world of the file the field's?)"
-    return replace(loaded, notices=(*loaded.notices, told))
+    return with_notices(loaded, (told,))

@@ -17,6 +17,11 @@ from procc_annotator.io.json_text import printable
 _YARD_M = 0.9144
 HOMOGRAPHY_SIZE = (1280, 720)
 _LARGEST_FILE = 64 * 1024
+_TURNED = "takes the ground to the picture, not the picture to the ground"
+_CHOOSE = " (expected metres from the field's centre, or the units of the camera format)"
+# Half the length and width of the largest field, soccer's, and how far beside it a camera may look.
+_BESIDE_M = 50.0
+_SEEN = np.array([52.5, 34.0]) + _BESIDE_M
 
 
 @dataclass(frozen=True)
@@ -51,7 +56,9 @@ CONVENTIONS = {
 }
 
 
-def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
+def read_homography(
+    data: bytes, *, path: str, convention: str, assumed: bool = False
+) -> LoadedCamera:
     """Read a homography that maps picture pixels (of a 1280 x 720 picture) to the ground.
 
     Text holds nine numbers separated by white space or commas; ``.npy`` is recognised by its
@@ -61,6 +68,7 @@ def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
         data: the file's bytes.
         path: for error messages.
         convention: a key of `CONVENTIONS`.
+        assumed: whether nobody named it; see `camera_from_homography`.
 
     Raises:
         CameraError: not nine finite numbers, or a matrix that cannot be inverted.
@@ -83,8 +91,9 @@ def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
             )
         matrix = np.array(numbers).reshape(3, 3)
     world_from_units = CONVENTIONS[convention].world_from_units
-    camera = camera_from_homography(matrix, world_from_units, HOMOGRAPHY_SIZE, path=path)
-    return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE, size_is_usual=True)
+    return camera_from_homography(
+        matrix, world_from_units, HOMOGRAPHY_SIZE, path=path, assumed=assumed
+    )
 
 
 def camera_from_homography(
@@ -94,13 +103,17 @@ def camera_from_homography(
     *,
     path: str,
     place: str = "",
-) -> HomographyCamera:
-    """A camera from a matrix picture -> field and one field -> world metres.
+    assumed: bool = False,
+) -> LoadedCamera:
+    """A camera from a matrix picture -> field and one field -> world metres; where it sees no
+    ground of a field, a remark says what the numbers look like.
 
     Args:
         units_from_image: (3, 3). world_from_units: (3, 3).
-        size: (width, height) of the picture, px.
+        size: (width, height) of the picture, px; the usual one.
         path: for error messages. place: likewise.
+        assumed: whether nobody said what the matrix is: one of a soccer field, and read the other
+            way round where it takes the ground to the picture.
 
     Raises:
         CameraError: a matrix that cannot be inverted.
@@ -108,7 +121,7 @@ def camera_from_homography(
     # Only the ratios of the entries count; without the factor, huge ones would overflow below.
     matrix = units_from_image / (np.abs(units_from_image).max() or 1.0)
     try:
-        return HomographyCamera.from_world_from_image(world_from_units @ matrix, size)
+        camera = HomographyCamera.from_world_from_image(world_from_units @ matrix, size)
     except ValueError as error:
         raise CameraError(
             path,
@@ -116,6 +129,53 @@ def camera_from_homography(
             place=place,
             advice="expected picture to field, 3 x 3",
         ) from error
+    notice = ""
+    if not _shows_field(camera, size):
+        turned = _turned(matrix, world_from_units, size)
+        if turned is None:
+            notice = _looks_like(matrix, size)
+        else:
+            notice = f"{_TURNED}: {'it is inverted' if assumed else 'give the inverse'}"
+            camera = turned if assumed else camera
+    return LoadedCamera(
+        camera,
+        "homography",
+        size,
+        notices=(notice,) if notice else (),
+        assumed_field="soccer" if assumed else "",
+        size_is_usual=True,
+    )
+
+
+def _shows_field(camera: HomographyCamera, size: tuple[int, int]) -> bool:
+    """Whether the middle of a picture's lower edge is ground within sight of a field."""
+    ground = camera.ground_from_px(np.array([[(size[0] - 1) / 2, size[1] - 1.0]]))
+    with np.errstate(invalid="ignore"):
+        return bool((np.abs(ground) < _SEEN).all())
+
+
+def _turned(
+    units_from_image: FloatArray, world_from_units: FloatArray, size: tuple[int, int]
+) -> HomographyCamera | None:
+    """The camera of the same nine numbers read the other way round, where that shows a field."""
+    try:
+        inverse = world_from_units @ np.linalg.inv(units_from_image)
+        camera = HomographyCamera.from_world_from_image(inverse, size)
+    except (ValueError, np.linalg.LinAlgError):
+        return None
+    return camera if _shows_field(camera, size) else None
+
+
+def _looks_like(units_from_image: FloatArray, size: tuple[int, int]) -> str:
+    centimetres = np.diag([0.01, 0.01, 1.0]) @ units_from_image
+    camera = HomographyCamera.from_world_from_image(centimetres, size)
+    if _shows_field(camera, size):
+        xs, ys = np.linspace(0, size[0] - 1, 5), np.linspace(size[1] / 2, size[1] - 1, 5)
+        seen = camera.ground_from_px(np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2))
+        seen = seen[(np.abs(seen) < _SEEN).all(axis=1)]
+        corner = (seen > -_BESIDE_M).all()
+        return f"looks like centimetres from {'a corner' if corner else 'the centre'}{_CHOOSE}"
+    return f"does not look at a field{_CHOOSE}"
 
 
 def _from_npy(data: bytes, path: str) -> FloatArray:

@@ -40,16 +40,6 @@ from procc_annotator.io.camera_files.polylines_camera import (
     polylines_records,
 )
 from procc_annotator.io.camera_files.projection_camera import is_projection, projection_from
-from procc_annotator.io.camera_files.refusals import (
-    Why,
-    entries_below_lack,
-    entries_lack,
-    lacks,
-    no_krt,
-    no_list_of,
-    no_projection,
-    refusals,
-)
 from procc_annotator.io.camera_files.soccernet_camera import camera_from, is_soccernet
 from procc_annotator.io.camera_files.transforms_camera import is_transforms, transforms_records
 from procc_annotator.io.camera_files.tvcalib_camera import is_tvcalib, tvcalib_from, tvcalib_records
@@ -81,8 +71,8 @@ class JsonFormat:
         one: reads a file that holds one camera; None for a format whose files hold many.
         many: the cameras of a decoded file that holds several; None where it holds one.
         recognises: whether decoded content is of this format, for content nobody named.
-        refused: why content that is not recognised is none, for messages; None for a format that
-            is never told by what is in it.
+        keys: by which content is recognised, for messages; empty for a format that is never
+            recognised by what is in it.
     """
 
     name: str
@@ -90,7 +80,7 @@ class JsonFormat:
     one: FromContent | None
     many: Callable[[object, str], CameraRecords | None]
     recognises: Callable[[object], bool]
-    refused: Why | None = None
+    keys: str = ""
 
 
 def _soccernet(content: object, path: str, inside: str = "") -> LoadedCamera:
@@ -139,24 +129,24 @@ SOCCERNET = JsonFormat(
     _soccernet,
     _SOCCERNET_RECORDS,
     _is_soccernet,
-    lacks("pan_degrees", "x_focal_length"),
+    "pan_degrees, x_focal_length",
 )
 TVCALIB = JsonFormat(
-    "tvcalib", "TVCalib per_sample_output.json", None, _no_records, is_tvcalib, lacks("image_ids")
+    "tvcalib", "TVCalib per_sample_output.json", None, _no_records, is_tvcalib, "image_ids"
 )
 JSON_FORMATS = (
     SOCCERNET,
     TVCALIB,
     JsonFormat(
         "broadtrack", "BroadTrack JSON", None, broadtrack_records, is_broadtrack,
-        entries_lack("cp"),
+        "cp of each picture",
     ),
     JsonFormat(
         "deepsportradar", "DeepSportRadar K, R, T list", None, deepsportradar_records,
-        is_deepsportradar, no_list_of("K", "R", "T"),
+        is_deepsportradar, "a list of K, R, T",
     ),
     JsonFormat(
-        "krt", "K, R, t and distortion", krt_from, _krt_records, _is_krt, no_krt
+        "krt", "K, R, t and distortion", krt_from, _krt_records, _is_krt, "K, R"
     ),
     JsonFormat(
         "polylines", "projected polylines, JSON", polylines_from, polylines_records,
@@ -164,19 +154,19 @@ JSON_FORMATS = (
     ),
     JsonFormat(
         "projection", "3 x 4 projection matrix", projection_from,
-        _by_frame(is_projection, projection_from), is_projection, no_projection,
+        _by_frame(is_projection, projection_from), is_projection, "P of 3 x 4",
     ),
     JsonFormat(
         "transforms", "transforms.json of radiance fields", None, transforms_records,
-        is_transforms, entries_below_lack("frames", "transform_matrix"),
+        is_transforms, "frames of transform_matrix",
     ),
     JsonFormat(
         "sccvsd", "World Cup 2014 homographies, MATLAB", None, homography_records,
-        is_homography_set, entries_below_lack("annotation", "image_name", "homography"),
+        is_homography_set, "annotation of image_name, homography",
     ),
     JsonFormat(
         "ptz-slam", "frames of one tripod, MATLAB", None, ptz_records, is_ptz_set,
-        entries_below_lack("annotation", "image_name", "camera"),
+        "annotation of image_name, camera",
     ),
 )  # fmt: skip
 _SOCCERNET_KEYS = ("pan_degrees", "tilt_degrees", "position_meters", "x_focal_length")
@@ -283,27 +273,22 @@ def _recognised(content: object, path: str) -> JsonFormat:
 
 
 def _unknown(content: object, path: str) -> CameraError:
-    """What content of no known format is told: every format that was tried, and what it lacks."""
+    """What is wrong with content of no known format, and the keys of every format."""
     if type(content) is dict and any(key in content for key in _HOMOGRAPHY_KEYS):
         return CameraError(
             path,
             "holds a homography, and nothing tells which ground and which units it is of",
             advice="save it as .npy, and choose a camera format: wc14, carwc or world",
         )
-    tried = [
-        (known.name, known.refused, known.one is not None)
-        for known in JSON_FORMATS
-        if known.refused is not None
-    ]
-    tried.append(("opencv", entries_lack("rows", "cols", "data"), False))
     found = kind_of(content)
     if type(content) is dict and content:
         keys = ", ".join(printable(str(key), 30) for key in list(content)[:_SHOWN_KEYS])
         more = ", ..." if len(content) > _SHOWN_KEYS else ""
         found = f"an object with {keys}{more}"
+    formats = "; ".join(f"{known.keys} ({known.name})" for known in JSON_FORMATS if known.keys)
     return CameraError(
         path,
-        f"holds no camera of a known format: found {found}; {refusals(content, tried)}",
+        f"holds no camera of a known format: found {found}, expected {formats}",
         advice="is this a camera? if so, choose its camera format",
     )
 

@@ -6,6 +6,7 @@ See docs/camera-formats.md for the keys.
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,30 +29,42 @@ from procc_annotator.io.json_values import JsonValues
 
 KIND = "a K, R, t camera"
 MODELS = ("pinhole", "fisheye")
-_SAME_PLACE = 1e-3  # metres, and of the distance: files round
+# Of 1 and of the largest number: files round. A lens may differ by 0.03 px.
+_SAME_POSE, _SAME_LENS = 1e-3, 1e-5
 
 
 @dataclass(frozen=True)
 class KrtKeys:
-    """How a format spells the parts of a camera; the first spelling that is there counts."""
+    """How a format spells the parts of a camera; several spellings of a part must agree."""
 
-    k: tuple[str, ...] = ("K", "camera_matrix")
-    r: tuple[str, ...] = ("R", "rotation_matrix", "rvec")
-    t: tuple[str, ...] = ("t", "T", "tvec")
+    k: tuple[str, ...] = ("K", "camera_matrix", "cameraMatrix", "Camera_Matrix", "intrinsics")
+    r: tuple[str, ...] = ("R", "rotation_matrix", "rvec", "rotation_vector", "rotation")
+    t: tuple[str, ...] = ("t", "T", "tvec", "translation_vector", "translation")
     position: tuple[str, ...] = ("position", "C")
-    distortion: tuple[str, ...] = ("dist", "distortion", "distortion_coefficients", "D", "kc")
-    model: tuple[str, ...] = ("model",)
+    distortion: tuple[str, ...] = (
+        "dist", "distortion", "distortion_coefficients", "distortionCoefficients",
+        "Distortion_Coefficients", "dist_coeffs", "distCoeffs", "distCoef", "D", "kc", "k",
+    )  # fmt: skip
+    model: tuple[str, ...] = ("model", "camera_model")
+    fisheye: tuple[str, ...] = ("fisheye", "fisheye_model")  # flags in place of a model
+    # Keys that repeat what the others say; not read.
+    repeated: tuple[str, ...] = ()
+
+    @property
+    def used(self) -> tuple[str, ...]:
+        """All spellings."""
+        return tuple(key for part in vars(self).values() for key in part)
 
 
-_KEYS = KrtKeys()
+KEYS = KrtKeys()
 
 
 def is_krt(content: object) -> bool:
     """Whether a decoded value has the keys of such a camera."""
     return (
         type(content) is dict
-        and any(key in content for key in _KEYS.k)
-        and any(key in content for key in _KEYS.r)
+        and any(key in content for key in KEYS.k)
+        and any(key in content for key in KEYS.r)
     )
 
 
@@ -61,7 +74,7 @@ def krt_from(content: object, path: str, inside: str = "") -> LoadedCamera:
     Raises:
         CameraError: names the place and what was expected.
     """
-    return camera_of_matrices(JsonValues.of(content, path, inside, KIND), _KEYS)
+    return camera_of_matrices(JsonValues.of(content, path, inside, KIND), KEYS)
 
 
 def camera_of_matrices(
@@ -78,28 +91,59 @@ def camera_of_matrices(
         CameraError: a part is missing, or is not what it should be.
     """
     size = size or values.size()
-    key = values.need("3 x 3 numbers", *keys.k)
+    key, k = _agreeing(values, "3 x 3 numbers", keys.k, lambda key: values.matrix(key, 3, 3))
     try:
-        inside = intrinsics_of(values.matrix(key, 3, 3), size)
+        inside = intrinsics_of(k, size)
     except ValueError as problem:
         raise values.error(str(problem), key) from problem
-    rotation_key = values.need("3 x 3 numbers", *keys.r)
-    rotation = _rotation(values, rotation_key)
-    t_key, t = _translation(values, keys, rotation)
+    rotation_key, rotation = _agreeing(
+        values, "3 x 3 numbers", keys.r, lambda key: _rotation(values, key), _SAME_POSE
+    )
+    t_key, t = _agreeing(
+        values, "3 numbers", (*keys.t, *keys.position),
+        lambda key: _translation(values, key, rotation if key in keys.position else None),
+        _SAME_POSE,
+    )  # fmt: skip
     try:
         pose = pose_of(rotation, t)
     except ValueError as problem:
         place = t_key if str(problem).startswith("t ") else rotation_key
         raise values.error(str(problem), place) from problem
     model = _model(values, keys)
-    distortion_key = values.first_of(*keys.distortion)
-    distortion = values.numbers(distortion_key) if distortion_key else ()
+    lens_key, distortion = "", np.empty(0)
+    if values.first_of(*keys.distortion):
+        lens_key, distortion = _agreeing(
+            values, "", keys.distortion, lambda key: np.array(values.numbers(key))
+        )
     make = fisheye_of if model == "fisheye" else pinhole_of
     try:
-        camera = make(inside, pose, distortion)
+        camera = make(inside, pose, distortion.tolist())
     except ValueError as problem:
-        raise values.error(str(problem), distortion_key or "") from problem
-    return LoadedCamera(camera, model, size, notices=(*inside.notices, *pose.notices))
+        raise values.error(str(problem), lens_key) from problem
+    notices = (*inside.notices, *pose.notices, *values.unused(*keys.used))
+    return LoadedCamera(camera, model, size, notices=notices)
+
+
+def _agreeing(
+    values: JsonValues,
+    expected: str,
+    keys: Iterable[str],
+    read: Callable[[str], FloatArray],
+    same: float = _SAME_LENS,
+) -> tuple[str, FloatArray]:
+    """Return the first spelling that is there and what it holds.
+
+    Raises:
+        CameraError: none is there, or two say something else.
+    """
+    first, *others = [key for key in keys if key in values] or [values.need(expected, *keys)]
+    found = read(first)
+    for other in others:
+        # A distortion may go on with zeros in one of them.
+        a, b = (np.pad(v.ravel(), (0, max(14 - v.size, 0))) for v in (found, read(other)))
+        if a.shape != b.shape or not np.abs(a - b).max() <= same * (1 + np.abs(a).max()):
+            raise values.error(f"says something else than {first}, expected the same", other)
+    return first, found
 
 
 def _rotation(values: JsonValues, key: str) -> FloatArray:
@@ -114,20 +158,11 @@ def _rotation(values: JsonValues, key: str) -> FloatArray:
     return values.matrix(key, 3, 3)
 
 
-def _translation(values: JsonValues, keys: KrtKeys, rotation: FloatArray) -> tuple[str, FloatArray]:
-    key = values.first_of(*keys.t)
-    if key is None:
-        key = values.need("3 numbers", *keys.t, *keys.position)
+def _translation(values: JsonValues, key: str, rotation: FloatArray | None) -> FloatArray:
+    """t, where a rotation is given from the position under the key."""
     vector = _three(values, key)
-    other = values.first_of(*keys.position)
     with np.errstate(over="ignore", invalid="ignore"):
-        if key in keys.position:
-            return key, np.asarray(-rotation @ vector)
-        if other is not None:
-            apart = np.abs(-rotation @ _three(values, other) - vector).max()
-            if not apart <= _SAME_PLACE * (1 + np.abs(vector).max()):
-                raise values.error(f"says another place than {key}, expected the same", other)
-    return key, vector
+        return vector if rotation is None else np.asarray(-rotation @ vector)
 
 
 def _three(values: JsonValues, key: str) -> FloatArray:
@@ -138,11 +173,14 @@ def _three(values: JsonValues, key: str) -> FloatArray:
 
 
 def _model(values: JsonValues, keys: KrtKeys) -> str:
-    key = values.first_of(*keys.model)
-    model = values.content[key] if key else MODELS[0]
-    if model not in MODELS:
-        raise values.error(f"expected {' or '.join(map(repr, MODELS))}", key or "")
-    return str(model)
+    named = {key: values.content[key] for key in keys.model if key in values}
+    named |= {key: MODELS[1] for key in keys.fisheye if values.content.get(key)}
+    for key, model in named.items():
+        if model not in MODELS:
+            raise values.error(f"expected {' or '.join(map(repr, MODELS))}", key)
+    if len({*named.values()}) > 1:
+        raise values.error("say different models", " and ".join(named))
+    return str(next(iter(named.values()), MODELS[0]))
 
 
 def krt_content(

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from procc_annotator.camera.projections import CameraOrProjections
@@ -50,3 +50,8 @@ class LoadedCamera:
             told: what a person says; the file knows better, what is usual for its format does not.
         """
         return (told or self.size) if self.size_is_usual else (self.size or told)
+
+
+def with_notices(loaded: LoadedCamera, notices: Iterable[str]) -> LoadedCamera:
+    """The same with more remarks for a person."""
+    return replace(loaded, notices=(*loaded.notices, *notices))

@@ -10,6 +10,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -26,7 +27,7 @@ from procc_annotator.io.camera_files.homography_file import (
     camera_from_homography,
 )
 from procc_annotator.io.camera_files.krt_camera import krt_from
-from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_notices
 from procc_annotator.io.json_values import JsonValues
 
 KIND = "an annotation of a MATLAB structure"
@@ -92,10 +93,8 @@ def _homography(content: Any, path: str, inside: str) -> LoadedCamera:
     except np.linalg.LinAlgError as error:
         raise values.error("cannot be inverted", "homography") from error
     world = CONVENTIONS["wc14"].world_from_units
-    camera = camera_from_homography(matrix, world, HOMOGRAPHY_SIZE, path=path, place=inside)
-    return LoadedCamera(
-        camera, "homography", HOMOGRAPHY_SIZE, assumed_field=_FIELD, size_is_usual=True
-    )
+    loaded = camera_from_homography(matrix, world, HOMOGRAPHY_SIZE, path=path, place=inside)
+    return with_notices(replace(loaded, assumed_field=_FIELD), values.unused("homography"))
 
 
 def _ptz(content: Any, path: str, inside: str) -> LoadedCamera:
@@ -111,9 +110,7 @@ def _ptz(content: Any, path: str, inside: str) -> LoadedCamera:
         "height": round(2 * cy),
     }
     loaded = krt_from(own, path, inside)
-    return LoadedCamera(
-        loaded.camera, loaded.model, loaded.size, notices=loaded.notices, assumed_field=_FIELD
-    )
+    return with_notices(replace(loaded, assumed_field=_FIELD), values.unused("camera"))
 
 
 def _matrix_of(vector: Any) -> Any:

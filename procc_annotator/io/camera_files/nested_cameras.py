@@ -16,8 +16,13 @@ from procc_annotator.io.camera_files.camera_records import (
     CameraRecord,
     CameraRecords,
 )
-from procc_annotator.io.camera_files.free_world import with_doubt
-from procc_annotator.io.camera_files.krt_camera import KrtKeys, camera_of_matrices, is_krt, krt_from
+from procc_annotator.io.camera_files.krt_camera import (
+    KEYS,
+    KrtKeys,
+    camera_of_matrices,
+    is_krt,
+    krt_from,
+)
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.projection_camera import is_projection, projection_from
 from procc_annotator.io.json_values import JsonValues
@@ -26,12 +31,15 @@ KIND = "a K, R, t camera"
 NAME_KEYS = ("frames", "names", "image_names", "filenames", "images")
 _OWN_NAME = ("name", "image_name", "frame", "file_name", "id")
 _APART = ("intrinsics", "intrinsic", "extrinsics", "extrinsic")
-_STACKED = ("R", "rotation_matrix", "rvec", "rvecs", "t", "T", "tvec", "tvecs", "P", "position")
+_STACKED = (*KEYS.r, "rvecs", *KEYS.t, "tvecs", "P", *KEYS.position)
 # What OpenCV's calibration tutorials call the same in their .npz files.
 _OPENCV_NAMES = {"mtx": "K", "rvecs": "rvec", "tvecs": "tvec"}
-_SHARED_LISTS = frozenset({"K", "camera_matrix", "mtx", "dist", "distortion", "kc", "D"})
+_SHARED_LISTS = frozenset({*KEYS.k, "mtx", *KEYS.distortion})
 _DOME = frozenset({"K", "R", "t", "distCoef", "resolution"})
-_DOME_KEYS = KrtKeys(k=("K",), r=("R",), t=("t",), position=(), distortion=("distCoef",), model=())
+_DOME_KEYS = KrtKeys(
+    k=("K",), r=("R",), t=("t",), position=(), distortion=("distCoef",), model=(),
+    repeated=("resolution",),
+)  # fmt: skip
 _CM = 0.01
 # The dome's axes in ours: x stays, our y is against its z, our z (down) is its y.
 _DOME_FROM_WORLD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
@@ -57,7 +65,8 @@ def nested_records(content: object, path: str) -> CameraRecords:
     found = [(name, CameraRecord(place, entry)) for name, place, entry in _nested(content)]
     if not found:
         raise CameraError(path, "holds no camera, expected K, R and t under 'cameras'")
-    return CameraRecords.of(path, found, _nested_from)
+    beside = JsonValues.of(content, path, kind=KIND).unused("cameras")
+    return CameraRecords.of(path, found, _nested_from, beside)
 
 
 def stack_records(content: object, path: str) -> CameraRecords:
@@ -115,7 +124,7 @@ def _in_one(entry: Any) -> Any:
 def _nested_from(content: object, path: str, inside: str) -> LoadedCamera:
     if type(content) is dict and content.keys() >= _DOME:
         return _dome_camera(content, path, inside)
-    return with_doubt(krt_from(content, path, inside))
+    return krt_from(content, path, inside)
 
 
 def _dome_camera(content: dict[str, Any], path: str, inside: str) -> LoadedCamera:
@@ -131,7 +140,7 @@ def _dome_camera(content: dict[str, Any], path: str, inside: str) -> LoadedCamer
         "t": [_CM * number for number in t],
     }
     turned = JsonValues(own, path, inside, KIND)
-    return with_doubt(camera_of_matrices(turned, _DOME_KEYS, sized.size()))
+    return camera_of_matrices(turned, _DOME_KEYS, sized.size())
 
 
 def _frames_of_stack(content: dict[str, Any]) -> int | None:
@@ -150,7 +159,7 @@ def _is_stacked(key: str, value: Any, count: int) -> bool:
     depth, inner = _depth(value)
     if key in ("R", "rotation_matrix", "P"):
         return depth == 3
-    if key in _SHARED_LISTS and key not in ("dist", "distortion", "kc", "D"):
+    if key in _SHARED_LISTS and key not in KEYS.distortion:
         return depth == 3
     if key in _STACKED:  # vectors: (N, 3) or (N, 3, 1), but not one column of three
         return depth == 3 or (depth == 2 and inner == 3 and count > 1)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -14,30 +15,14 @@ import numpy as np
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
-from procc_annotator.io.camera_files.krt_camera import KrtKeys, camera_of_matrices, krt_content
+from procc_annotator.io.camera_files.krt_camera import KEYS, camera_of_matrices, krt_content
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.json_text import without_bom
-from procc_annotator.io.json_values import JsonValues
+from procc_annotator.io.json_values import SIZE_KEYS, JsonValues, is_camera_key
 
 KIND = "an OpenCV calibration"
-_KEYS = KrtKeys(
-    k=("camera_matrix", "cameraMatrix", "Camera_Matrix", "K", "intrinsics"),
-    r=("R", "rotation_matrix", "rvec", "rotation_vector", "rotation"),
-    t=("tvec", "t", "T", "translation_vector", "translation"),
-    position=("position",),
-    distortion=(
-        "distortion_coefficients",
-        "distortionCoefficients",
-        "Distortion_Coefficients",
-        "dist_coeffs",
-        "distCoeffs",
-        "dist",
-        "D",
-    ),
-    model=("model", "camera_model"),
-)
-_SIZES = (("image_width", "image_height"), ("image_Width", "image_Height"), ("width", "height"))
-_FISHEYE_FLAGS = ("fisheye", "fisheye_model")
+# Of OpenCV's calibration sample: the poses of its boards.
+_BOARDS = ("extrinsic_parameters",)
 _LARGEST_FILE = 5 * 1024 * 1024  # a calibration may hold every point it was made from
 _MOST_NUMBERS = 64  # of a matrix that belongs to a camera
 # OpenCV's parsers call themselves for every level and end the program when there are too many.
@@ -53,9 +38,7 @@ def read_opencv(data: bytes, *, path: str) -> LoadedCamera:
         CameraError: names the key and what was expected.
     """
     content = _content(data, path)
-    values = JsonValues(content, path, kind=KIND)
-    size = values.size_under(*_SIZES)
-    return camera_of_matrices(values, _KEYS, size)
+    return camera_of_matrices(JsonValues(content, path, kind=KIND), KEYS)
 
 
 def is_storage(content: object) -> bool:
@@ -188,12 +171,16 @@ def _depth(text: str) -> int:
 
 def _content(data: bytes, path: str) -> dict[str, Any]:
     """The numbers of the keys that belong to a camera, matrices as lists of rows."""
-    wanted = [k for part in (*vars(_KEYS).values(), *_SIZES, _FISHEYE_FLAGS) for k in part]
-    content = storage_numbers(data, path, lambda _: wanted)
-    flag = next((content[key] for key in _FISHEYE_FLAGS if content.get(key)), 0)
-    if flag and not any(key in content for key in _KEYS.model):
-        content["model"] = "fisheye"
-    return content
+    wanted = {*KEYS.used, *chain(*SIZE_KEYS)}
+    others: set[str] = set()
+
+    def note(names: set[str]) -> set[str]:
+        others.update(filter(is_camera_key, names - wanted - {*_BOARDS}))
+        return wanted
+
+    content = storage_numbers(data, path, note)
+    # Of the others only the names count: they may hold anything.
+    return content | dict.fromkeys(others, True)
 
 
 def _unreadable(path: str) -> CameraError:

@@ -20,9 +20,10 @@ from procc_annotator.camera.base import FloatArray
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.cameras import read_camera_file
+from procc_annotator.io.camera_files.fitted_on import BESIDE
 from procc_annotator.io.camera_files.submission import IGNORED, LOWERS, REFUSED, SubmissionRemark
 from procc_annotator.io.collections import MANIFEST_FILE, CameraFiles, list_cameras
-from procc_annotator.io.json_text import printable
+from procc_annotator.io.json_text import decode_as, printable
 from procc_annotator.io.source import ZipSource
 from procc_annotator.words import count_of, first_of
 
@@ -107,10 +108,7 @@ def read_manifest(path: Path) -> Manifest:
                 advice="procc-annotator convert CAMERAS sub.zip --to polylines makes one",
             )
         data, shown = archive.read(MANIFEST_FILE), archive.display(MANIFEST_FILE)
-    try:
-        found = msgspec.json.decode(data, type=Manifest)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise InputError(shown, f"is no manifest: {error}") from error
+    found = decode_as(data, Manifest, "manifest", path=shown)
     if found.format != FORMAT:
         raise InputError(shown, f"is of format {printable(found.format)}, expected {FORMAT}")
     return found
@@ -165,7 +163,9 @@ def check_polylines(
         files = list_cameras(archive, POLYLINES)
         found += _frames_remarks(files, frames)
         known = {*files.values(), MANIFEST_FILE, ""}
-        others = [n for n in archive.names() if n.removeprefix("./") not in known]
+        others = [
+            n for n in archive.names() if not (n.removeprefix("./") in known or n.endswith(BESIDE))
+        ]
         if others:
             what = f"{count_of(len(others), 'file')} ({first_of(others)}) of no frame"
             found.append(SubmissionRemark(IGNORED, "", what))

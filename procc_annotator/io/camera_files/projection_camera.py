@@ -16,7 +16,7 @@ from procc_annotator.camera.matrices import (
     taken_apart,
 )
 from procc_annotator.errors import CameraError
-from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_notices
 from procc_annotator.io.json_values import JsonValues
 
 KIND = "a projection matrix"
@@ -40,7 +40,8 @@ def projection_from(content: object, path: str, inside: str = "") -> LoadedCamer
     values = JsonValues.of({"P": content} if type(content) is list else content, path, inside, KIND)
     key = values.need("3 x 4 numbers", *KEYS)
     size = values.size()
-    return camera_of_projection(values.matrix(key, 3, 4), size, values.error)
+    loaded = camera_of_projection(values.matrix(key, 3, 4), size, values.error)
+    return with_notices(loaded, values.unused(key))
 
 
 def camera_of_projection(

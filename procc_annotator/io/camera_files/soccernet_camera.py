@@ -18,6 +18,8 @@ _ANGLES = ("pan_degrees", "tilt_degrees", "roll_degrees")
 _FOCALS = ("x_focal_length", "y_focal_length")
 _DISTORTIONS = {"radial_distortion": 6, "tangential_distortion": 2, "thin_prism_distortion": 4}
 _KEYS = frozenset((*_ANGLES, *_FOCALS, "position_meters", "principal_point", *_DISTORTIONS))
+# What PnLCalib and NBJW write again, and what this program says of a fit.
+_BESIDE = ("rotation_matrix", "fit")
 KIND = "a SoccerNet camera"
 
 
@@ -59,7 +61,7 @@ def camera_from(
     )
     extra = {k: v for k, v in values.content.items() if k not in _KEYS}
     size = values.size() if extra else None
-    notices = focal_notices(fx, fy)
+    notices = (*focal_notices(fx, fy), *values.unused(*_KEYS, *_BESIDE))
     return LoadedCamera(camera, "pinhole", size, extra, notices, values.content)
 
 

@@ -18,15 +18,18 @@ from procc_annotator.io.camera_files.camera_records import (
     CameraRecords,
     frame_of_image,
 )
-from procc_annotator.io.camera_files.free_world import with_doubt
 from procc_annotator.io.camera_files.krt_camera import krt_from
-from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_notices
 from procc_annotator.io.json_values import JsonValues
 
 KIND = "a transforms.json"
 _POSE = "transform_matrix"
 _FISHEYE = "OPENCV_FISHEYE"
 _MODELS = ("OPENCV", "PINHOLE", "SIMPLE_PINHOLE", _FISHEYE)
+_USED = (
+    _POSE, "camera_model", "is_fisheye", "w", "h", "fl_x", "fl_y", "camera_angle_x",
+    "camera_angle_y", "cx", "cy", "k1", "k2", "k3", "k4", "p1", "p2",
+)  # fmt: skip
 _OPENCV_FROM_OPENGL = np.diag([1.0, -1.0, -1.0])
 # Their world has z up and ours z down: half a turn about the x axis they share.
 _WORLD_TURN = np.diag([1.0, -1.0, -1.0])
@@ -77,7 +80,7 @@ def _camera(content: Any, path: str, inside: str) -> LoadedCamera:
         "width": size[0],
         "height": size[1],
     }
-    return with_doubt(krt_from(own, path, inside))
+    return with_notices(krt_from(own, path, inside), values.unused(*_USED))
 
 
 def _size(values: JsonValues) -> tuple[int, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from procc_annotator.io.camera_files.camera_records import (
     frame_of_image,
 )
 from procc_annotator.io.camera_files.homography_file import camera_from_homography
-from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_notices
 from procc_annotator.io.camera_files.soccernet_camera import camera_from, is_soccernet
 from procc_annotator.io.json_text import decode_fast, kind_of, printable, without_bom
 from procc_annotator.io.json_values import JsonValues
@@ -61,14 +62,16 @@ def tvcalib_from(content: object, path: str, inside: str = "") -> LoadedCamera:
     values = JsonValues.of(content, path, inside, KIND, nested=True)
     if is_soccernet(values.content):
         loaded = camera_from(content, path=path, inside=inside, nested=True)
-        return LoadedCamera(loaded.camera, loaded.model, loaded.size)
+        return replace(loaded, extra={}, content={})
     if "homography" not in values:
         raise values.missing("a homography or the keys of a SoccerNet camera", "homography")
     size = values.size()
     matrix = JsonValues({"homography": _unnested(values)}, path, inside).matrix("homography", 3, 3)
-    camera = camera_from_homography(matrix, np.eye(3), size or _ASSUMED, path=path, place=inside)
-    notices = () if size else ("names no picture size: taken for pixels of the evaluation size",)
-    return LoadedCamera(camera, "homography", size, notices=notices)
+    loaded = camera_from_homography(matrix, np.eye(3), size or _ASSUMED, path=path, place=inside)
+    if size is None:
+        unsized = "names no picture size: taken for pixels of the evaluation size"
+        loaded = with_notices(replace(loaded, size=None), (unsized,))
+    return with_notices(replace(loaded, size_is_usual=False), values.unused("homography"))
 
 
 def _unnested(values: JsonValues) -> Any:

@@ -9,13 +9,16 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from procc_annotator.session.database.rescue import rescue_file, transaction
-from procc_annotator.session.database.rows import (
-    Snapshot,
-    check_statements,
-    load,
+from procc_annotator.regular_file import open_regular
+from procc_annotator.session.database.recovery import (
+    backup_path,
+    backup_time,
+    copy_readable_file,
+    transaction,
 )
+from procc_annotator.session.database.rows import Snapshot, load
 from procc_annotator.session.database.tables import APPLICATION_ID, MIGRATIONS, DamagedError
+from procc_annotator.words import count_of
 
 FOLDER = ".procc"
 FILE = "workspace.db"
@@ -80,10 +83,13 @@ class Opened:
 
 
 def lies_outside(path: Path) -> bool:
-    """Whether a file in ``.procc``, or the journal beside it, lies outside the dataset in truth."""
+    """Whether a database in ``.procc``, its journal or its backup is a link out of the dataset."""
     dataset = os.path.realpath(path.parent.parent)
-    files = (path, path.with_name(f"{path.name}-journal"))
-    return not all(Path(os.path.realpath(f)).is_relative_to(dataset) for f in files)
+    return not all(Path(os.path.realpath(f)).is_relative_to(dataset) for f in _files(path))
+
+
+def _files(path: Path) -> tuple[Path, ...]:
+    return path, path.with_name(f"{path.name}-journal"), backup_path(path)
 
 
 def require_folder(path: Path) -> None:
@@ -94,11 +100,13 @@ def require_folder(path: Path) -> None:
 
     Raises:
         OSError: it cannot be made, nothing can be written there, or a link leads out of the
-            dataset: one from elsewhere could lead to any file of its user.
+            dataset (one from elsewhere could lead to any file of its user), or a pipe is there.
     """
     if path.parent.name == FOLDER and lies_outside(path):
         raise PermissionError("a link leads out of the dataset; it is not followed")
     path.parent.mkdir(parents=path.parent.name != FOLDER, exist_ok=True)
+    for file in filter(Path.exists, _files(path)):
+        open_regular(file).close()  # SQLite would wait for a pipe
     if not os.access(path.parent, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
         raise PermissionError("it is write-protected")
 
@@ -129,7 +137,8 @@ def open_database(
 ) -> Opened:
     """Open a database or begin one; what is none is set aside first.
 
-    A new one begins with what can be read of those set aside.
+    A new one in the place of one that was lost begins with what can be read of the backup, and then
+    of those set aside, which are newer.
 
     Args:
         path: the file; None for one in memory.
@@ -141,39 +150,64 @@ def open_database(
     if path is None:
         return _open(path)
     require_folder(path)
-    asides: list[tuple[Path, str]] = []
+    asides: list[Path] = []
+    lost = loss_of(path)
     for _ in range(3):  # another process may put a damaged one in the place of a damaged one
         identity = identity_of(path)
         if condemned is None:
             try:
-                return _with_rescued(_open(path), path, asides)
+                return _restored(_open(path), path, asides, lost)
             except FAILURES as error:
                 if not is_damage(error):
                     raise
                 condemned = identity, error
         aside = set_aside(path, condemned[0])
         if aside is not None:
-            asides.append((aside, reason_of(condemned[1])))
+            asides.append(aside)
+            lost = f"could not be used ({reason_of(condemned[1])}); it is set aside as {aside.name}"
         condemned = None
     raise OSError("it is damaged again and again")
 
 
-def _with_rescued(opened: Opened, path: Path, asides: list[tuple[Path, str]]) -> Opened:
-    if not asides:
+def loss_of(path: Path) -> str:
+    """How a database is lost whose place shows that there was one; empty if it is there.
+
+    A file without content is one: SQLite writes none, but for an instant when it begins one.
+    """
+    try:
+        return "" if path.stat().st_size else "is empty (0 bytes)"
+    except OSError:
+        pass
+    others = path.parent.name == FOLDER and path.parent.is_dir() and os.listdir(path.parent)
+    return "is missing" if backup_path(path).exists() or others else ""
+
+
+def _restored(opened: Opened, path: Path, asides: list[Path], lost: str) -> Opened:
+    """Fill a database begun anew in the place of a lost one, and say what it holds."""
+    if not asides and not (lost and opened.fresh):
         return opened
-    notices = []
     with ExitStack() as failed:
         failed.callback(opened.connection.close)
-        for aside, reason in asides:
-            if opened.fresh:
-                rescue_file(aside, opened.connection)
-            notices.append(
-                f"{path}: could not be used ({reason}); it is set aside as {aside.name}, and a new"
-                " one is begun with what can be read of it"
-            )
-        found = replace(reread(opened), notices=tuple(notices))
+        origins, made = [f"what can be read of {aside.name}" for aside in asides], backup_time(path)
+        if opened.fresh:
+            if made:
+                copy_readable_file(backup_path(path), opened.connection)
+                origins.insert(0, f"the backup of {made}")
+            for aside in asides:
+                copy_readable_file(aside, opened.connection)
+            opened = reread(opened)
         failed.pop_all()
-    return found
+    known = opened.snapshot
+    comments = sum(map(len, known.comments.values()))
+    (versions,) = opened.connection.execute("SELECT count(*) FROM version").fetchone()
+    notice = f"{path}: {lost}; " + (
+        f"restored from {' and '.join(origins)}: {count_of(len(known.records), 'frame')} with a"
+        f" status or comment, {count_of(comments, 'comment')}, {count_of(versions, 'version')};"
+        " anything else is lost"
+        if origins
+        else "it has no backup: statuses, comments and versions that were in it are lost"
+    )
+    return replace(opened, notices=(notice,))
 
 
 def reread(opened: Opened) -> Opened:
@@ -197,7 +231,6 @@ def _open(path: Path | None) -> Opened:
                 raise DamagedError("it contradicts itself")
         if path is not None:
             _check_writable(connection)
-        check_statements(connection)
         version = data_version(connection)
         snapshot = load(connection)
         failed.pop_all()

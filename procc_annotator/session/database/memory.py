@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import time
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
@@ -16,8 +16,7 @@ from typing import TypeVar
 
 from procc_annotator.session.database import rows
 from procc_annotator.session.database.file import Opened
-from procc_annotator.session.database.rows import SETTING_KEY, Snapshot, Write
-from procc_annotator.session.database.tables import stored
+from procc_annotator.session.database.rows import SETTING_KEY, Snapshot, Write, write
 from procc_annotator.session.database.writer import DatabaseWriter
 from procc_annotator.session.facts.origins import Comment, FrameRecord, NotVisible, Status
 from procc_annotator.session.facts.verdict import Fault, Verdict, place_by_name
@@ -25,6 +24,7 @@ from procc_annotator.session.facts.verdict import Fault, Verdict, place_by_name
 T = TypeVar("T")
 
 _UNTOUCHED = FrameRecord()
+_BY_FRAME = ("records", "comments", "drafts", "verdicts", "not_visible")
 
 
 class Memory:
@@ -48,7 +48,7 @@ class Memory:
         self._session = uuid.uuid4().hex[:16]
         self._seconds: dict[str, float] = {}  # spent in this session
         self._changes = 0
-        self._writer = DatabaseWriter(path, opened, self._restoring, self._notify)
+        self._writer = DatabaseWriter(path, opened, self._notify)
 
     @property
     def notices(self) -> tuple[str, ...]:
@@ -72,13 +72,13 @@ class Memory:
         """Say how far a frame has come."""
         status = Status(status)
         if self.record(frame).status is not status:
-            self._put_write(Write(rows.SET_STATUS, ((stored(frame), str(status)),)))
+            self._put_write(write(rows.SET_STATUS, frame, str(status)))
             self._known.records[frame] = replace(self.record(frame), status=status)
 
     def set_committed(self, frame: str, committed: bool) -> None:
         """Say whether a frame's clicks were declared final."""
         if self.record(frame).committed != committed:
-            self._put_write(Write(rows.SET_COMMITTED, ((stored(frame), int(committed)),)))
+            self._put_write(write(rows.SET_COMMITTED, frame, int(committed)))
             self._known.records[frame] = replace(self.record(frame), committed=bool(committed))
 
     def add_seconds(self, frame: str, seconds: float) -> None:
@@ -86,7 +86,7 @@ class Memory:
         if not (math.isfinite(seconds) and seconds > 0):
             return
         total = self._seconds[frame] = self._seconds.get(frame, 0.0) + seconds
-        self._put_write(rows.seconds_write(frame, self._session, total))
+        self._put_write(write(rows.SET_SECONDS, frame, self._session, total))
         record = self.record(frame)
         self._known.records[frame] = replace(record, seconds=record.seconds + seconds)
 
@@ -146,7 +146,7 @@ class Memory:
         Those of which only the name before is known go along: that is where they were shown.
         """
         known_as = place_by_name(before)
-        self._put_write(Write(rows.RENAME_SOURCE, ((stored(place), stored(name)),)))
+        self._put_write(write(rows.RENAME_SOURCE, place, name))
         for of_frame in self.all_verdicts().values():
             found, older = of_frame.get(place), of_frame.get(known_as)
             if found is not None:
@@ -187,7 +187,9 @@ class Memory:
         if (class_name in self.marks_not_visible(frame)) == hidden:
             return
         mark = NotVisible(frame, class_name, self.author, time.time())
-        self._put_write(rows.not_visible_write(mark, withdrawn=not hidden))
+        self._put_write(
+            write(rows.SET_NOT_VISIBLE, frame, class_name, int(hidden), self.author, mark.time)
+        )
         _keep_beside(self._known.not_visible, frame, class_name, mark if hidden else None)
 
     def set_draft(self, frame: str, data: bytes | None) -> None:
@@ -195,7 +197,7 @@ class Memory:
         data = data or None
         if self._known.drafts.get(frame) == data:
             return
-        self._put_write(rows.draft_write(frame, data))
+        self._put_write(write(rows.SET_DRAFT, frame, bytes(data or b"")))
         if data is None:
             self._known.drafts.pop(frame, None)
         else:
@@ -218,7 +220,7 @@ class Memory:
     def last_frame(self, frame: str) -> None:
         key = f"last frame of {self.author}"
         if self._known.meta.get(key) != frame:
-            self._put_write(rows.meta_write(key, frame))
+            self._put_write(write(rows.SET_META, key, frame))
             self._known.meta[key] = frame
 
     def setting(self, key: str) -> str | None:
@@ -234,7 +236,7 @@ class Memory:
         """Give the dataset a setting, for all its windows; None takes it back."""
         if self.setting(key) == value:
             return
-        self._put_write(rows.meta_write(SETTING_KEY + key, value))
+        self._put_write(write(rows.SET_META, SETTING_KEY + key, value))
         if value is None:
             self._known.meta.pop(SETTING_KEY + key, None)
         else:
@@ -247,61 +249,29 @@ class Memory:
     def _take_over(self, found: Snapshot, frames: frozenset[str]) -> None:
         """Have these frames say what the file says; records and comments it does not know stay."""
         known = self._known
-        for frame in frames:
-            _follow(known.records, found.records, frame, forget=False)
-            _follow(known.comments, found.comments, frame, forget=False)
-            _follow(known.drafts, found.drafts, frame)
-            _follow(known.verdicts, found.verdicts, frame)
-            _follow(known.not_visible, found.not_visible, frame)
+        for name in _BY_FRAME:
+            kept, there = getattr(known, name), getattr(found, name)
+            for frame in frames:
+                if frame in there:
+                    kept[frame] = there[frame]
+                elif name not in ("records", "comments"):
+                    kept.pop(frame, None)
         known.meta = found.meta
 
     # What follows is called by the writer's thread.
 
     def _notify(self, notices: tuple[str, ...]) -> None:
-        self._notices += notices
+        self._notices += tuple(line for line in notices if line not in self._notices)
 
     def _differences(self, found: Snapshot) -> frozenset[str]:
         """The frames of which the file says something else."""
-        known = self._known
-        return (
-            _differences(known.records, found.records)
-            | _differences(known.comments, found.comments)
-            | _differences(known.drafts, found.drafts)
-            | _differences(known.verdicts, found.verdicts)
-            | _differences(known.not_visible, found.not_visible)
-        )
+        each = (_differences(getattr(self._known, n), getattr(found, n)) for n in _BY_FRAME)
+        return frozenset[str]().union(*each)
 
     def _settings_changed(self, found: Snapshot) -> frozenset[str]:
         """The settings of which the file says something else."""
         keys = _differences(self._known.meta, found.meta)
         return frozenset(k.removeprefix(SETTING_KEY) for k in keys if k.startswith(SETTING_KEY))
-
-    def _restoring(self, found: Snapshot) -> Iterator[Write]:
-        """All that must be written into a file begun anew, which says what was found."""
-        records = self._known.records.copy()
-        for name, record in records.items():
-            if record.status is not Status.UNTOUCHED:
-                yield Write(rows.SET_STATUS, ((stored(name), str(record.status)),))
-            if record.committed:
-                yield Write(rows.SET_COMMITTED, ((stored(name), 1),))
-            # What this session spent is written as such, and never is anything counted twice.
-            there = found.records.get(name, _UNTOUCHED).seconds
-            missing = record.seconds - self._seconds.get(name, 0.0) - there
-            if missing > 0:
-                yield rows.seconds_write(name, "before", missing)
-        for remarks in self._known.comments.copy().values():
-            for remark in remarks:
-                yield rows.comment_write(remark, rows.SET_COMMENT)
-        for name, data in self._known.drafts.copy().items():
-            yield rows.draft_write(name, data)
-        for verdicts in self._known.verdicts.copy().values():
-            for verdict in verdicts.values():
-                yield rows.verdict_write(verdict)
-        for marks in self._known.not_visible.copy().values():
-            for mark in marks.values():
-                yield rows.not_visible_write(mark)
-        meta = self._known.meta.copy()
-        yield Write(rows.SET_META, tuple((stored(k), stored(v)) for k, v in meta.items()))
 
 
 def _keep_beside(kept: dict[str, dict[str, T]], frame: str, key: str, value: T | None) -> None:
@@ -313,13 +283,6 @@ def _keep_beside(kept: dict[str, dict[str, T]], frame: str, key: str, value: T |
     if others:
         kept[frame] = others
     else:
-        kept.pop(frame, None)
-
-
-def _follow(kept: dict[str, T], there: dict[str, T], frame: str, *, forget: bool = True) -> None:
-    if frame in there:
-        kept[frame] = there[frame]
-    elif forget:
         kept.pop(frame, None)
 
 

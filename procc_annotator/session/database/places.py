@@ -8,11 +8,12 @@ import sqlite3
 from collections.abc import Callable, Iterable
 from contextlib import closing, suppress
 from pathlib import Path
-from typing import TypeVar
+from typing import Any
 
 from procc_annotator.errors import InputError
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.user_folders import data_folder
+from procc_annotator.regular_file import open_regular
 from procc_annotator.session.database.dataset_mark import (
     Mark,
     alike,
@@ -27,24 +28,25 @@ from procc_annotator.session.database.file import (
     FOLDER,
     Opened,
     free_name_beside,
+    is_damage,
     lies_outside,
+    loss_of,
     open_database,
     reason_of,
     reread,
 )
-from procc_annotator.session.database.rescue import rescue_file, write_all
-from procc_annotator.session.database.rows import SETTING_KEY, Write
-from procc_annotator.session.database.tables import (
-    Value,
-    as_number,
-    as_text,
-    as_text_or_none,
+from procc_annotator.session.database.recovery import (
+    backup_path,
+    backup_time,
+    copy_readable_file,
+    write_all,
 )
+from procc_annotator.session.database.rows import SETTING_KEY, Write, read
+from procc_annotator.session.database.tables import DamagedError
 
 _MOST_DATASETS = 100  # at one path
+_LONGEST_NAME = 242  # bytes of a dataset's name, so that the mark behind it fits too
 _BUSY_S = 5.0
-
-T = TypeVar("T")
 
 
 def folder_of(dataset: Path) -> Path:
@@ -68,7 +70,8 @@ def own_path(dataset: Path) -> Path | None:
         return None
     folder = os.path.realpath(folder_of(dataset))
     mark = hashlib.sha256(os.fsencode(folder)).hexdigest()[:12]
-    return base / "procc-annotator" / f"{os.path.basename(folder) or 'root'}-{mark}" / FILE
+    name = os.fsdecode(os.fsencode(os.path.basename(folder))[:_LONGEST_NAME]) or "root"
+    return base / "procc-annotator" / f"{name}-{mark}" / FILE
 
 
 def kept_elsewhere(dataset: Path) -> Path | None:
@@ -109,25 +112,29 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
                 opened.fresh and path.exists() and not lies_outside(path)
             ):  # it can be read, at least
                 with suppress(*FAILURES):
-                    rescue_file(path, opened.connection)
+                    copy_readable_file(path, opened.connection)
                     opened = reread(opened)
             return own, opened, tuple(notices)
     notices.append("statuses and comments are kept in memory only: they end with the window")
     return None, open_database(None), tuple(notices)
 
 
-def read_settings(dataset: Path) -> dict[str, str]:
+def read_settings(dataset: Path) -> tuple[dict[str, str], str]:
     """The settings of a dataset, by key; nothing is made, written or mended.
 
     Args:
         dataset: its folder (or a picture in it).
 
+    Returns:
+        The settings, and a notice if the database is lost; empty if all is well.
+
     Raises:
         InputError: there is a workspace, but it cannot be read.
     """
     start = SETTING_KEY
-    meta = _read_only(dataset, "SELECT key, value FROM meta", as_text_or_none)
-    return {k.removeprefix(start): v for k, v in meta.items() if k.startswith(start) and v}
+    meta, notice = _read_only(dataset, "key, value", "meta")
+    found = {k.removeprefix(start): v for k, v in meta.items() if k.startswith(start) and v}
+    return found, notice
 
 
 def read_times(dataset: Path) -> FrameTable[float]:
@@ -139,27 +146,40 @@ def read_times(dataset: Path) -> FrameTable[float]:
     Raises:
         InputError: there is a workspace, but it cannot be read.
     """
-    question = "SELECT frame, max(time) FROM origin GROUP BY frame"
-    return FrameTable(_read_only(dataset, question, as_number))
+    return FrameTable(_read_only(dataset, "frame, max(time) AS time", "origin GROUP BY frame")[0])
 
 
-def _read_only(dataset: Path, question: str, as_value: Callable[[Value], T]) -> dict[str, T]:
-    """Rows of a text and a value; none where there is no workspace."""
+def _read_only(dataset: Path, columns: str, rest: str) -> tuple[dict[str, Any], str]:
+    """Rows of a text and a value, none if there is no workspace; and a notice if they come from the
+    backup, or if that is missing too."""
     path = database_path(dataset)
-    if not path.exists() or lies_outside(path):
+    lost = "" if lies_outside(path) else loss_of(path)
+    if not lost and (not path.exists() or lies_outside(path)):
         found = kept_elsewhere(dataset)
         if found is None:
-            return {}
+            return {}, ""
         path = found
+    made = backup_time(path)
+    if lost and not made:
+        return {}, f"{path}: {lost}, and it has no backup: what was set for the dataset is lost"
     try:
-        connection = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", _BUSY_S, uri=True)
-        with closing(connection):
-            rows = connection.execute(question).fetchall()
-        return {as_text(key): as_value(value) for key, value in rows}
+        if lost:
+            raise DamagedError(lost)
+        return _rows(path, columns, rest), ""
     except FAILURES as error:
-        raise InputError(path, f"the dataset's workspace cannot be read: {reason_of(error)}") from (
-            error
-        )
+        why = reason_of(error)
+        if made and is_damage(error):
+            with suppress(*FAILURES):
+                found_there = _rows(backup_path(path), columns, rest)
+                return found_there, f"{path}: {why}; its backup of {made} is read"
+        raise InputError(path, f"the dataset's workspace cannot be read: {why}") from error
+
+
+def _rows(path: Path, columns: str, rest: str) -> dict[str, Any]:
+    open_regular(path).close()  # SQLite would wait for a pipe
+    connection = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", _BUSY_S, uri=True)
+    with closing(connection):
+        return dict(read(connection, columns, rest))
 
 
 def _mark_path(own: Path) -> Path:
@@ -186,9 +206,10 @@ def _own_file(dataset: Path, known: Callable[[Mark], bool]) -> Path | None:
 
 def _take_over(own: Path, opened: Opened) -> tuple[Opened, tuple[str, ...]]:
     try:
-        rescue_file(own, opened.connection)
+        copy_readable_file(own, opened.connection)
         done = free_name_beside(own, "taken-over")
         os.replace(own, done)
+        backup_path(own).unlink(missing_ok=True)  # or it would be restored, and taken over again
         return reread(opened), (f"what was kept in {own} meanwhile is taken over from there",)
     except FAILURES as error:
         return opened, (f"{own}: cannot be taken over ({reason_of(error)})",)
@@ -209,7 +230,7 @@ def keep_elsewhere(dataset: Path, writes: Iterable[Write], mark: Mark) -> Path |
     if own is None:
         return None
     with suppress(*FAILURES), closing(open_database(own).connection) as connection:
-        write_all(connection, iter(writes))
+        write_all(connection, writes)
         write_mark(_mark_path(own), mark)
         return own
     return None

@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-import re
 import sqlite3
 import zlib
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import astuple, dataclass, field, replace
+from itertools import starmap
+from typing import Any
 
 from procc_annotator.session.database.tables import (
     BY_NAME,
     DamagedError,
     Row,
+    Value,
     as_bytes,
-    as_fault,
-    as_kind,
-    as_number,
-    as_status,
-    as_text,
-    as_text_or_none,
     stored,
+    values_of,
 )
 from procc_annotator.session.facts.origins import (
     Comment,
@@ -83,29 +80,7 @@ SET_NOT_VISIBLE = (
     " VALUES(?1, ?2, ?3, ?4, ?5)"
 )
 
-_VERSIONS = "SELECT id, frame, author, time, reason FROM version WHERE frame = ?1 ORDER BY seq DESC"
-_VERSION_DATA = "SELECT digest, data FROM version WHERE id = ?1"
-_ORIGINS = "SELECT u, v, kind, author, time FROM origin WHERE frame = ?1"
-_WORK = "SELECT frame, sum(seconds) FROM work GROUP BY frame"
-_ALL_VERDICTS = "SELECT frame, source, place, fault, author, time, comment FROM source_verdict"
-_ALL_NOT_VISIBLE = "SELECT frame, element, hidden, author, time FROM not_visible"
-_COMMENTS = "SELECT id, frame, author, time, text, resolved FROM comment ORDER BY seq"
-
-_ALL = (
-    *(SET_META, SET_STATUS, SET_COMMITTED, SET_SECONDS, ADD_COMMENT, SET_COMMENT, PUT_ORIGIN),
-    *(
-        ADD_VERSION,
-        SET_DRAFT,
-        SET_VERDICT,
-        SET_VERDICT_BY_NAME,
-        RENAME_SOURCE,
-        SET_NOT_VISIBLE,
-        _VERSIONS,
-        _VERSION_DATA,
-        _ORIGINS,
-        _ALL_NOT_VISIBLE,
-    ),
-)
+_VERSION = ("id", "frame", "author", "time", "reason")
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,17 +115,6 @@ class Snapshot:
     not_visible: dict[str, dict[str, NotVisible]] = field(default_factory=dict)  # and by class
 
 
-def check_statements(connection: sqlite3.Connection) -> None:
-    """Have every statement understood, so that a wrong schema is found at once.
-
-    Raises:
-        sqlite3.Error: a table, a column or a constraint is not there.
-    """
-    for sql in _ALL:
-        values = len(set(re.findall(r"\?\d", sql)))
-        connection.execute("EXPLAIN " + sql, (None,) * values)
-
-
 def load(connection: sqlite3.Connection) -> Snapshot:
     """Read everything that is kept in memory.
 
@@ -158,71 +122,53 @@ def load(connection: sqlite3.Connection) -> Snapshot:
         sqlite3.Error: it cannot be read.
         DamagedError: a row is impossible.
     """
-    comments: dict[str, list[Comment]] = {}
-    for comment in _load_comments(connection):
-        comments.setdefault(comment.frame, []).append(comment)
-    worked = {as_text(frame): as_number(total) for frame, total in connection.execute(_WORK)}
-    records: dict[str, FrameRecord] = {}
-    for name, status, committed in connection.execute("SELECT name, status, committed FROM frame"):
-        frame = as_text(name)
-        records[frame] = FrameRecord(
-            as_status(status) or Status.UNTOUCHED, bool(committed), worked.pop(frame, 0.0)
-        )
-    for frame, seconds in worked.items():
-        records[frame] = FrameRecord(seconds=seconds)
-    snapshot = Snapshot(records, {frame: tuple(all_) for frame, all_ in comments.items()})
-    for frame, remarks in snapshot.comments.items():
-        records[frame] = with_comments(records.get(frame, FrameRecord()), remarks)
-    for name, data in connection.execute("SELECT frame, data FROM draft"):
-        if as_bytes(data):
-            snapshot.drafts[as_text(name)] = data
-    for key, value in connection.execute("SELECT key, value FROM meta"):
-        if (text := as_text_or_none(value)) is not None:
-            snapshot.meta[as_text(key)] = text
-    for verdict in _load_verdicts(connection):
-        snapshot.verdicts.setdefault(verdict.frame, {})[verdict.place] = verdict
-    for mark in _load_not_visible(connection):
-        snapshot.not_visible.setdefault(mark.frame, {})[mark.class_name] = mark
-    return snapshot
+    known = Snapshot()
+    for frame, status, committed in read(connection, "name, status, committed", "frame"):
+        known.records[frame] = FrameRecord(status or Status.UNTOUCHED, committed)
+    for frame, seconds in read(connection, "frame, sum(seconds) AS seconds", "work GROUP BY frame"):
+        known.records[frame] = replace(known.records.get(frame, FrameRecord()), seconds=seconds)
+    comments = "id, frame, author, time, text, resolved"
+    for row in read(connection, comments, "comment ORDER BY seq"):
+        comment = Comment(*row)
+        remarks = known.comments.get(comment.frame, ())
+        known.comments[comment.frame] = (*remarks, comment)
+    for frame, remarks in known.comments.items():
+        known.records[frame] = with_comments(known.records.get(frame, FrameRecord()), remarks)
+    known.drafts.update(
+        (name, data) for name, data in read(connection, "frame, data", "draft") if data
+    )
+    meta = read(connection, "key, value", "meta")
+    known.meta.update((key, value) for key, value in meta if value is not None)
+    verdicts = "frame, source, place, fault, author, time, comment"
+    for verdict in starmap(Verdict, read(connection, verdicts, "source_verdict")):
+        if verdict.fault is not None:
+            known.verdicts.setdefault(verdict.frame, {})[verdict.place] = verdict
+    marks = "frame, element, author, time, hidden"
+    for frame, name, author, time, hidden in read(connection, marks, "not_visible"):
+        if hidden:
+            mark = NotVisible(frame, name, author, time)
+            known.not_visible.setdefault(mark.frame, {})[mark.class_name] = mark
+    return known
 
 
-def _load_not_visible(connection: sqlite3.Connection) -> Iterator[NotVisible]:
-    for frame, name, hidden, author, time in connection.execute(_ALL_NOT_VISIBLE):
-        if as_number(hidden):
-            yield NotVisible(as_text(frame), as_text(name), as_text(author), as_number(time))
+def read(
+    connection: sqlite3.Connection, columns: str, rest: str, *given: Value
+) -> Iterator[tuple[Any, ...]]:
+    """Read rows as values, which are checked by the names of their columns.
 
-
-def _load_verdicts(connection: sqlite3.Connection) -> Iterator[Verdict]:
-    for frame, source, place, fault, author, time, comment in connection.execute(_ALL_VERDICTS):
-        found = as_fault(fault)
-        if found is not None:
-            yield Verdict(
-                as_text(frame),
-                as_text(source),
-                as_text(place),
-                found,
-                as_text(author),
-                as_number(time),
-                as_text(comment),
-            )
-
-
-def _load_comments(connection: sqlite3.Connection) -> Iterator[Comment]:
-    for id_, frame, author, time, text, resolved in connection.execute(_COMMENTS):
-        yield Comment(
-            as_text(id_),
-            as_text(frame),
-            as_text(author),
-            as_number(time),
-            as_text(text),
-            bool(resolved),
-        )
+    Raises:
+        sqlite3.Error: they cannot be read.
+        DamagedError: a row is impossible.
+    """
+    names = [column.split()[-1] for column in columns.split(", ")]
+    for row in connection.execute(f"SELECT {columns} FROM {rest}", given):
+        yield values_of(names, row)
 
 
 def with_comments(record: FrameRecord, remarks: tuple[Comment, ...]) -> FrameRecord:
     """The record with its comments counted anew."""
     still_open = sum(not remark.resolved for remark in remarks)
-    return FrameRecord(record.status, record.committed, record.seconds, still_open, len(remarks))
+    return replace(record, open_comments=still_open, comments=len(remarks))
 
 
 def load_origins(connection: sqlite3.Connection, frame: str) -> dict[PointKey, Origin]:
@@ -232,11 +178,8 @@ def load_origins(connection: sqlite3.Connection, frame: str) -> dict[PointKey, O
         sqlite3.Error: they cannot be read.
         DamagedError: a row is impossible.
     """
-    found: dict[PointKey, Origin] = {}
-    for u, v, kind, author, time in connection.execute(_ORIGINS, (stored(frame),)):
-        origin = Origin(as_kind(kind), as_text(author), as_number(time))
-        found[as_number(u), as_number(v)] = origin
-    return found
+    found = read(connection, "u, v, kind, author, time", "origin WHERE frame = ?", stored(frame))
+    return {(u, v): Origin(*row) for u, v, *row in found}
 
 
 def load_versions(connection: sqlite3.Connection, frame: str) -> tuple[Version, ...]:
@@ -246,7 +189,8 @@ def load_versions(connection: sqlite3.Connection, frame: str) -> tuple[Version, 
         sqlite3.Error: they cannot be read.
         DamagedError: a row is impossible.
     """
-    return tuple(version_of(row) for row in connection.execute(_VERSIONS, (stored(frame),)))
+    of_frame = "version WHERE frame = ? ORDER BY seq DESC"
+    return tuple(starmap(Version, read(connection, ", ".join(_VERSION), of_frame, stored(frame))))
 
 
 def version_of(row: Row) -> Version:
@@ -255,8 +199,7 @@ def version_of(row: Row) -> Version:
     Raises:
         DamagedError: the row is impossible.
     """
-    id_, name, author, time, reason = row[:5]
-    return Version(as_text(id_), as_text(name), as_text(author), as_number(time), as_text(reason))
+    return Version(*values_of(_VERSION, row[: len(_VERSION)]))
 
 
 def load_version_data(connection: sqlite3.Connection, id_: str) -> Row | None:
@@ -265,7 +208,9 @@ def load_version_data(connection: sqlite3.Connection, id_: str) -> Row | None:
     Raises:
         sqlite3.Error: it cannot be read.
     """
-    row: Row | None = connection.execute(_VERSION_DATA, (stored(id_),)).fetchone()
+    row: Row | None = connection.execute(
+        "SELECT digest, data FROM version WHERE id = ?", (stored(id_),)
+    ).fetchone()
     return row
 
 
@@ -285,53 +230,20 @@ def version_data_of(row: Row) -> bytes:
     return data
 
 
-def draft_write(frame: str, data: bytes | None) -> Write:
-    """Keep or forget a frame's draft."""
-    return Write(SET_DRAFT, ((stored(frame), bytes(data or b"")),))
+def write(sql: str, *values: Value) -> Write:
+    """Write one row."""
+    return Write(sql, (tuple(stored(v) if isinstance(v, str) else v for v in values),))
 
 
 def comment_write(comment: Comment, sql: str = ADD_COMMENT) -> Write:
     """Add a comment, or with SET_COMMENT settle it."""
-    row = (
-        comment.id,
-        stored(comment.frame),
-        stored(comment.author),
-        comment.time,
-        stored(comment.text),
-        int(comment.resolved),
-    )
-    return Write(sql, (row,))
+    return write(sql, *astuple(comment))
 
 
 def verdict_write(verdict: Verdict, *, withdrawn: bool = False) -> Write:
     """Give a frame a verdict under a source, or take it back."""
-    row = (
-        stored(verdict.frame),
-        stored(verdict.place),
-        stored(verdict.source),
-        "" if withdrawn else str(verdict.fault),
-        stored(verdict.author),
-        verdict.time,
-        stored(verdict.comment),
-    )
-    return Write(SET_VERDICT, (row,))
-
-
-def not_visible_write(mark: NotVisible, *, withdrawn: bool = False) -> Write:
-    """Say of an element that it cannot be seen in a frame, or that it can after all."""
-    row = (
-        stored(mark.frame),
-        stored(mark.class_name),
-        int(not withdrawn),
-        stored(mark.author),
-        mark.time,
-    )
-    return Write(SET_NOT_VISIBLE, (row,))
-
-
-def meta_write(key: str, value: str | None) -> Write:
-    """Keep a text by key, or (None) take it back."""
-    return Write(SET_META, ((stored(key), None if value is None else stored(value)),))
+    v, fault = verdict, "" if withdrawn else str(verdict.fault)
+    return write(SET_VERDICT, v.frame, v.place, v.source, fault, v.author, v.time, v.comment)
 
 
 def origins_write(frame: str, origins: dict[PointKey, Origin]) -> Write:
@@ -342,8 +254,3 @@ def origins_write(frame: str, origins: dict[PointKey, Origin]) -> Write:
         for (u, v), origin in origins.items()
     )
     return Write(PUT_ORIGIN, rows)
-
-
-def seconds_write(frame: str, session: str, seconds: float) -> Write:
-    """The time a session has spent on a frame by now."""
-    return Write(SET_SECONDS, ((stored(frame), session, seconds),))

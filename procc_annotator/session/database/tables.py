@@ -7,6 +7,9 @@ Text is stored as TEXT, or as a BLOB where it is no valid Unicode (names of file
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
+from enum import StrEnum
+from typing import Any
 
 from procc_annotator.session.facts.origins import OriginKind, Status
 from procc_annotator.session.facts.verdict import Fault
@@ -64,10 +67,6 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
 Value = str | bytes | float | int | None
 Row = tuple[Value, ...]
 
-_STATUSES: dict[Value, Status] = {str(status): status for status in Status}
-_KINDS: dict[Value, OriginKind] = {str(kind): kind for kind in OriginKind}
-_FAULTS: dict[Value, Fault | None] = {"": None, **{str(fault): fault for fault in Fault}}
-
 
 class DamagedError(Exception):
     """A row holds what this program never wrote."""
@@ -100,15 +99,6 @@ def as_text(value: Value) -> str:
     raise DamagedError("a text that is none")
 
 
-def as_text_or_none(value: Value) -> str | None:
-    """The same for what may have been taken back.
-
-    Raises:
-        DamagedError: it is something else.
-    """
-    return None if value is None else as_text(value)
-
-
 def as_number(value: Value) -> float:
     """A finite number.
 
@@ -133,36 +123,36 @@ def as_bytes(value: Value) -> bytes:
     raise DamagedError("contents that are none")
 
 
-def as_status(value: Value) -> Status | None:
-    """A status, or None when nobody has set one.
+def _one_of(kind: type[StrEnum], *others: Value) -> Callable[[Value], StrEnum | None]:
+    """A check for the values of an enumeration; the others stand for none of them."""
+    known: dict[Value, StrEnum | None] = dict.fromkeys(others) | {str(one): one for one in kind}
+
+    def check(value: Value) -> StrEnum | None:
+        if value not in known:
+            raise DamagedError(f"a {kind.__name__.lower()} that is none")
+        return known[value]
+
+    return check
+
+
+# What the columns hold that are not texts.
+_COLUMNS: dict[str, Callable[[Value], object]] = {
+    "status": _one_of(Status, None),
+    "committed": lambda value: value is not None and bool(as_number(value)),
+    "value": lambda value: None if value is None else as_text(value),
+    "kind": _one_of(OriginKind),
+    "fault": _one_of(Fault, ""),
+    **dict.fromkeys(("resolved", "hidden"), lambda value: bool(as_number(value))),
+    **dict.fromkeys(("seconds", "u", "v", "time"), as_number),
+    **dict.fromkeys(("data", "digest"), as_bytes),
+}
+
+
+def values_of(columns: Sequence[str], row: Row) -> tuple[Any, ...]:
+    """The values of a row, by the names of its columns.
 
     Raises:
-        DamagedError: it is none.
+        DamagedError: one is impossible.
     """
-    if value is None:
-        return None
-    if value not in _STATUSES:
-        raise DamagedError("a status that is none")
-    return _STATUSES[value]
-
-
-def as_kind(value: Value) -> OriginKind:
-    """A kind of origin.
-
-    Raises:
-        DamagedError: it is none.
-    """
-    if value not in _KINDS:
-        raise DamagedError("an origin that is none")
-    return _KINDS[value]
-
-
-def as_fault(value: Value) -> Fault | None:
-    """A verdict's fault, or None when it was taken back.
-
-    Raises:
-        DamagedError: it is none.
-    """
-    if value not in _FAULTS:
-        raise DamagedError("a verdict that is none")
-    return _FAULTS[value]
+    read = zip(columns, row, strict=True)
+    return tuple(_COLUMNS.get(column, as_text)(value) for column, value in read)

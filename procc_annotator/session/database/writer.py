@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import sqlite3
 import threading
-from collections.abc import Callable, Iterable
+import time
+from collections.abc import Callable
 from concurrent.futures import Future
 from contextlib import suppress
 from pathlib import Path
@@ -23,8 +24,13 @@ from procc_annotator.session.database.file import (
     open_database,
     reason_of,
 )
-from procc_annotator.session.database.rescue import write_all
-from procc_annotator.session.database.rows import Snapshot, Write
+from procc_annotator.session.database.recovery import (
+    copy_readable,
+    is_backup_due,
+    write_all,
+    write_backup,
+)
+from procc_annotator.session.database.rows import Write
 
 T = TypeVar("T")
 
@@ -34,8 +40,17 @@ _WATCH_S = 1.0  # how often it looks whether the program has ended without closi
 _KEEPS_CONNECTION = {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED, sqlite3.SQLITE_FULL}
 
 
+# At most so much work is in neither the file nor its backup if the file is lost: little enough to
+# be remembered. A slow disk spends no more than a twentieth of the time on backups.
+BACKUP_S = 300.0
+
+
 class UnavailableError(Exception):
     """The database cannot be read now."""
+
+
+class _BusyError(Exception):
+    """Somebody waits for the thread that copies the database."""
 
 
 class DatabaseWriter:
@@ -43,8 +58,6 @@ class DatabaseWriter:
 
     Args:
         opened: the database; belongs to the writer from now on.
-        restore: makes what a database that was begun anew, and knows what it is called with, must
-            be told first (called by the writer's thread).
         notify: gets what the user should know (called by the writer's thread).
     """
 
@@ -52,14 +65,12 @@ class DatabaseWriter:
         self,
         path: Path | None,
         opened: Opened,
-        restore: Callable[[Snapshot], Iterable[Write]],
         notify: Callable[[tuple[str, ...]], None],
     ) -> None:
         self.problem = ""
         self._path = path
         self._connection: sqlite3.Connection | None = opened.connection
         self._identity = opened.identity
-        self._restore = restore
         self._notify = notify
         self._changed = threading.Condition()
         self._waiting: list[Write] = []
@@ -73,6 +84,7 @@ class DatabaseWriter:
         # A disk that damages everything must not fill up with what was set aside.
         self._may_set_aside = 3
         self._condemned: tuple[Identity | None, Exception] | None = None
+        self._next_backup = 0.0  # on the monotonic clock
         self._thread = threading.Thread(target=self._run, name="workspace database")
         self._thread.start()
 
@@ -139,18 +151,43 @@ class DatabaseWriter:
             trouble = bool(self.problem)
             woken = self._changed.wait_for(self._has_work, RETRY_S if trouble else _WATCH_S)
             last = self._closing or not threading.main_thread().is_alive()
-            if not (woken or trouble or last):
-                return True
             self._closing = last
             asked = self._asked
             questions, self._questions = self._questions, []
-        self._write_waiting()
+        if woken or trouble or last:
+            self._write_waiting()
         for answer in questions:
             answer()
         with self._changed:
             self._served = asked
             self._changed.notify_all()
+        self._back_up(last)
         return not last
+
+    def _back_up(self, last: bool) -> None:
+        """Keep a backup beside the file: at the end, and every few minutes while nobody waits."""
+        connection, path = self._connection, self._path
+        if self.problem or connection is None or path is None:
+            return
+        if not last and (time.monotonic() < self._next_backup or self._has_work()):
+            return
+
+        def make_way() -> None:
+            if not last and self._has_work():
+                raise _BusyError
+
+        begun = time.monotonic()
+        try:
+            if identity_of(path) == self._identity and is_backup_due(path):
+                write_backup(connection, path, make_way)
+        except _BusyError:
+            return  # again as soon as nobody waits
+        except FAILURES as error:
+            if is_damage(error):
+                self._failed(error)
+            else:
+                self._notify((f"{path}: no backup could be kept ({reason_of(error)})",))
+        self._next_backup = time.monotonic() + BACKUP_S + 20 * (time.monotonic() - begun)
 
     def _has_work(self) -> bool:
         urgent = self._closing or self._asked > self._served or bool(self._questions)
@@ -164,7 +201,7 @@ class DatabaseWriter:
                 with self._changed:  # only this thread takes from the front
                     self._waiting[: len(batch)] = batch
                 if batch and self._connection is not None:
-                    write_all(self._connection, iter(batch))
+                    write_all(self._connection, batch)
             except FAILURES as error:
                 if not self._failed(error):
                     return
@@ -178,22 +215,23 @@ class DatabaseWriter:
     def _ensure_connection(self) -> None:
         if self._path is None:
             return
-        if self._connection is not None and identity_of(self._path) != self._identity:
-            self._disconnect()
-        if self._connection is not None:
+        before = self._connection
+        if before is not None and identity_of(self._path) == self._identity:
             return
         opened = open_database(self._path, self._condemned)
         self._condemned = None
-        self._connection = opened.connection
         if opened.notices:
             self._notify(opened.notices)
-        if opened.identity == self._identity and not opened.fresh:
-            return
-        self._identity = opened.identity
-        again = list(self._restore(opened.snapshot)) if opened.fresh else []
-        with self._changed:
-            self._waiting[:0] = again + self._written
-            self._written = []
+        if before is not None:
+            if opened.fresh:  # the lost file can still be read through its open connection
+                copy_readable(before, opened.connection)
+            before.close()
+        self._connection = opened.connection
+        if opened.identity != self._identity or opened.fresh:
+            self._identity = opened.identity
+            with self._changed:
+                self._waiting[:0] = self._written
+                self._written = []
 
     def _failed(self, error: Exception) -> bool:
         """Remember why; whether trying again at once makes sense."""

@@ -231,7 +231,8 @@ def field_of_dataset(place: Path) -> DatasetField:
     settings: Mapping[str, str] = {}
     notices: tuple[str, ...] = ()
     try:
-        settings = read_settings(folder)
+        settings, notice = read_settings(folder)
+        notices = tuple(filter(None, (notice,)))
     except InputError as error:
         notices = (str(error),)
     found = field_of_settings(folder, settings)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.homography import HomographyCamera
@@ -34,12 +34,14 @@ class PaintedFrame:
         annotation: the elements whose paint was seen; none without any.
         unseen: elements that the camera shows and the picture does not.
         error: why there is nothing: picture or camera cannot be used.
+        notices: remarks on the camera.
     """
 
     name: str
     annotation: FrameAnnotation = _NOTHING
     unseen: int = 0
     error: str = ""
+    notices: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -74,7 +76,8 @@ class AnnotatePictures:
             return PaintedFrame(
                 frame.name, error=f"{why} (convert it to a pinhole or a homography)"
             )
-        return painted(frame.name, picture, camera, self.field)
+        found = painted(frame.name, picture, camera, self.field)
+        return replace(found, notices=loaded.notices)
 
     def close(self) -> None:
         """Close what a worker opened."""

@@ -27,6 +27,10 @@ _NUMBERED = re.compile(r"(.*?)([0-9]+)")
 _MOST_STEPS_MISSING = 25
 
 
+class NotInOrderError(UsageError):
+    """Frames that do not follow each other in time."""
+
+
 @dataclass(frozen=True)
 class ShotFrames:
     """Frames of one camera without a cut.
@@ -119,20 +123,20 @@ def require_in_order(shots: Sequence[ShotFrames]) -> None:
     """Refuse shots that have no order in time.
 
     Raises:
-        UsageError: no shot has three frames, or two frames of one have the same number, which would
-            be held against each other's cameras.
+        NotInOrderError: no shot has three frames, or two frames of one have the same number, which
+            would be held against each other's cameras.
     """
     if all(len(shot.frames) < 3 for shot in shots):
-        raise UsageError(
-            "nothing to do over time: no three frames follow each other (their names end with"
+        raise NotInOrderError(
+            "no three frames follow each other (their names end with"
             " no numbers that count on); say which do in a frames.csv: frame,shot,number"
         )
     for shot in shots:
         for place, (before, number) in enumerate(pairwise(shot.numbers)):
             if before == number:
                 one, other = shot.frames[place : place + 2]
-                raise UsageError(
-                    f"nothing to do over time: the frames {one} and {other} of the shot {shot.name}"
+                raise NotInOrderError(
+                    f"the frames {one} and {other} of the shot {shot.name}"
                     f" both have the number {number}; say in frames.csv which shots they belong to:"
                     " frame,shot,number"
                 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -13,9 +13,8 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_every
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.from_picture.proposal import SURE, UNSURE, KnownPosition, Proposal
+from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.io.camera_files.camera_plugins import discover
@@ -23,8 +22,6 @@ from procc_annotator.io.camera_files.camera_plugins import discover
 GROUP = "procc_annotator.proposers"
 # How surely a detector knows where a camera stands, and how many places are tried.
 _SD_M, _MOST_POSITIONS = 2.0, 5
-_OTHER_PX = 15.0  # farther apart, two cameras show something else
-_LEAST_MARGIN = 0.08  # that a sure one must be better by than one that does
 
 # What a detector says of a picture: cameras in its px, or points by class, normalised.
 Hint = PinholeCamera | FrameAnnotation
@@ -75,12 +72,8 @@ class WithPlugin:
     def __call__(
         self, picture: PixelArray, field: Field, *, known: Sequence[KnownPosition]
     ) -> Proposal:
-        found = propose_camera(picture, field, known=known)
-        hints = self.hints(picture, field)
-        positions = _positions(hints)
-        if not positions:
-            return found
-        return better_proposal(propose_camera(picture, field, known=positions), found, field)
+        hinted = _positions(self.hints(picture, field))
+        return propose_camera(picture, field, known=(*known, *hinted))
 
     def hints(self, picture: PixelArray, field: Field) -> list[PinholeCamera]:
         """The cameras that the detector's answers come to.
@@ -122,46 +115,6 @@ def _positions(cameras: Sequence[PinholeCamera]) -> list[KnownPosition]:
         if all(np.linalg.norm(place - other) > _SD_M for other in found):
             found.append(place)
     return [KnownPosition(place, np.eye(3) * _SD_M**2) for place in found[:_MOST_POSITIONS]]
-
-
-def better_proposal(one: Proposal, other: Proposal, field: Field) -> Proposal:
-    """The better of two proposals for one picture; not sure where the other shows something else
-    and is nearly as good."""
-    best, second = sorted((one, other), key=_worth, reverse=True)
-    if best.fit.camera is None or second.fit.camera is None:
-        return best
-    if _apart_px(best, second, field) <= _OTHER_PX:
-        return second if second.state == SURE and best.state != SURE else best
-    margin = 1 - _worth(second) / max(_worth(best), 1e-6)
-    if best.state != SURE or margin >= _LEAST_MARGIN:
-        return replace(best, margin=min(best.margin, margin))
-    reason = "another camera that shows other lines suits the picture nearly as well"
-    runner_up = second.fit.camera if isinstance(second.fit.camera, PinholeCamera) else None
-    return replace(best, state=UNSURE, reason=reason, margin=margin, runner_up=runner_up)
-
-
-def _worth(proposal: Proposal) -> float:
-    """Harmonic mean of what is covered and what is explained; 0 without a camera."""
-    total = proposal.coverage + proposal.explained
-    if proposal.fit.camera is None or not total:
-        return 0.0
-    return 2 * proposal.coverage * proposal.explained / total
-
-
-def _apart_px(one: Proposal, other: Proposal, field: Field) -> float:
-    """Median distance, px at 960 px width, between where two cameras show the field."""
-    first, second = one.fit.camera, other.fit.camera
-    assert first is not None
-    assert second is not None
-    world = sample_every(field, 2.0).points_world
-    here, seen = first.project(world)
-    there, known = second.project(world)
-    width, height = one.fit.size
-    inside = seen & ((here >= 0) & (here <= np.array([width, height]) - 1)).all(axis=1)
-    if not inside.any():
-        return math.inf
-    away = np.where(known[inside], np.hypot(*(here - there)[inside].T), math.inf)
-    return float(np.median(away)) * 960 / width
 
 
 def chosen_proposer(name: str) -> PictureProposer:

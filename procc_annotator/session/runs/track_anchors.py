@@ -27,7 +27,7 @@ class Anchors:
     Attributes:
         cameras: by number of the frame, px of the pictures.
         clicks: of those that are fits to an annotation, its `annotation_digest`.
-        remarks: annotated frames that give no camera, and why, one line each.
+        remarks: on cameras, and annotated frames that give none with the reason, one line each.
         errors: annotations, pictures and cameras that cannot be used, one line each.
     """
 
@@ -58,6 +58,7 @@ class Anchors:
             except (CameraError, InputError) as error:
                 self.errors.append(str(error))
                 continue
+            self.remarks += [n for n in loaded.notices if n not in self.remarks]
             camera, _ = fit_to_size(loaded, size, camera_size, OFFICIAL_SIZE)
             if isinstance(camera, ElementProjections):
                 self.errors.append(f"{collection.display(frame.name)}: holds no camera to follow")

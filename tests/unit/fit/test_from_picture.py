@@ -11,8 +11,11 @@ import pytest
 
 from procc_annotator.annotation import FloatArray
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
-from procc_annotator.fit.from_picture.proposing import propose_camera
+from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal, State
+from procc_annotator.fit.from_picture.proposing import better_proposal, propose_camera
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.models import vector_from_camera
+from procc_annotator.fit.solving.observations import PictureFrame
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from tests.drawn_shots import PICTURE_SIZE, Look, Stage, draw, looking_at, stage_of
 
@@ -108,9 +111,45 @@ def test_a_known_position_is_kept() -> None:
     assert np.abs(np.array(found.fit.camera.position_world) - MAIN).max() < 0.8
 
 
-def test_a_wrong_known_position_is_not_sure() -> None:
-    known = KnownPosition(np.array([-30.0, 50.0, -8.0]), np.eye(3) * 0.04)
-    assert propose_camera(_drawn()[1], _stage().field, known=[known]).state != "sure"
+WRONG = KnownPosition(np.array([-30.0, 50.0, -8.0]), np.eye(3) * 0.04)
+
+
+def test_a_wrong_known_position_is_not_sure_and_replaces_nothing() -> None:
+    only = propose_camera(_drawn()[1], _stage().field, known=[WRONG], elsewhere=False)
+    assert only.state != "sure"
+    found = propose_camera(_drawn()[1], _stage().field, known=[WRONG])
+    assert (found.state, found.fit.camera) == ("sure", _anywhere().fit.camera)
+
+
+def _seen(position: tuple[float, float, float], x: float, share: float, state: State) -> Proposal:
+    """A camera that looks at (x, 0, 0) and agrees so well with the line pixels."""
+    size = (1280, 720)
+    focal_px = 1700.0 * np.hypot(*position[1:]) / np.hypot(60, 16)
+    camera = looking_at(position, (x, 0, 0), focal_px, size)
+    vector = vector_from_camera(camera, PictureFrame(size))
+    fit = FitResult("P", size, camera, vector=vector, covariance=np.eye(len(vector)) * 0.09)
+    return Proposal(state, "", fit, share, share, 0.3, 0.5, None)
+
+
+@pytest.mark.parametrize(
+    ("at_known", "kept", "state"),
+    [
+        (_seen((0.3, 60, -16), 20.0, 0.85, "sure"), "at_known", "sure"),
+        (_seen((0.3, -60, -16), -20.0, 0.85, "sure"), "at_known", "sure"),  # its other side
+        (_seen((0, 64, -17), 20.0, 0.95, "sure"), "free", "sure"),  # contradicted by the picture
+        (_seen((0, 60, -16), -20.0, 0.95, "unsure"), "free", "sure"),
+        (_seen((0, 60, -16), -20.0, 0.60, "sure"), "free", "sure"),
+        (_seen((0, 60, -16), -20.0, 0.86, "sure"), "free", "unsure"),
+        (_seen((0, 60, -16), -20.0, 1.00, "sure"), "at_known", "sure"),
+    ],
+)
+def test_a_known_position_is_one_more_hypothesis(
+    at_known: Proposal, kept: str, state: State
+) -> None:
+    free = _seen((0, 60, -16), 20.0, 0.88, "sure")
+    found = better_proposal(free, at_known, _stage().field)
+    assert found.fit is {"free": free, "at_known": at_known}[kept].fit
+    assert found.state == state
 
 
 @pytest.mark.parametrize("sport", ["volleyball", "ice_hockey"])

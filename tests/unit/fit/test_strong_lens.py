@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from procc_annotator import load_annotation
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
@@ -14,7 +16,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
-from procc_annotator.fit.labels.finding import Rule
+from procc_annotator.fit.labels.finding import Rule, Severity
 from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import (
@@ -114,6 +116,20 @@ def test_a_strong_lens_is_looked_for_where_many_elements_fit_no_pinhole() -> Non
     fit = fit_camera(annotation, pitch, model="auto")
     assert (fit.model, fit.left_out) == ("F", ())
     assert fit.mean_px < 1.0
+    without = fit_camera(annotation, pitch, model="R")
+    findings = check_labels(annotation, pitch, size=without.size, fit=without)
+    assert Rule.RESIDUAL not in {finding.rule for finding in findings}
+
+
+def test_a_panorama_is_a_fisheye_and_its_labels_are_right(shared_data: Path) -> None:
+    annotation = load_annotation(shared_data / "inputs" / "pano_auto" / "pano.json")
+    pitch, size = load_field("soccer"), (6500, 1000)
+    fit = fit_camera(annotation, pitch, model="auto", size=size)
+    assert (fit.model, fit.left_out) == ("F", ())
+    assert fit.mean_px == pytest.approx(5.0, abs=0.1)
+    without = fit_camera(annotation, pitch, model="R", size=size)
+    findings = check_labels(annotation, pitch, size=size, fit=without)
+    assert {finding.severity for finding in findings} <= {Severity.HINT}
 
 
 @pytest.mark.parametrize("model", [*CAMERAS, "auto"])

@@ -6,6 +6,7 @@ import io
 import json
 import math
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +20,12 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import read_camera_file
-from procc_annotator.io.camera_files.krt_camera import krt_content
+from procc_annotator.io.camera_files.homography_file import CONVENTIONS
+from procc_annotator.io.camera_files.json_cameras import json_records
+from procc_annotator.io.camera_files.krt_camera import KEYS, krt_content
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.nested_cameras import BY_ORDER
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
 PLAIN = PinholeCamera(0.3, 1.3, 0.02, (4.0, 60.0, -15.0), (1500.0, 1490.0), (640.0, 355.0))
 BENT = PinholeCamera(
@@ -171,19 +176,8 @@ def test_easymocap(tmp_path: Path) -> None:
         (b"whatever", "1.npz", "neither an .npz archive nor a MATLAB file"),
         (b"MATLAB 7.3 MAT-file", "1.mat", "save it in MATLAB with"),
         (b"MATLAB 5.0 MAT-file" + bytes(99), "1.mat", "is not a readable MATLAB file of level 5"),
-        (b'{"here": 1}', "1.json", "tvcalib: lacks 'image_ids'; broadtrack: no entry has 'cp'"),
-        (
-            b'{"K": [[9, 0, 0], [0, 9, 0], [0, 0, 1]], "t": [0, 0, 9]}',
-            "1.json",
-            "; krt: lacks 'R';",
-        ),
-        (b'{"a": {"K": 1, "T": 2}, "b": {"K": 1}}', "1.json", "; krt: 'a' lacks 'R';"),
-        (b'{"cameras": [{"K": 1}, 2]}', "1.json", "; krt: 'cameras': no entry has 'R';"),
-        (b'{"P": [[1, 0], [0, 1]]}', "1.json", "; projection: 'P' is not 3 x 4;"),
-        (b'[{"K": 1}, {"K": 1, "R": 2}]', "1.json", "; deepsportradar: no entry has 'T';"),
-        (b'{"frames": [{"pose": 1}]}', "1.json", "'frames': no entry has 'transform_matrix';"),
-        (b'{"frames": 3}', "1.json", "; transforms: 'frames': is a number, not an object;"),
-        (b"[1, 2]", "1.json", "tvcalib, krt, transforms, sccvsd, ptz-slam: is a list, not an"),
+        (b'{"K": 1, "t": [0, 0, 9]}', "1.json", "found an object with K, t, expected pan_degrees"),
+        (b"[1, 2]", "1.json", "found a list, expected pan_degrees, x_focal_length (soccernet);"),
         (b"1 2 3 4 5", "1.txt", "wc14, carwc, world: expected 9 numbers (3 x 3), found 5"),
         (b"1 2 3 4 5", "1.txt", "; projection: expected 12 (3 x 4)"),
         (b'{"H": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}', "1.json", "nothing tells which ground"),
@@ -213,3 +207,136 @@ def test_matlab_homographies_are_those_of_the_same_pictures(shared_data: Path) -
         assert np.median(apart) < 8
         with pytest.raises(CameraError, match="nothing says which ground"):
             published.read("1", load_field("tennis"))
+
+
+HOMOGRAPHY = [[0.05, 0.001, -32.0], [0.002, 0.06, -18.0], [0.0, 1e-4, 1.0]]  # picture -> metres
+YARDS = (CONVENTIONS["wc14"].world_from_units, CONVENTIONS["carwc"].world_from_units)
+PROJECTION = (calibration_matrix(PLAIN) @ np.column_stack((R, T))).tolist()
+ENTRIES: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "soccernet": (json.loads(write_camera(PLAIN)), ()),
+    "tvcalib": ({"image_ids": "7.jpg", "homography": HOMOGRAPHY}, ()),
+    "broadtrack": ({"7.jpg": {"cp": json.loads(write_camera(PLAIN))}}, ("7.jpg",)),
+    "deepsportradar": ([{"K": K.tolist(), "R": R.tolist(), "T": T.tolist()}], (0,)),
+    "krt": (krt_content(BENT, (1280, 720)), ()),
+    "by frame": ({"7": krt_content(BENT, (1280, 720))}, ("7",)),
+    "nested": ({"cameras": {"7": krt_content(BENT, None)}}, ("cameras", "7")),
+    "beside nested": ({"cameras": {"7": krt_content(BENT, None)}}, ()),
+    "projection": ({"P": PROJECTION}, ()),
+    "transforms": (
+        {"w": 9, "h": 9, "fl_x": 9, "frames": [{
+            "file_path": "7.jpg", "transform_matrix": np.diag([1.0, -1, -1, 1]).tolist(),
+        }]}, ("frames", 0),
+    ),
+    "sccvsd": (
+        {"annotation": [{
+            "image_name": "7.jpg",
+            "homography": np.linalg.inv(np.linalg.inv(YARDS[0]) @ HOMOGRAPHY).tolist(),
+        }]}, ("annotation", 0),
+    ),
+    "ptz-slam": (
+        {"annotation": [{"image_name": "7.jpg", "camera": [640, 360, 9, 1, 1, 0, 50, -20, 9]}]},
+        ("annotation", 0),
+    ),
+    "opencv": (
+        {"R": {"rows": 3, "cols": 3, "data": R.ravel().tolist()},
+         "camera_matrix": {"rows": 3, "cols": 3, "data": K.ravel().tolist()},
+         "tvec": T.tolist(), "extrinsic_parameters": [0.0] * 66}, (),
+    ),
+}  # fmt: skip
+
+
+def notices_of(file: Path, content: Any, fmt: str = "auto") -> str:
+    file.write_bytes(content if isinstance(content, bytes) else json.dumps(content).encode())
+    with CameraCollection.open(file, fmt) as cameras:
+        loaded = cameras.read(next(iter(cameras.frames)))
+        return "; ".join(n for n in (*cameras.notices, *loaded.notices) if n != BY_ORDER)
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_a_key_of_a_lens_a_pose_or_a_size_is_used_or_named(name: str, tmp_path: Path) -> None:
+    content, way = ENTRIES[name]
+    file = tmp_path / "file.json"
+    assert "not used" not in notices_of(file, content)
+    for key, value in (
+        ("lensDistortion", [0.1, 0.2]), ("camera_pose", [1.0]), ("img_size", [1, 2]),
+        ("radial2", "0.1"),
+    ):  # fmt: skip
+        assert f"not used, though it looks like lens, pose or size: {key}" in notices_of(
+            file, _with(content, way, {key: value, "score": 0.5, "position_sd": [1.0]})
+        )
+
+
+def _with(content: Any, way: tuple[Any, ...], more: dict[str, Any]) -> Any:
+    changed = json.loads(json.dumps(content))
+    entry = changed
+    for step in way:
+        entry = entry[step]
+    entry.update(more)
+    return changed
+
+
+def test_no_lens_of_easymocap_is_dropped(tmp_path: Path) -> None:
+    for name, parts in (
+        ("intri.yml", {"K_01": K, "D_01": DIST, "K_02": K}),
+        ("extri.yml", {"Rot_01": R, "T_01": T}),
+    ):
+        storage = cv2.FileStorage(str(tmp_path / name), cv2.FILE_STORAGE_WRITE)
+        for key, value in parts.items():
+            storage.write(key, np.atleast_2d(value))
+        storage.release()
+    with CameraCollection.open(tmp_path) as cameras:
+        assert cameras.notices == ("not used: D_01, lens of 02",)
+
+
+@pytest.mark.parametrize("key", KEYS.distortion)
+def test_every_spelling_of_a_distortion_is_read_and_two_must_agree(key: str) -> None:
+    content = krt_content(BENT, (1280, 720))
+    dist = content.pop("dist")
+    one = {**content, key: dist}
+    agree(read_camera_file(json.dumps(one).encode(), path="1.json"), BENT)
+    other = {"distortion" if key == "dist" else "dist": [*dist, 0.0, 0.0, 0.0]}
+    agree(read_camera_file(json.dumps(one | other).encode(), path="1.json"), BENT)
+    stack = {"K": [K.tolist()] * 2, "R": [R.tolist()] * 2, "t": [T.tolist()] * 2, key: [dist] * 2}
+    records = json_records(json.dumps(stack).encode(), path="1.json")
+    assert records is not None
+    agree(records.read("1"), BENT)
+    wrong = {next(iter(other)): [0.0] * 5}
+    assert "says something else than" in problem(json.dumps(one | wrong).encode(), "1.json")
+
+
+@pytest.mark.parametrize("fmt", ["soccernet", "krt", "projection"])
+def test_a_world_with_z_up_is_named_for_every_format(fmt: str, tmp_path: Path) -> None:
+    up = replace(PLAIN, position_world=(4.0, 60.0, 22.0))
+    pose = np.column_stack((up.rotation_cam_from_world, translation(up)))
+    content = {
+        "soccernet": json.loads(write_camera(up)),
+        "krt": krt_content(up, None),
+        "projection": {"P": (calibration_matrix(up) @ pose).tolist()},
+    }[fmt]
+    assert "stands 22 m below the ground" in notices_of(tmp_path / "1.json", content)
+
+
+@pytest.mark.parametrize(
+    ("fmt", "world"), [("world", np.eye(3)), ("wc14", YARDS[0]), ("carwc", YARDS[1])]
+)
+def test_a_homography_upside_down_or_in_centimetres_is_named(
+    fmt: str, world: Any, tmp_path: Path
+) -> None:
+    units = np.linalg.inv(world) @ HOMOGRAPHY
+    file = tmp_path / "1.npy"
+    assert not notices_of(file, npy(units), fmt)
+    assert "takes the ground to the picture" in notices_of(file, npy(np.linalg.inv(units)), fmt)
+    corner = np.array([[100.0, 0, 5250], [0, 100, 3400], [0, 0, 1]])
+    assert "looks like centimetres from a corner" in notices_of(file, npy(corner @ HOMOGRAPHY), fmt)
+
+
+def test_no_real_camera_raises_an_alarm(shared_data: Path) -> None:
+    said = set[str]()
+    for place in (
+        "wc14/cameras_pnlcalib", "wc14/cameras_nbjw", "wc14/homographies_carwc",
+        "deepsportradar/ground_truth_val.json", "foreign/wc14_homographies_test.mat",
+        "foreign/ptz_330_cameras.mat", "official_cases/cameras",
+    ):  # fmt: skip
+        with CameraCollection.open(shared_data / place) as cameras:
+            said.update(n for frame in cameras.frames for n in cameras.read(frame).notices)
+    assert said == {"the skew in K is left out (it moves no pixel by 0.01 px)"}

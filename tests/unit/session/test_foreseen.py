@@ -13,6 +13,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.predict.given_camera import given_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.session.clicks.foreseen import contradicts, foresee
+from procc_annotator.session.clicks.insight import gain_insight
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 SIZE = (960, 540)
@@ -64,3 +65,18 @@ def test_an_element_out_of_sight_contradicts_it(fit: FitResult) -> None:
     annotation = NOTHING.with_polyline(Polyline("Big rect. right main", points))
 
     assert contradicts(annotation, FIELD, fit)
+
+
+@pytest.mark.parametrize(("off_px", "by_clicks"), [(0.0, False), (12.0, True)])
+def test_three_lines_are_judged_with_the_camera_that_they_agree_with(
+    fit: FitResult, off_px: float, by_clicks: bool
+) -> None:
+    names = "Big rect. left main", "Big rect. left bottom", "Small rect. left main"
+    polylines = [clicked(fit, name, off_px).polylines[0] for name in names]
+    annotation = FrameAnnotation(tuple(polylines))
+    fitted = gain_insight(annotation, FIELD, size=SIZE)
+    insight = foresee(annotation, FIELD, fit, fitted=fitted)
+
+    assert fitted.fit.camera is not None
+    assert (insight is fitted) is by_clicks
+    assert (len(insight.ghosts) > len(fitted.ghosts)) is not by_clicks

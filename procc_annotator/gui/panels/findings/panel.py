@@ -117,7 +117,6 @@ class FindingsPanel(QWidget):
             button.setChecked(True)
             button.setIcon(finding_icon(severity, self.devicePixelRatioF()))
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.clicked.connect(self._take_severities)
             self.severity_buttons[severity] = button
             head.addWidget(button)
@@ -304,7 +303,6 @@ class WrappingButton(QPushButton):
         super().__init__()
         self._whole = ""
         self._do: Callable[[], None] | None = None
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.clicked.connect(lambda: self._do() if self._do is not None else None)
 
     def offer(self, text: str, tip: str, do: Callable[[], None]) -> None:

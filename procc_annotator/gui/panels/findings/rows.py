@@ -161,6 +161,7 @@ class FindingsList(QTableView):
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         self.setVerticalScrollMode(QTableView.ScrollMode.ScrollPerPixel)
         list_rows(self)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # or a click would first choose the first row
         self.setMouseTracking(True)
         self.setItemDelegate(FindingDelegate(self))
         self.horizontalHeader().hide()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from procc_annotator.gui.panels.parts import note_label, show_note
@@ -50,7 +49,6 @@ class VerdictRow(QWidget):
                     key=_KEYS[fault],
                 )
             )
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self.buttons[fault] = button
             row.addWidget(button, 1)

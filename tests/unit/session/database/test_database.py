@@ -19,6 +19,7 @@ from procc_annotator.session.database import database as database_module
 from procc_annotator.session.database import file as database_file
 from procc_annotator.session.database import writer as database_writer
 from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.database.places import read_settings
 from procc_annotator.session.facts.origins import (
     FrameRecord,
     Origin,
@@ -358,7 +359,7 @@ def test_folder_deleted_under_the_open_database(tmp_path: Path, opened: Open) ->
     _fill(database)
     database.add_seconds("old", 1.0)
     assert database.flush(20)
-    shutil.rmtree(tmp_path / ".procc")
+    (tmp_path / ".procc").rename(tmp_path / "gone")
     database.set_status("new", Status.DONE)
     assert database.flush(20)
     database.close()
@@ -507,7 +508,7 @@ def test_close_says_when_something_is_lost(
     dataset.mkdir()
     database = opened(dataset)
     _fill(database)  # written: nothing is put into the folder while it goes
-    shutil.rmtree(dataset)
+    dataset.rename(tmp_path / "gone")
     for name in ("XDG_DATA_HOME", "LOCALAPPDATA", "HOME"):
         monkeypatch.setenv(name, str(tmp_path / "file" / "below"))
     (tmp_path / "file").write_bytes(b"")
@@ -739,22 +740,97 @@ def test_header_that_forbids_writing_is_damage(tmp_path: Path, opened: Open) -> 
     _assert_filled(database)
 
 
-def test_empty_file_is_a_new_database(tmp_path: Path, opened: Open) -> None:
-    (tmp_path / ".procc").mkdir()
-    (tmp_path / ".procc" / "workspace.db").write_bytes(b"")
+LOSSES: dict[str, Callable[[Path], object]] = {
+    "is missing": Path.unlink,
+    "is empty (0 bytes)": lambda path: os.truncate(path, 0),
+    "damaged-1": lambda path: path.write_bytes(b"no database"),
+    "could not be used": lambda path: os.truncate(path, path.stat().st_size // 2),
+}
+
+
+@pytest.mark.parametrize("how", LOSSES)
+def test_lost_database_is_restored_from_its_backup(tmp_path: Path, opened: Open, how: str) -> None:
     database = opened()
-    assert database.notices == ()
     _fill(database)
+    database.set_setting("length", "104.3")
+    database.close()
+    path = tmp_path / ".procc" / "workspace.db"
+    LOSSES[how](path)
+    before = sorted(os.listdir(path.parent))
+    settings, told = read_settings(tmp_path)
+    assert settings == {"length": "104.3"}
+    assert "its backup of 20" in told
+    assert sorted(os.listdir(path.parent)) == before  # a command that only reads mends nothing
+    again = opened()
+    (notice,) = again.notices
+    assert how.partition(" (")[0] in notice
+    assert "the backup of 20" in notice
+    assert "40 frames with a status or comment, 1 comment, 40 versions" in notice
+    _assert_filled(again)
+    assert again.setting("length") == "104.3"
+    again.close()
+    assert opened().notices == ()
+    assert not list(path.parent.glob("*.tmp"))
 
 
-def test_what_is_not_damaged_is_rescued(tmp_path: Path, opened: Open) -> None:
+@pytest.mark.parametrize("backup", [b"", b"no backup"])
+def test_lost_without_a_backup_is_told(tmp_path: Path, opened: Open, backup: bytes) -> None:
     database = opened()
     _fill(database)
     database.close()
     path = tmp_path / ".procc" / "workspace.db"
+    os.truncate(path, 0)
+    path.with_name("workspace.db.backup").unlink()
+    assert "it has no backup" in read_settings(tmp_path)[1]
+    if backup:
+        path.with_name("workspace.db.backup").write_bytes(backup)
+    database = opened()
+    assert ("0 frames with" if backup else "it has no backup") in database.notices[0]
+    _fill(database)
+    database.close()
+    assert opened().notices == ()
+
+
+def test_damage_never_gets_into_the_backup(
+    tmp_path: Path, opened: Open, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    database = opened()
+    _fill(database)
+    database.close()
+    path = tmp_path / ".procc" / "workspace.db"
+    backup = path.with_name("workspace.db.backup")
+    sound = backup.read_bytes()
+    whole = database_file._CHECKED_WHOLE
+    monkeypatch.setattr(database_file, "_CHECKED_WHOLE", 0)
+    with sqlite3.connect(path) as raw:
+        tables = "SELECT rootpage FROM sqlite_master WHERE name = 'version'"
+        (page,) = raw.execute(tables).fetchone()
+    raw.close()
+    with open(path, "r+b") as file:
+        file.seek(4096 * (page - 1))
+        file.write(b"?" * 4096)
+    opened().close()
+    assert backup.read_bytes() == sound
+    monkeypatch.setattr(database_file, "_CHECKED_WHOLE", whole)
+    database = opened()
+    assert "set aside" in database.notices[0]
+    _assert_filled(database)
+
+
+def test_what_is_not_damaged_is_recovered(tmp_path: Path, opened: Open) -> None:
+    database = opened()
+    _fill(database)
+    for i in range(3, 6):
+        database.set_not_visible(f"f{i}", "Circle central", True)
+    database.set_setting("width", "68")
+    database.set_setting("width", None)
+    database.close()
+    path = tmp_path / ".procc" / "workspace.db"
+    path.with_name("workspace.db.backup").unlink()
     with sqlite3.connect(path) as raw:
         raw.execute("UPDATE frame SET status = 'odd' WHERE name = 'f6'")
         raw.execute("UPDATE origin SET kind = 'odd' WHERE frame = 'f6'")
+        raw.execute("UPDATE not_visible SET time = 'noon' WHERE frame = 'f4'")
     raw.close()
     database, aside = _damaged(opened, tmp_path)
     assert aside.name in database.notices[0]
@@ -762,6 +838,8 @@ def test_what_is_not_damaged_is_rescued(tmp_path: Path, opened: Open) -> None:
     assert database.record("f6").status is Status.UNTOUCHED
     assert database.origins("f6") == {}
     assert len(database.versions("f6")) == 1
+    assert [i for i in range(9) if database.not_visible(f"f{i}")] == [3, 5]
+    assert database.setting("width") is None
 
 
 def test_damage_found_while_working(tmp_path: Path, opened: Open) -> None:

@@ -140,7 +140,12 @@ def test_a_dataset_remembers_where_its_lines_are(tmp_path: Path) -> None:
 
 def test_a_workspace_that_cannot_be_read_is_told(tmp_path: Path) -> None:
     keep(tmp_path)
+    kept = field_of_dataset(tmp_path)
     (tmp_path / ".procc" / "workspace.db").write_bytes(b"no database at all" * 100)
+    found = field_of_dataset(tmp_path)
+    assert (found.field, found.chosen) == (kept.field, True)
+    assert "its backup of 20" in found.notices[0]
+    (tmp_path / ".procc" / "workspace.db.backup").unlink()
     found = field_of_dataset(tmp_path)
     assert not found.chosen
     assert "workspace cannot be read" in found.notices[0]
