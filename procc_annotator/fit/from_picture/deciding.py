@@ -15,6 +15,9 @@ _LEAST_BOTH = 0.4
 _SURE_COVERAGE, _SURE_EXPLAINED, _SURE_MARGIN = 0.65, 0.8, 0.18
 _WELL, MARGIN_WELL = 0.85, 0.1  # where more is found, less has to part it from others
 _MOST_UNLIKELY = 6.0
+# Longer by shorter side: below, no camera takes such pictures. Squeezed into a square, 16:9 shows a
+# camera at 1.7 times its height, and the paint fits as well.
+_LEAST_SHAPE = 1.2
 # So many elements tell a camera; one less, such as a circle and two lines, where all is found.
 _SURE_ELEMENTS, _ALL_FOUND = 4, 0.9
 
@@ -78,5 +81,13 @@ def _doubt(seen: Evidence) -> str:
         return said("too few lines are in sight to tell")
     if seen.beside:
         return seen.beside
+    width, height = seen.fit.size
+    if max(width, height) < _LEAST_SHAPE * min(width, height):
+        return said(
+            "the picture is {width} x {height}: its pixels may not be square (16:9 squeezed), and"
+            " then its camera is another one",
+            width=width,
+            height=height,
+        )
     open_ = hardly_determined(seen.fit)
     return said("the lines in sight leave the camera open: {what}", what=open_) if open_ else ""
