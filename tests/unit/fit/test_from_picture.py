@@ -167,6 +167,13 @@ def test_a_picture_without_paint_has_no_camera() -> None:
     assert "hardly any paint" in found.reason
 
 
+def test_a_squeezed_picture_is_not_sure(shared_data: Path) -> None:
+    picture = decode_bgra(shared_data / "inputs" / "squashed" / "frame_512x512.jpg")
+    found = propose_camera(picture, _stage().field)
+    assert found.state == "unsure"
+    assert "pixels may not be square" in found.reason
+
+
 def test_can_be_stopped() -> None:
     class _StoppedError(Exception):
         pass
