@@ -12,7 +12,7 @@ from procc_annotator.language import said, said_joined
 
 # Below, what was found is no camera of this picture.
 _LEAST_BOTH = 0.4
-_SURE_COVERAGE, _SURE_EXPLAINED, _SURE_MARGIN = 0.65, 0.8, 0.18
+SURE_COVERAGE, SURE_EXPLAINED, _SURE_MARGIN = 0.65, 0.8, 0.18
 _WELL, MARGIN_WELL = 0.85, 0.1  # where more is found, less has to part it from others
 _MOST_UNLIKELY = 6.0
 # Width by height of the narrowest pictures that cameras make (5:4). In a squeezed picture another
@@ -76,9 +76,9 @@ def _doubt(seen: Evidence) -> str:
         )
     if seen.margin < (_SURE_MARGIN if share < _WELL else MARGIN_WELL):
         return another_camera()
-    if seen.coverage < _SURE_COVERAGE:
+    if seen.coverage < SURE_COVERAGE:
         return said("lines are missing that should be in sight")
-    if seen.explained < _SURE_EXPLAINED:
+    if seen.explained < SURE_EXPLAINED:
         return said("there is paint where the field has none")
     if seen.unlikeliness > _MOST_UNLIKELY:
         return said("cameras hardly stand there")
