@@ -14,6 +14,7 @@ from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.io.atomic import make_folder
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
@@ -179,7 +180,7 @@ def _most_different(
 def _workspaces(pictures: PictureSource, out: Path) -> dict[Path, bool]:
     """The datasets that the annotations belong to, that of the pictures and what OUT is one of, and
     whether OUT is where it has its annotations."""
-    out.mkdir(parents=True, exist_ok=True)
+    make_folder(out)
     found = [folder for folder in (pictures.folder, folder_of_dataset(out)) if folder is not None]
     there = {os.path.realpath(folder): folder for folder in found if folder.is_dir()}
     usual = _is_usual(pictures, out)

@@ -12,8 +12,7 @@ from typing import Annotated
 import typer
 
 from procc_annotator.errors import InputError, SaveError, UsageError
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.report.targets import make_folder
+from procc_annotator.io.atomic import make_folder, write_atomic
 from procc_annotator.resources import resources_dir
 from procc_annotator.words import count_of
 

@@ -13,13 +13,13 @@ from procc_annotator.cli.options import LabelsFile, label_map, make_setup
 from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.errors import UsageError
 from procc_annotator.io.annotation_files.label_map import LabelMap
+from procc_annotator.io.atomic import make_folder
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.export import Scoring, export_dataset
 from procc_annotator.report.pictures import render_pictures
 from procc_annotator.report.scores.scoring import Scored, score_set
 from procc_annotator.report.scores.tables import sets_table
-from procc_annotator.report.targets import make_folder
 from procc_annotator.session.dataset.annotated_frames import DatasetFrames
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of

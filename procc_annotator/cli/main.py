@@ -139,8 +139,11 @@ class CommandOrPath(TyperGroup):
             typer.echo(f"procc-annotator: {qt_missing_words(error)}", err=True)
             raise typer.Exit(2) from error
         except OSError as error:
-            # Files are written by functions that name them; what is left is the standard output.
-            if error.errno not in _FULL or error.filename is not None:
+            if error.filename is not None:  # one that no function names better
+                name, why = os.fsdecode(error.filename), error.strerror or str(error)
+                typer.echo(f"procc-annotator: {ProccError(f'{name}: {why}')}", err=True)
+                raise typer.Exit(2) from error
+            if error.errno not in _FULL:
                 raise
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             said = f"the standard output cannot be written: {error.strerror}"

@@ -9,11 +9,12 @@ from pathlib import Path
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.atomic import make_folder
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.targets import is_archive, make_folder
+from procc_annotator.report.targets import is_archive
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 Input = FileSource | CameraCollection | CameraSet | Path

@@ -5,9 +5,7 @@ What a description holds is told in the user guide, "A sport of your own"; `fiel
 
 from __future__ import annotations
 
-import os
 import re
-import stat
 import tomllib
 from collections.abc import Mapping
 from dataclasses import replace
@@ -21,6 +19,7 @@ from procc_annotator.field.model import LINES, MIDDLE, Field
 from procc_annotator.field.painted_middle import at_middle_of_paint
 from procc_annotator.field.reading import read_field
 from procc_annotator.field.words import did_you_mean
+from procc_annotator.regular_file import read_head
 from procc_annotator.resources import resources_dir
 
 # The TOML reader takes time by the square of a dotted key's length.
@@ -208,17 +207,14 @@ def _with_own(loaded: Field, of: Field) -> Field:
 
 def _read_text(path: Path) -> str:
     try:
-        status = os.stat(path)
-        if not stat.S_ISREG(status.st_mode):  # opening a pipe would wait for ever
-            kind = "a folder" if stat.S_ISDIR(status.st_mode) else "not a regular file"
-            raise FieldError(path, f"expected a field description, this is {kind}")
-        if status.st_size > _LARGEST_FILE:
+        data = read_head(path, _LARGEST_FILE + 1)
+        if len(data) > _LARGEST_FILE:
             raise FieldError(
                 path,
                 f"is larger than {_LARGEST_FILE // 1024} kB, expected a field description",
                 advice="is it this file?",
             )
-        text = path.read_text(encoding="utf-8-sig")  # some editors put a mark in front
+        text = data.decode("utf-8-sig")  # some editors put a mark in front
     except FileNotFoundError as error:
         raise FieldError(path, "no such file") from error
     except OSError as error:

@@ -9,7 +9,6 @@ A path below a video file, ``match.mp4/00000123``, means that frame of the video
 
 from __future__ import annotations
 
-import stat
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -21,6 +20,7 @@ from procc_annotator.image.header import check_shape, is_cut_off, size_in_header
 from procc_annotator.image.pixels import PixelArray as PixelArray
 from procc_annotator.image.pixels import bgra, check_size
 from procc_annotator.image.video import frame_of, open_shared
+from procc_annotator.regular_file import open_regular
 
 # Decoding at a fraction is 3-6 times faster for JPEG, where it skips most of the inverse DCT.
 _REDUCED = {
@@ -132,11 +132,9 @@ def read_size(path: Path) -> tuple[int, int]:
 
 def _read(path: Path) -> PixelArray:
     try:
-        if not stat.S_ISREG(path.stat().st_mode):  # opening a pipe would wait for ever
-            kind = "a folder" if path.is_dir() else "not a regular file"
-            raise ImageError(path, f"expected a picture, this is {kind}")
         # cv2.imread cannot open every name on Windows; reading the bytes ourselves can.
-        data = np.fromfile(path, dtype=np.uint8)
+        with open_regular(path) as file:
+            data = np.fromfile(file, dtype=np.uint8)
     except OSError as error:
         raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
     if not data.size:

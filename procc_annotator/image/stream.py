@@ -8,7 +8,6 @@ sorted, they say which number the frame with a given timestamp has.
 
 from __future__ import annotations
 
-import stat
 from pathlib import Path
 
 import cv2
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.errors import ImageError
 from procc_annotator.image.pixels import PixelArray, check_size
+from procc_annotator.regular_file import read_head
 
 FloatArray = NDArray[np.float64]
 
@@ -33,10 +33,7 @@ def check_file(path: Path) -> None:
         ImageError: missing, not a file, empty, or neither mp4, mov, mkv nor avi inside.
     """
     try:
-        if not stat.S_ISREG(path.stat().st_mode):
-            raise ImageError(path, "expected a video file")
-        with path.open("rb") as file:
-            head = file.read(12)
+        head = read_head(path, 12)
     except OSError as error:
         raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
     if not head:

@@ -3,25 +3,34 @@
 from __future__ import annotations
 
 import errno
+import hashlib
 import os
 import secrets
 import stat
-from collections.abc import Callable
-from contextlib import ExitStack, suppress
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
+from typing import BinaryIO
 
 from procc_annotator.errors import SaveError
+from procc_annotator.io.file_lock import try_lock
+from procc_annotator.regular_file import open_regular
 
 _ADVICE = {
     errno.ENOSPC: "make room or choose another folder",
     errno.EDQUOT: "make room or choose another folder",
     errno.EACCES: "change its permissions or choose another folder",
     errno.EPERM: "change its permissions or choose another folder",
+    errno.ENAMETOOLONG: "choose a shorter name",
     errno.EROFS: "choose a folder that can be written to",
     errno.EIO: "check the drive or the connection and save again",
     errno.ESTALE: "check the drive or the connection and save again",
 }
 _OTHER_ADVICE = "try again or choose another folder"
+
+_LONGEST_NAME = 255  # bytes, of a file system's entry
+_STALE_S = 600.0
+_swept: set[Path] = set()
 
 
 def write_atomic(
@@ -35,7 +44,8 @@ def write_atomic(
 
     The new content goes to a temporary file in the same folder, reaches the disk (fsync), takes the
     old name (rename), and the folder's entry reaches the disk too. A crash at any moment leaves the
-    old or the new file, never a mixture; a leftover ``.procc-<random>.tmp`` is harmless.
+    old or the new file, never a mixture; a leftover ``.procc-<random>.tmp`` is harmless, and
+    removed by a later process that writes into the folder.
 
     Args:
         path: the file; its folder must exist.
@@ -49,6 +59,22 @@ def write_atomic(
         SaveError: anything failed, the file is write-protected or lies outside ``inside``; the old
             file is intact and the temporary one is removed.
     """
+    with replacing(path, inside=inside, look_again=look_again) as stream:
+        stream.write(data)
+
+
+@contextmanager
+def replacing(
+    path: Path,
+    *,
+    inside: Path | None = None,
+    look_again: Callable[[], object] = lambda: None,
+) -> Iterator[BinaryIO]:
+    """A stream whose content takes the place of a file if the block ends well, as `write_atomic`.
+
+    Raises:
+        SaveError: as of `write_atomic`.
+    """
     target = Path(os.path.realpath(path))
     if inside is not None and not target.is_relative_to(os.path.realpath(inside)):
         raise SaveError(
@@ -58,20 +84,86 @@ def write_atomic(
     # Not named after the target, whose name may already be as long as the file system allows.
     temporary = target.with_name(f".procc-{secrets.token_hex(8)}.tmp")
     try:
-        _write_synced(temporary, data, mode_to_keep(target))
+        mode = mode_to_keep(target)
+        with _created(temporary) as stream:
+            if mode is not None and hasattr(os, "fchmod"):
+                os.fchmod(stream.fileno(), mode)
+            remove_stale(temporary)
+            yield stream
+            stream.flush()
+            os.fsync(stream.fileno())
         look_again()
         os.replace(temporary, target)
     except OSError as error:
         reason = error.strerror or str(error)
-        advice = _ADVICE.get(error.errno or 0, _OTHER_ADVICE)
         raise SaveError(
-            f"{path}: could not be saved: {reason} (the file on disk is as it was; {advice})"
+            f"{path}: could not be saved: {reason} (the file on disk is as it was;"
+            f" {advice_for(error)})"
         ) from error
     finally:
         # After a successful save there is none; also an interruption must not leave one.
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
     _sync_folder(target.parent)
+
+
+def make_folder(path: Path) -> None:
+    """Make a folder and those above it, unless it is there.
+
+    Raises:
+        SaveError: it cannot be made.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError) as error:
+        file = next(place for place in (path, *path.parents) if place.exists())
+        raise SaveError(
+            f"{path}: cannot be made: {file} is a file, expected a folder; choose another place"
+        ) from error
+    except OSError as error:
+        raise SaveError(f"{path}: cannot be made: {error.strerror or error}") from error
+
+
+def advice_for(error: OSError) -> str:
+    """What to do about a file that cannot be written."""
+    return _ADVICE.get(error.errno or 0, _OTHER_ADVICE)
+
+
+def remove_stale(fresh: Path) -> None:
+    """Remove temporary files that killed processes left in a folder; once in a process.
+
+    A file that a living process on this machine writes is locked by it; others are left alone for
+    ten minutes, in which a process on another machine writes to its file or renames it.
+
+    Args:
+        fresh: a file in the folder that was made just now, as its file system's clock has it.
+    """
+    if fresh.parent in _swept:
+        return
+    _swept.add(fresh.parent)
+    with suppress(OSError), os.scandir(fresh.parent) as entries:
+        old = fresh.stat().st_mtime - _STALE_S
+        for entry in entries:
+            name = entry.name
+            if name.startswith(".procc-") and name.endswith(".tmp") and _is_stale(entry, old):
+                with suppress(OSError):
+                    os.unlink(entry.path)
+
+
+def _is_stale(entry: os.DirEntry[str], old: float) -> bool:
+    if not entry.is_file(follow_symlinks=False) or entry.stat().st_mtime > old:
+        return False
+    with open_regular(entry.path, "r+b") as file:
+        return try_lock(file.fileno())
+
+
+def name_beside(path: Path, before: str, after: str) -> Path:
+    """A path beside another one whose name is made from its name, cut if it gets too long."""
+    name = os.fsencode(path.name)
+    if len(os.fsencode(before)) + len(name) + len(os.fsencode(after)) > _LONGEST_NAME:
+        kept, digest = os.fsdecode(name[:100]), hashlib.sha256(name).hexdigest()[:16]
+        return path.with_name(f"{before}{kept}-{digest}{after}")
+    return path.with_name(f"{before}{path.name}{after}")
 
 
 def remove(path: Path) -> None:
@@ -103,19 +195,16 @@ def mode_to_keep(target: Path) -> int | None:
     return stat.S_IMODE(mode)
 
 
-def _write_synced(temporary: Path, data: bytes, mode: int | None) -> None:
+def _created(temporary: Path) -> BinaryIO:
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     descriptor = os.open(temporary, flags, 0o666)
     with ExitStack() as undone:
         undone.callback(os.close, descriptor)  # an open file could not be removed on Windows
+        with suppress(OSError):
+            try_lock(descriptor)
         stream = os.fdopen(descriptor, "wb")
         undone.pop_all()  # from here on the stream closes it
-    with stream as file:
-        if mode is not None and hasattr(os, "fchmod"):
-            os.fchmod(descriptor, mode)
-        file.write(data)
-        file.flush()
-        os.fsync(descriptor)
+    return stream
 
 
 def _sync_folder(folder: Path) -> None:

@@ -7,13 +7,14 @@ process that has it, however that ends.
 from __future__ import annotations
 
 import os
-import sys
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from procc_annotator.errors import SaveError
+from procc_annotator.io.atomic import name_beside
+from procc_annotator.io.file_lock import try_lock
 
 _TRY_EVERY_S = 0.05
 
@@ -30,7 +31,7 @@ def exclusive(path: Path, *, timeout_s: float = 60.0) -> Iterator[None]:
         SaveError: another process has it all that time, or the folder cannot be written or locked.
     """
     target = Path(os.path.realpath(path))
-    lock = target.with_name(f".{target.name}.lock")
+    lock = name_beside(target, ".", ".lock")
     try:
         descriptor = _acquire(lock, time.monotonic() + timeout_s)
     except TimeoutError as error:
@@ -57,7 +58,7 @@ def _acquire(lock: Path, until: float) -> int:
         descriptor = os.open(lock, os.O_RDWR | os.O_CREAT, 0o666)
         with ExitStack() as unless_kept:
             unless_kept.callback(os.close, descriptor)
-            if _try_lock(descriptor) and _is_still(lock, descriptor):
+            if try_lock(descriptor) and _is_still(lock, descriptor):
                 unless_kept.pop_all()
                 return descriptor
         if time.monotonic() > until:
@@ -71,24 +72,3 @@ def _is_still(lock: Path, descriptor: int) -> bool:
         return os.path.samestat(os.stat(lock), os.fstat(descriptor))
     except FileNotFoundError:
         return False
-
-
-if sys.platform == "win32":
-    import msvcrt
-
-    def _try_lock(descriptor: int) -> bool:
-        try:
-            msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)
-        except OSError:
-            return False
-        return True
-
-else:
-    import fcntl
-
-    def _try_lock(descriptor: int) -> bool:
-        try:
-            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            return False
-        return True

@@ -6,11 +6,14 @@ import json
 import math
 from collections import deque
 from collections.abc import Callable
-from typing import Any, TypeGuard
+from pathlib import Path
+from typing import Any, TypeGuard, TypeVar
 
 import msgspec
 
 from procc_annotator.errors import InputError
+
+T = TypeVar("T")
 
 _BOM = b"\xef\xbb\xbf"
 # What is read must be writable again, also from deep inside a program: Python gives up a writer at
@@ -109,6 +112,29 @@ def decode_strict(
     if _is_deep(content):
         raise _too_deep(path, error)
     return content
+
+
+def decode_as(
+    data: bytes, kind: type[T], what: str, *, path: Path | str, error: type[InputError] = InputError
+) -> T:
+    """The decoded value of a known type.
+
+    Args:
+        data: the file's bytes.
+        kind: of the value; what it does not know is left out.
+        what: the file should be, for the message.
+        path: for the message.
+        error: what to raise.
+
+    Raises:
+        error: it is not UTF-8, not JSON, nested too deeply, or of another type.
+    """
+    try:
+        return msgspec.json.decode(without_bom(data), type=kind)
+    except (msgspec.DecodeError, UnicodeDecodeError) as problem:
+        raise error(path, f"is no {what}: {problem}") from problem
+    except RecursionError as problem:
+        raise _too_deep(path, error) from problem
 
 
 def is_finite_number(value: object) -> TypeGuard[float]:
@@ -220,5 +246,5 @@ def _is_deep(content: Any) -> bool:
     return True
 
 
-def _too_deep(path: str, error: type[InputError]) -> InputError:
+def _too_deep(path: Path | str, error: type[InputError]) -> InputError:
     return error(path, "is nested too deeply to be read", advice="is it this file?")

@@ -6,6 +6,7 @@ look the same here. Deeper files are a tree, which is listed by itself.
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 import struct
@@ -22,6 +23,7 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.folders import DEEPEST, counts, entries, too_deep, walk
 from procc_annotator.io.frame_names import leads_out
 from procc_annotator.io.json_text import printable
+from procc_annotator.regular_file import open_regular
 
 # What a release keeps beside the folder of its annotations.
 RELEASE_FILE = "release.json"
@@ -96,15 +98,13 @@ def open_source(path: Path, base: Path | None = None, of_tree: bool = False) -> 
             holds a name that leads out of it.
     """
     try:
-        mode = os.stat(_from(base, path)).st_mode
+        if stat.S_ISDIR(os.stat(_from(base, path)).st_mode):
+            return FolderSource(path, base, of_tree)
+        open_regular(_from(base, path)).close()
     except (FileNotFoundError, NotADirectoryError, ValueError) as error:
         raise UsageError(f"{path}: no such file or folder") from error
     except OSError as error:
-        raise InputError(path, f"cannot be read: {error.strerror or error}") from error
-    if stat.S_ISDIR(mode):
-        return FolderSource(path, base, of_tree)
-    if not stat.S_ISREG(mode):
-        raise InputError(path, _NOT_REGULAR, advice=_NOT_REGULAR_ADVICE)
+        raise _unread(path, error) from error
     if path.suffix.lower() == ".zip":
         return ZipSource(path, base)
     return SingleFileSource(path, base)
@@ -332,24 +332,20 @@ def read_file(
     """
     shown = path if shown_as is None else shown_as
     try:
-        with open(path, "rb", buffering=0, opener=_open_at_once) as file:
-            status = os.fstat(file.fileno())
-            if not stat.S_ISREG(status.st_mode):
-                raise error(shown, _NOT_REGULAR, advice=_NOT_REGULAR_ADVICE)
-            if status.st_size > LARGEST_FILE:
-                raise _too_large(shown, status.st_size, error)
+        with open_regular(path, buffering=0) as file:
+            size = os.fstat(file.fileno()).st_size
+            if size > LARGEST_FILE:
+                raise _too_large(shown, size, error)
             return file.read()
     except OSError as problem:
-        if os.path.isdir(path):
-            raise error(
-                shown, "is a folder, expected a file", advice="move it elsewhere"
-            ) from problem
-        missing = isinstance(problem, FileNotFoundError)
-        raise error(
-            shown,
-            f"cannot be read: {problem.strerror or problem}",
-            advice="check its name" if missing else "check its permissions",
-        ) from problem
+        raise _unread(shown, problem, error) from problem
+
+
+def _unread(path: Path | str, problem: OSError, error: type[InputError] = InputError) -> InputError:
+    advice = "check its name" if isinstance(problem, FileNotFoundError) else "check its permissions"
+    if problem.errno in (errno.EISDIR, errno.EINVAL):
+        advice = "move it elsewhere"
+    return error(path, f"cannot be read: {problem.strerror or problem}", advice=advice)
 
 
 def read_if_there(path: Path | str, error: type[InputError] = InputError) -> bytes | None:
@@ -361,18 +357,9 @@ def read_if_there(path: Path | str, error: type[InputError] = InputError) -> byt
     try:
         return read_file(path, error)
     except error as problem:
-        if isinstance(problem.__cause__, FileNotFoundError):
+        if isinstance(problem.__cause__, FileNotFoundError | NotADirectoryError):
             return None
         raise
-
-
-_NOT_REGULAR = "is a pipe or a device, expected a file"
-_NOT_REGULAR_ADVICE = "move it elsewhere"
-
-
-def _open_at_once(path: str, flags: int) -> int:
-    # Opening a pipe waits until somebody writes into it, unless told not to.
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _too_large(path: Path | str, size: int, error: type[InputError] = InputError) -> InputError:

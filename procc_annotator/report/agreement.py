@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import IO, Any, Protocol
 
 from procc_annotator.errors import UsageError
+from procc_annotator.io.atomic import replacing
 from procc_annotator.metric.agreement import (
     AgreementSummary,
     ClassAgreement,
@@ -19,7 +20,7 @@ from procc_annotator.metric.agreement import (
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report.agreement_figures import floor_entry, intervals_described
 from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.scores.score_files import replacing, score_format
+from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.tables import pixels, worst_words
 from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
 from procc_annotator.report.sheet.as_json import encoded, figure_entry

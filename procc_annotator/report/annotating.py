@@ -12,8 +12,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ChangedOnDiskError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.report.targets import make_folder
+from procc_annotator.io.atomic import make_folder, write_atomic
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.facts.origins import (

@@ -10,10 +10,9 @@ from contextlib import suppress
 from pathlib import Path
 
 from procc_annotator.errors import SaveError, UsageError
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.atomic import make_folder, write_atomic
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.sheet import Column, Row, Sheet, whole
-from procc_annotator.report.targets import make_folder
 from procc_annotator.session.runs.assignments import Assigned, StudyTerms
 
 PLAN_FILE = "plan.csv"

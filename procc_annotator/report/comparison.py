@@ -11,7 +11,7 @@ from typing import Any
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.atomic import make_folder, write_atomic
 from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted, marked
 from procc_annotator.io.frame_names import file_of_frame
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
@@ -24,7 +24,6 @@ from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
 from procc_annotator.report.sheet.figure import values_of
 from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
 from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
-from procc_annotator.report.targets import make_folder
 from procc_annotator.session.runs.comparison_run import (
     CameraPair,
     ComparedFrame,

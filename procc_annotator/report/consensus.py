@@ -13,6 +13,7 @@ import numpy as np
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
+from procc_annotator.io.atomic import replacing
 from procc_annotator.metric.agreement import ClassAgreement, FrameAgreement
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.metric.polylines import FloatArray
@@ -24,7 +25,7 @@ from procc_annotator.report.agreement_figures import (
     sure_values,
 )
 from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.scores.score_files import replacing, score_format
+from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.tables import worst_words
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import figure_entry, json_bytes, sheet_entry

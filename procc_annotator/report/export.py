@@ -25,6 +25,7 @@ from procc_annotator.io.annotation_files.soccernet_classes import (
     require_soccernet,
     unknown_to_official,
 )
+from procc_annotator.io.atomic import make_folder, replacing
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.fitted_on import Fitted
 from procc_annotator.io.collections import list_annotations
@@ -39,10 +40,9 @@ from procc_annotator.report.scores.score_files import (
     JsonScores,
     ScoreWriter,
     json_fragment,
-    replacing,
     score_format,
 )
-from procc_annotator.report.targets import Target, is_archive, make_folder, open_target
+from procc_annotator.report.targets import Target, is_archive, open_target
 from procc_annotator.session.dataset.annotated_frames import AnnotatedFrames
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.evaluation_run import FrameResult

@@ -11,10 +11,11 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.field.model import Field
+from procc_annotator.io.atomic import replacing
 from procc_annotator.metric.agreement import quantile
 from procc_annotator.report.agreement_figures import sure_columns, sure_values
 from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.scores.score_files import replacing, score_format
+from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
 from procc_annotator.report.sheet.figure import values_of

@@ -7,9 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import msgspec
-
 from procc_annotator.errors import InputError
+from procc_annotator.io.json_text import decode_as
 from procc_annotator.io.source import read_file
 from procc_annotator.metric.chance.clicks import noise_of_floor
 from procc_annotator.session.runs.moved_clicks import ClickNoise
@@ -23,10 +22,7 @@ def noise_from(path: Path, seed: int) -> ClickNoise:
     Raises:
         InputError: it cannot be read, or is no agreement, or none with any distance.
     """
-    try:
-        content = msgspec.json.decode(read_file(path))
-    except msgspec.DecodeError as error:
-        raise InputError(path, f"is no JSON ({error})", advice=_ADVICE) from error
+    content = decode_as(read_file(path), object, "JSON", path=path)
     size, floor = _member(content, "size"), _member(content, "summary", "noise_floor")
     if not (isinstance(size, list) and len(size) == 2 and all(type(n) is int for n in size)):
         raise InputError(path, "has no size of pictures", place="size", advice=_ADVICE)

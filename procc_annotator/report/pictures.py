@@ -9,14 +9,13 @@ from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, UsageError
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.atomic import make_folder, write_atomic
 from procc_annotator.io.frame_names import file_of_frame
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.project import project_paint
 from procc_annotator.metric.score import score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scenes import Paint, Scene
-from procc_annotator.report.targets import make_folder
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace

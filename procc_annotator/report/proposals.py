@@ -11,14 +11,14 @@ import numpy as np
 
 from procc_annotator.errors import SaveError
 from procc_annotator.fit.from_picture.proposal import NONE, STATES, SURE, UNSURE, KnownPosition
-from procc_annotator.io.atomic import remove, write_atomic
+from procc_annotator.io.atomic import make_folder, remove, write_atomic
 from procc_annotator.io.collections import camera_name
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.figure import values_of
 from procc_annotator.report.sheet.figures import COVERAGE, EXPLAINED, MARGIN, RESIDUAL, SECONDS
 from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
-from procc_annotator.report.targets import Interrupted, make_folder
+from procc_annotator.report.targets import Interrupted
 from procc_annotator.session.runs.calibration_run import camera_file
 from procc_annotator.session.runs.proposal_run import (
     ProposalRun,

@@ -17,6 +17,7 @@ import msgspec
 from procc_annotator.errors import InputError
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
+from procc_annotator.io.json_text import decode_as
 from procc_annotator.io.source import read_file
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
@@ -156,11 +157,7 @@ def read_recipe(path: Path) -> Recipe:
     Raises:
         InputError: it cannot be read, or is none.
     """
-    data = read_file(path)
-    try:
-        found = msgspec.json.decode(data, type=Recipe)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise InputError(path, f"is no recipe: {error}") from error
+    found = decode_as(read_file(path), Recipe, "recipe", path=path)
     if found.format != FORMAT:
         raise InputError(path, f"is of format {found.format[:60]!r}, expected {FORMAT!r}")
     return found

@@ -11,9 +11,8 @@ from pathlib import Path
 from typing import IO, Protocol
 
 from procc_annotator.errors import SaveError
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.atomic import make_folder, replacing, write_atomic
 from procc_annotator.io.json_text import is_unicode, printable
-from procc_annotator.report.scores.score_files import replacing
 
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same dataset gives the same archive
 
@@ -70,23 +69,6 @@ class _Archive:
 def is_archive(out: Path) -> bool:
     """Whether the name asks for an archive."""
     return out.suffix.lower() == ".zip"
-
-
-def make_folder(path: Path) -> None:
-    """Make a folder and those above it, unless it is there.
-
-    Raises:
-        SaveError: it cannot be made.
-    """
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except (FileExistsError, NotADirectoryError) as error:
-        file = next(place for place in (path, *path.parents) if place.exists())
-        raise SaveError(
-            f"{path}: cannot be made: {file} is a file, expected a folder; choose another place"
-        ) from error
-    except OSError as error:
-        raise SaveError(f"{path}: cannot be made: {error.strerror or error}") from error
 
 
 @contextmanager

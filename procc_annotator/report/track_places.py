@@ -10,9 +10,10 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.errors import CameraError
+from procc_annotator.errors import InputError
 from procc_annotator.fit.from_picture.proposal import KnownPosition
 from procc_annotator.io.camera_files.cameras import read_camera_file
+from procc_annotator.io.source import read_file
 from procc_annotator.report.tracks import Line, TrackTable
 
 # A shot whose camera's place counts: that many frames, their lines on paint, known so well.
@@ -61,7 +62,7 @@ def _place_of(out: Path, lines: Sequence[Line]) -> KnownPosition | None:
 def _position(path: Path) -> tuple[float, float, float] | None:
     """Where the camera of a file stands, metres; None if somebody else has been there."""
     try:
-        camera = read_camera_file(path.read_bytes(), path=str(path)).camera
-    except (OSError, CameraError):
+        camera = read_camera_file(read_file(path), path=str(path)).camera
+    except InputError:
         return None
     return camera.position_world if isinstance(camera, PinholeCamera) else None

@@ -15,7 +15,7 @@ import numpy as np
 
 from procc_annotator.errors import InputError, SaveError
 from procc_annotator.fit.through_shot.track import TrackedFrame
-from procc_annotator.io.atomic import remove, write_atomic
+from procc_annotator.io.atomic import make_folder, remove, write_atomic
 from procc_annotator.io.collections import camera_name
 from procc_annotator.io.csv_text import csv_cells
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
@@ -23,7 +23,7 @@ from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.figures import COVERAGE, RESIDUAL
 from procc_annotator.report.sheet.from_csv import value_of
 from procc_annotator.report.sheet.sheet import Column, Sheet, of, whole
-from procc_annotator.report.targets import Interrupted, make_folder
+from procc_annotator.report.targets import Interrupted
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.runs.calibration_run import camera_file
 from procc_annotator.session.runs.track_run import FollowedShot, TrackRun

@@ -364,7 +364,7 @@ def test_a_full_disk_takes_neither_the_figures_nor_the_other_output(
     done = cli("evaluate", *dataset.set_arguments, "-o", output, "--table", table)
     assert done.exit_code == 2
     assert "Summary of 5 frames" in done.stdout
-    assert f"{output}: not written: No space left on device" in done.stderr
+    assert f"{output}: could not be saved: No space left on device" in done.stderr
     assert output.read_text() == "before"
     assert table.exists() == (full_at == "output")
     assert len(done.stderr.splitlines()) == (1 if full_at == "output" else 2)

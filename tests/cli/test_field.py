@@ -95,4 +95,4 @@ def test_a_field_file_that_cannot_be_used_is_told(cli, dataset, tmp_path) -> Non
     (dataset.root / "field.toml").mkdir()
     done = cli("evaluate", *dataset.set_arguments)
     assert done.exit_code == 2
-    assert "expected a field description, this is a folder" in done.stderr
+    assert "is a folder, expected a file" in done.stderr

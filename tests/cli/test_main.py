@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -179,3 +180,40 @@ def test_one_of_anything_is_told_in_the_singular(cli, dataset, tmp_path) -> None
         assert "1 " in printed
         many = "frames|cameras|pictures|annotations|elements|points|distances|files|classes"
         assert not re.findall(rf"(?<![\d.,])1 (?:\w+ )?(?:{many})\b", printed), printed
+
+
+DEEP = b'{"a":' * 1000 + b"1" + b"}" * 1000
+
+
+@pytest.mark.parametrize("reader", ["recipe", "manifest", "before", "click noise"])
+def test_json_nested_a_thousand_deep_is_one_line(cli, dataset, tmp_path, reader) -> None:
+    file = tmp_path / ("release.json" if reader == "before" else "deep.json")
+    file.write_bytes(DEEP)
+    with zipfile.ZipFile(tmp_path / "sub.zip", "w") as archive:
+        archive.writestr("manifest.json", DEEP)
+    annotations, cameras = dataset.set_arguments[:2]
+    arguments = {
+        "recipe": ("repeat", file),
+        "manifest": ("evaluate", annotations, "--submission", tmp_path / "sub.zip"),
+        "before": ("release", dataset.root, tmp_path / "out", "--before", tmp_path),
+        "click noise": ("evaluate", annotations, cameras, "--click-noise", file),
+    }[reader]
+    done = cli(*arguments)
+    assert done.exit_code == 2
+    assert "is nested too deeply to be read (is it this file?)" in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_a_dataset_with_a_name_as_long_as_it_may_be(cli, dataset, tmp_path) -> None:
+    place = dataset.root.rename(tmp_path / ("d" * 255))
+    done = cli("check", place)
+    assert done.exit_code in (0, 1), done.output
+    assert "Checked" in done.stdout
+
+
+@pytest.mark.parametrize("out", ["file/below", "d" * 256])
+def test_a_folder_that_cannot_be_made_is_one_line(cli, dataset, tmp_path, out) -> None:
+    (tmp_path / "file").write_bytes(b"")
+    done = cli("annotate", dataset.root, tmp_path / out, "--cameras", dataset.cameras)
+    assert done.exit_code == 2
+    assert done.stderr.splitlines()[-1].startswith(f"procc-annotator: {tmp_path / out}: ")

@@ -46,6 +46,9 @@ class Stream:
         self.file.write(data[:3] if self.broken == "write" else data)
         self._maybe_fail("write")
 
+    def fileno(self) -> int:
+        return int(self.file.fileno())
+
     def flush(self) -> None:
         self.file.flush()
         self._maybe_fail("flush")

@@ -4,21 +4,35 @@ from __future__ import annotations
 
 import json
 import os
+import socket
 import struct
 import tracemalloc
 import zipfile
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from procc_annotator.errors import AnnotationError, CameraError, FieldError, InputError, ProccError
+from procc_annotator.errors import (
+    AnnotationError,
+    CameraError,
+    FieldError,
+    ImageError,
+    InputError,
+    ProccError,
+)
 from procc_annotator.field.load import load_field
+from procc_annotator.image.decode import decode_bgra
 from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import LARGEST_FILE, open_source, read_file
 from procc_annotator.resources import resources_dir
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.database.places import read_settings
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.origins import Status
 
 ROOT = Path(__file__).resolve().parents[2]
 SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
@@ -143,22 +157,50 @@ def test_pipes_are_refused_and_not_waited_for(tmp_path: Path) -> None:
         os.mkfifo(tmp_path / name)
     source = open_source(tmp_path)
     assert list(list_annotations(source)) == ["1"]
-    with pytest.raises(InputError, match="is a pipe or a device, expected a file"):
+    with pytest.raises(InputError, match="is a pipe, a socket or a device, expected a file"):
         source.read("1.json")
     for name in ("1.json", "z.zip"):
-        with pytest.raises(InputError, match="is a pipe or a device, expected a file"):
+        with pytest.raises(InputError, match="is a pipe, a socket or a device, expected a file"):
             open_source(tmp_path / name)
-    with pytest.raises(FieldError, match="this is not a regular file"):
+    with pytest.raises(FieldError, match="is a pipe, a socket or a device"):
         load_field(tmp_path / "f.toml")
+
+
+def _socket(path: Path) -> None:
+    with socket.socket(socket.AF_UNIX) as made:
+        made.bind(str(path))
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names on this system")
+@pytest.mark.parametrize("make", [os.mkfifo, _socket])
+@pytest.mark.parametrize(
+    "name", ["1.jpg", "1.mp4", "1.json", "workspace.db", "workspace.db.backup"]
+)
+def test_a_dataset_with_a_pipe_or_socket_in_it_opens_and_closes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, make: Callable[[Path], None], name: str
+) -> None:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "own"))
+    monkeypatch.chdir(tmp_path)  # a socket's path is short
+    (tmp_path / ".procc").mkdir()
+    make(Path(".procc", name) if "workspace" in name else Path(name))
+    database = WorkspaceDatabase.open(tmp_path, "Anna")
+    database.set_status("1", Status.DONE)
+    assert database.close()
+    assert any("a pipe, a socket" in line for line in database.notices) == ("workspace" in name)
+    with suppress(InputError):
+        read_settings(tmp_path)
+    for frame in Workspace.open(tmp_path, FIELD).frames:
+        with pytest.raises(ImageError, match="a pipe, a socket"):
+            decode_bgra(frame.image_path)
 
 
 @pytest.mark.skipif(not Path("/dev/zero").exists(), reason="no devices with names on this system")
 def test_devices_are_refused_also_through_links(tmp_path: Path) -> None:
     (tmp_path / "1.json").symlink_to("/dev/zero")
     (tmp_path / "f.toml").symlink_to("/dev/zero")
-    with pytest.raises(InputError, match="is a pipe or a device, expected a file"):
+    with pytest.raises(InputError, match="is a pipe, a socket or a device, expected a file"):
         open_source(tmp_path).read("1.json")
-    with pytest.raises(FieldError, match="this is not a regular file"):
+    with pytest.raises(FieldError, match="is a pipe, a socket or a device"):
         load_field(tmp_path / "f.toml")
 
 

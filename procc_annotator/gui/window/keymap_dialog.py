@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.errors import SaveError, UsageError
+from procc_annotator.errors import ProccError, SaveError
 from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.actions import ACTIONS, ActionSpec
 from procc_annotator.gui.keymap import (
@@ -39,6 +39,7 @@ from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.panels.rows import Index, RowsModel, list_rows
 from procc_annotator.gui.window.key_columns import keys_text
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.source import read_file
 from procc_annotator.language import tr, word
 
 _SIZE = QSize(760, 620)
@@ -285,8 +286,8 @@ class KeymapDialog(QDialog):
         if not chosen:
             return
         try:
-            self.keymap = from_values(json.loads(Path(chosen).read_text(encoding="utf-8")))
-        except (OSError, UnicodeDecodeError, json.JSONDecodeError, UsageError) as error:
+            self.keymap = from_values(json.loads(read_file(Path(chosen))))
+        except (ProccError, ValueError, RecursionError) as error:
             text = tr("{file}: {error}; the keys stay as they are", file=chosen, error=error)
             show_note(self.problem, text)
             return

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import os
 import zipfile
 from collections import Counter
 from collections.abc import Callable, Iterable
@@ -19,8 +18,8 @@ from procc_annotator.camera.matrices import calibration_matrix, translation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.camera.scaling import ScaledCamera, scaled
-from procc_annotator.errors import CameraError, SaveError, UsageError
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.io.atomic import make_folder, write_atomic
 from procc_annotator.io.camera_files.fitted_on import BESIDE, DIGEST, FIT_KEY, beside_content
 from procc_annotator.io.camera_files.homography_file import CONVENTIONS, HOMOGRAPHY_SIZE
 from procc_annotator.io.camera_files.krt_camera import write_krt
@@ -228,7 +227,7 @@ def write_cameras(
     archived = out.suffix.lower() == ".zip"
     if to == "submission" and not archived:
         raise UsageError(f"{out}: a submission is an archive, its name must end in .zip")
-    _make_folder(out.parent if archived else out)
+    make_folder(out.parent if archived else out)
     done = ConvertedCameras(out)
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
@@ -243,7 +242,7 @@ def write_cameras(
                     if archived:
                         archive.writestr(_entry(name), data)
                     else:
-                        _make_folder((out / name).parent)
+                        make_folder((out / name).parent)
                         write_atomic(out / name, data)
                 done.written += 1
             if progress is not None:
@@ -339,13 +338,6 @@ def _spelled(size: Size) -> str:
 
 def _is_file_name(name: str) -> bool:
     return bool(name) and name.isprintable() and not set(name) & set('/\\:*?"<>|')
-
-
-def _make_folder(folder: Path) -> None:
-    try:
-        os.makedirs(folder, exist_ok=True)
-    except OSError as error:
-        raise SaveError(f"{folder}: cannot be made: {error.strerror or error}") from error
 
 
 def _entry(name: str) -> zipfile.ZipInfo:

@@ -23,7 +23,7 @@ from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.camera_files.fitted_on import BESIDE
 from procc_annotator.io.camera_files.submission import IGNORED, LOWERS, REFUSED, SubmissionRemark
 from procc_annotator.io.collections import MANIFEST_FILE, CameraFiles, list_cameras
-from procc_annotator.io.json_text import printable
+from procc_annotator.io.json_text import decode_as, printable
 from procc_annotator.io.source import ZipSource
 from procc_annotator.words import count_of, first_of
 
@@ -108,10 +108,7 @@ def read_manifest(path: Path) -> Manifest:
                 advice="procc-annotator convert CAMERAS sub.zip --to polylines makes one",
             )
         data, shown = archive.read(MANIFEST_FILE), archive.display(MANIFEST_FILE)
-    try:
-        found = msgspec.json.decode(data, type=Manifest)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise InputError(shown, f"is no manifest: {error}") from error
+    found = decode_as(data, Manifest, "manifest", path=shown)
     if found.format != FORMAT:
         raise InputError(shown, f"is of format {printable(found.format)}, expected {FORMAT}")
     return found

@@ -10,6 +10,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from procc_annotator.regular_file import read_head
 from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_svg import Chart
 from procc_annotator.report.page.report_pairs import ReportedPair
@@ -84,8 +85,7 @@ class Page:
 def is_of_others(path: Path) -> bool:
     """Whether there is a file, and no report wrote it."""
     try:
-        with path.open("rb") as file:
-            return f'"{_GENERATOR}"'.encode() not in file.read(_HEAD)
+        return f'"{_GENERATOR}"'.encode() not in read_head(path, _HEAD)
     except FileNotFoundError:
         return False
     except OSError:  # a folder, or nothing that may be read

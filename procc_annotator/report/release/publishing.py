@@ -19,7 +19,7 @@ from procc_annotator.io.atomic import remove
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.csv_text import csv_cells, formula_text
 from procc_annotator.io.frame_names import FrameTable, leads_out
-from procc_annotator.io.json_text import is_unicode, printable
+from procc_annotator.io.json_text import decode_as, is_unicode, printable
 from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
 from procc_annotator.report.release.card import dataset_card
 from procc_annotator.report.release.changes import Changes, changed_frame, changelog
@@ -283,11 +283,7 @@ def _release_bytes(release: Release) -> bytes:
 
 def _read_release(folder: Path) -> _Known:
     path = folder / RELEASE_FILE
-    data = read_file(path)
-    try:
-        known = msgspec.json.decode(data, type=_Known)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise InputError(path, f"is no release: {error}") from error
+    known = decode_as(read_file(path), _Known, "release", path=path)
     if known.format != FORMAT:
         raise InputError(path, f"is of format {known.format[:60]!r}, expected {FORMAT!r}")
     for name in known.frames:

@@ -7,15 +7,11 @@ cheaply between processes); a `ScoreWriter` strings the fragments together.
 from __future__ import annotations
 
 import math
-import os
-import secrets
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any, Protocol
 
-from procc_annotator.errors import SaveError, UsageError
-from procc_annotator.io.atomic import mode_to_keep
+from procc_annotator.errors import UsageError
 from procc_annotator.metric.measure import Labelling
 from procc_annotator.metric.score import Status
 from procc_annotator.metric.sets import SetSummary
@@ -262,30 +258,3 @@ def score_format(path: Path) -> str:
     if suffix not in SCORE_SUFFIXES:
         raise UsageError(f"{path}: scores are written as .json or .csv, end the name so")
     return suffix[1:]
-
-
-@contextmanager
-def replacing(path: Path) -> Iterator[IO[bytes]]:
-    """A file that takes its place only when the block ends well; else whatever was there stays.
-
-    For files too long to hold in memory (`write_atomic` is for the others, and does the same).
-
-    Raises:
-        SaveError: the folder cannot be written, the file is write-protected, the disk is full.
-    """
-    target = Path(os.path.realpath(path))
-    temporary = target.with_name(f".procc-{secrets.token_hex(8)}.tmp")
-    try:
-        mode = mode_to_keep(target)
-        with open(temporary, "xb", buffering=1 << 20) as stream:
-            if mode is not None and hasattr(os, "fchmod"):
-                os.fchmod(stream.fileno(), mode)
-            yield stream
-            stream.flush()
-            os.fsync(stream.fileno())
-        os.replace(temporary, target)
-    except OSError as error:
-        raise SaveError(f"{path}: not written: {error.strerror or error}") from error
-    finally:
-        with suppress(OSError):  # gone already when all went well
-            temporary.unlink()

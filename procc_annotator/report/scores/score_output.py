@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import IO, Any, cast
 
 from procc_annotator.errors import ProccError, SaveError
-from procc_annotator.report.scores.score_files import replacing
+from procc_annotator.io.atomic import replacing
 
 
 class _Output(io.RawIOBase):

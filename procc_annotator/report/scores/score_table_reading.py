@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from procc_annotator.errors import InputError
+from procc_annotator.regular_file import open_regular
 from procc_annotator.report.scores.score_columns import COLUMNS, NAMES, Row
 from procc_annotator.report.sheet.as_parquet import parquet_libraries, parquet_schema
 from procc_annotator.report.sheet.from_csv import value_of
@@ -24,7 +25,7 @@ def read_csv_rows(path: Path) -> list[Row]:
         InputError: it cannot be read or is no such table.
     """
     try:
-        with open(path, encoding="utf-8", newline="") as file:
+        with io.TextIOWrapper(open_regular(path), encoding="utf-8", newline="") as file:
             reader = csv.reader(file, strict=True)
             return _rows(path, reader)
     except FileNotFoundError:
@@ -79,7 +80,8 @@ def read_parquet_rows(path: Path) -> list[Row]:
     """
     arrow, parquet = parquet_libraries()
     try:
-        data = path.read_bytes()
+        with open_regular(path) as file:
+            data = file.read()
     except FileNotFoundError:
         return []
     except OSError as error:

@@ -17,6 +17,8 @@ from procc_annotator.errors import InputError, SaveError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.folders import walk
+from procc_annotator.io.source import read_file
+from procc_annotator.regular_file import open_regular
 
 Mark = dict[
     str, str
@@ -73,8 +75,8 @@ def alike(mark: Mark, other: Mark) -> bool:
 def read_mark(file: Path) -> Mark:
     """A mark as it was written; empty if there is none that can be read."""
     try:
-        entries = json.loads(file.read_bytes())
-    except (OSError, ValueError, RecursionError):
+        entries = json.loads(read_file(file))
+    except (InputError, ValueError, RecursionError):
         return {}
     if not isinstance(entries, dict):
         return {}
@@ -90,7 +92,7 @@ def write_mark(file: Path, mark: Mark) -> None:
 def _look(path: Path) -> str:
     """Empty for what cannot be read. Uncompressed pictures all have one size, hence the content."""
     try:
-        with path.open("rb") as file:
+        with open_regular(path) as file:
             size = os.fstat(file.fileno()).st_size
             file.seek(size // 2)
             return f"{size} {zlib.crc32(file.read(_BYTES)):08x}"

@@ -9,6 +9,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from procc_annotator.regular_file import open_regular
 from procc_annotator.session.database.recovery import (
     backup_path,
     backup_time,
@@ -84,8 +85,11 @@ class Opened:
 def lies_outside(path: Path) -> bool:
     """Whether a database in ``.procc``, its journal or its backup is a link out of the dataset."""
     dataset = os.path.realpath(path.parent.parent)
-    files = (path, path.with_name(f"{path.name}-journal"), backup_path(path))
-    return not all(Path(os.path.realpath(f)).is_relative_to(dataset) for f in files)
+    return not all(Path(os.path.realpath(f)).is_relative_to(dataset) for f in _files(path))
+
+
+def _files(path: Path) -> tuple[Path, ...]:
+    return path, path.with_name(f"{path.name}-journal"), backup_path(path)
 
 
 def require_folder(path: Path) -> None:
@@ -96,11 +100,13 @@ def require_folder(path: Path) -> None:
 
     Raises:
         OSError: it cannot be made, nothing can be written there, or a link leads out of the
-            dataset: one from elsewhere could lead to any file of its user.
+            dataset (one from elsewhere could lead to any file of its user), or a pipe is there.
     """
     if path.parent.name == FOLDER and lies_outside(path):
         raise PermissionError("a link leads out of the dataset; it is not followed")
     path.parent.mkdir(parents=path.parent.name != FOLDER, exist_ok=True)
+    for file in filter(Path.exists, _files(path)):
+        open_regular(file).close()  # SQLite would wait for a pipe
     if not os.access(path.parent, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
         raise PermissionError("it is write-protected")
 

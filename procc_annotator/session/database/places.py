@@ -13,6 +13,7 @@ from typing import Any
 from procc_annotator.errors import InputError
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.user_folders import data_folder
+from procc_annotator.regular_file import open_regular
 from procc_annotator.session.database.dataset_mark import (
     Mark,
     alike,
@@ -44,6 +45,7 @@ from procc_annotator.session.database.rows import SETTING_KEY, Write, read
 from procc_annotator.session.database.tables import DamagedError
 
 _MOST_DATASETS = 100  # at one path
+_LONGEST_NAME = 242  # bytes of a dataset's name, so that the mark behind it fits too
 _BUSY_S = 5.0
 
 
@@ -68,7 +70,8 @@ def own_path(dataset: Path) -> Path | None:
         return None
     folder = os.path.realpath(folder_of(dataset))
     mark = hashlib.sha256(os.fsencode(folder)).hexdigest()[:12]
-    return base / "procc-annotator" / f"{os.path.basename(folder) or 'root'}-{mark}" / FILE
+    name = os.fsdecode(os.fsencode(os.path.basename(folder))[:_LONGEST_NAME]) or "root"
+    return base / "procc-annotator" / f"{name}-{mark}" / FILE
 
 
 def kept_elsewhere(dataset: Path) -> Path | None:
@@ -173,6 +176,7 @@ def _read_only(dataset: Path, columns: str, rest: str) -> tuple[dict[str, Any], 
 
 
 def _rows(path: Path, columns: str, rest: str) -> dict[str, Any]:
+    open_regular(path).close()  # SQLite would wait for a pipe
     connection = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", _BUSY_S, uri=True)
     with closing(connection):
         return dict(read(connection, columns, rest))

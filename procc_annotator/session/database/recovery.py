@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack, closing, contextmanager, suppress
 from pathlib import Path
 
+from procc_annotator.io.atomic import remove_stale
 from procc_annotator.session.database.rows import SET_VERDICT_BY_NAME, Write
 from procc_annotator.session.database.tables import DamagedError, Row, values_of
 
@@ -149,6 +150,7 @@ def write_backup(
     try:
         with closing(sqlite3.connect(temporary, isolation_level=None)) as copy:
             copy.execute("PRAGMA journal_mode = OFF")
+            remove_stale(temporary)
             connection.backup(copy, pages=_PAGES, progress=lambda *_: check())
             if copy.execute("PRAGMA integrity_check(1)").fetchone() != ("ok",):
                 raise DamagedError("it contradicts itself")

@@ -19,6 +19,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
+from procc_annotator.regular_file import open_regular, read_head
 from procc_annotator.session.dataset.processes import machine_mark, process_start
 
 _LARGEST = 4096  # bytes of a lock file that are looked at
@@ -155,7 +156,7 @@ class FrameLocks:
         for frame, note in list(self._held.items()):
             newer = replace(note, beat=note.beat + 1)
             try:
-                with open(self._path(frame), "r+b") as file:
+                with open_regular(self._path(frame), "r+b") as file:
                     # Written into the same file: when somebody replaces it this moment, the beat
                     # goes nowhere instead of over their lock.
                     ours = self._is_ours(_parse(file.read(_LARGEST)))
@@ -311,8 +312,7 @@ def _create(path: Path, data: bytes) -> None:
 
 
 def _read(path: Path) -> bytes:
-    with open(path, "rb") as file:
-        return file.read(_LARGEST)
+    return read_head(path, _LARGEST)
 
 
 def _text(note: _Note) -> bytes:

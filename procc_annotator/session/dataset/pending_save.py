@@ -12,7 +12,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import AnnotationError, ChangedOnDiskError, InputError, SaveError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.atomic import remove, write_atomic
+from procc_annotator.io.atomic import make_folder, remove, write_atomic
 from procc_annotator.io.source import read_if_there
 from procc_annotator.session.dataset.file_stamps import Stamp, stamp_of
 
@@ -97,10 +97,7 @@ class PendingSave:
         if not folder.is_dir() and self.image_folder.is_dir():
             # A chosen folder may not exist yet. But when the pictures' folder is gone (a drive was
             # unplugged), new folders in its place would only hide that.
-            try:
-                folder.mkdir(parents=True, exist_ok=True)
-            except OSError as error:
-                raise SaveError(f"{folder}: cannot be made: {error.strerror}") from error
+            make_folder(folder)
         # Others may write while the disk is waited for.
         look_again = _look_at_nothing if over_anything else self.check
         write_atomic(self.path, self.data, inside=self.inside, look_again=look_again)

@@ -12,6 +12,7 @@ from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.io.frame_names import PICTURE_FOLDERS, FrameTable
+from procc_annotator.regular_file import open_regular
 from procc_annotator.session.dataset.dataset_folder import is_known_dataset, lies_below
 from procc_annotator.session.dataset.picture_names import PicturesByName
 from procc_annotator.session.dataset.picture_tree import find_pictures
@@ -125,7 +126,7 @@ def picture_size(path: Path) -> Size:
     size = None
     if path.is_file():
         try:
-            with open(path, "rb", buffering=0) as file:
+            with open_regular(path, buffering=0) as file:
                 size = upright_size(file)
         except OSError as error:
             raise ImageError(path, f"cannot be read: {error.strerror or error}") from error

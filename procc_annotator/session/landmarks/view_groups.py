@@ -22,6 +22,7 @@ from procc_annotator.field.words import did_you_mean, printed
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
 from procc_annotator.io.frame_names import FrameTable
+from procc_annotator.io.source import read_if_there
 
 _FRAME, _INSTANT, _VIEW = "frame", "instant", "view"
 _ADVICE = "the file needs a header like: frame,instant,view"
@@ -144,11 +145,9 @@ def replace_views(path: Path, groups: ViewGroups, known: bytes | None = None) ->
         SaveError: it could not be written.
     """
     try:
-        there = path.read_bytes()
-    except FileNotFoundError:
-        there = None
-    except OSError as error:
-        raise SaveError(f"{path}: cannot be read: {error.strerror or error}") from error
+        there = read_if_there(path)
+    except InputError as error:
+        raise SaveError(str(error)) from error
     if there is not None and there != known:
         try:
             same = load_views(path) == groups

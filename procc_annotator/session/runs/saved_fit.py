@@ -9,13 +9,14 @@ from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.errors import SaveError
+from procc_annotator.errors import InputError, SaveError
 from procc_annotator.fit.result import FitResult
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.atomic import make_folder, write_atomic
 from procc_annotator.io.camera_files.fitted_on import BESIDE, DIGEST, FIT_KEY, annotation_digest
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.io.collections import camera_names
 from procc_annotator.io.frame_names import file_of_frame
+from procc_annotator.io.source import read_file
 from procc_annotator.session.runs.calibration_run import camera_file
 from procc_annotator.version import __version__
 
@@ -57,11 +58,7 @@ def save_fit(
                 f"{there}: is a camera that was not saved as a fit (move it away to save this one)"
             )
     what = _fitted_from(annotation, fit, field)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise SaveError(f"{path}: could not be saved: {reason}") from error
+    make_folder(path.parent)
     if isinstance(fit.camera, PinholeCamera):
         size = {"image_width": fit.size[0], "image_height": fit.size[1]}
         write_atomic(path, write_camera(fit.camera, {**size, FIT_KEY: what}))
@@ -113,8 +110,8 @@ def _is_saved_fit(path: Path, beside: Path) -> bool:
     if path.suffix != ".json":
         return beside.exists()
     try:
-        content = json.loads(path.read_bytes())
-    except (OSError, ValueError):
+        content = json.loads(read_file(path))
+    except (InputError, ValueError, RecursionError):
         return False
     found = content.get(FIT_KEY) if isinstance(content, dict) else None
     return isinstance(found, dict) and str(found.get("program", "")).startswith("procc-annotator ")

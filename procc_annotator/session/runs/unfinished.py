@@ -19,6 +19,8 @@ import numpy as np
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
+from procc_annotator.io.atomic import name_beside
+from procc_annotator.regular_file import open_regular
 from procc_annotator.session.runs.kept_values import KeptValueError, from_text, to_text
 from procc_annotator.version import __version__
 
@@ -30,7 +32,7 @@ def unfinished_file(out: Path, command: str) -> Path:
     """Where it lies: in the folder that is written, or beside the archive; hidden, so that no
     listing of cameras or annotations minds it."""
     if out.suffix.lower() == ".zip":
-        return out.with_name(f".{out.name}.{command}.unfinished")
+        return name_beside(out, ".", f".{command}.unfinished")
     return out / f".{command}.unfinished"
 
 
@@ -67,7 +69,7 @@ class Unfinished:
         """The results of a chunk that was done before; None if they cannot be read."""
         at, length = self._places[key]
         try:
-            with self.path.open("rb") as file:
+            with open_regular(self.path) as file:
                 file.seek(at)
                 found = from_text(file.read(length))
         except (OSError, KeptValueError):
@@ -117,7 +119,7 @@ class Unfinished:
     def _read(self) -> int:
         """Find what is there; where the last whole line ends, 0 for nothing."""
         try:
-            with self.path.open("rb") as file:
+            with open_regular(self.path) as file:
                 head = file.readline()
                 if not head.endswith(b"\n"):
                     return 0

@@ -184,7 +184,7 @@ def test_a_missing_file_and_a_folder_are_errors(tmp_path: Path) -> None:
     with pytest.raises(ImageError, match="No such file"):
         open_shared(tmp_path / "gone.mp4")
     (tmp_path / "folder.mp4").mkdir()
-    with pytest.raises(ImageError, match="expected a video file"):
+    with pytest.raises(ImageError, match="is a folder, expected a file"):
         Video.open(tmp_path / "folder.mp4")
 
 

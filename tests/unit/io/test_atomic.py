@@ -11,7 +11,9 @@ from typing import Any
 import pytest
 
 from procc_annotator.errors import SaveError
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.atomic import name_beside, replacing, write_atomic
+from procc_annotator.io.exclusive import exclusive
+from procc_annotator.io.file_lock import try_lock
 
 
 @pytest.mark.parametrize("step", ["access", "open", "fdopen", "fchmod", "fsync", "replace"])
@@ -44,6 +46,9 @@ class _FullDisk:
 
     def __exit__(self, *_: object) -> None:
         self.file.close()
+
+    def fileno(self) -> int:
+        return int(self.file.fileno())
 
     def write(self, data: bytes) -> None:
         self.file.write(data[:3])
@@ -141,3 +146,40 @@ def test_a_folder_in_the_way_is_said(tmp_path: Path) -> None:
     with pytest.raises(SaveError, match="could not be saved"):
         write_atomic(tmp_path / "1.json", b"new")
     assert [p.name for p in tmp_path.iterdir()] == ["1.json"]
+
+
+def test_a_stream_that_is_broken_off_leaves_the_old_file(tmp_path: Path) -> None:
+    path = tmp_path / "scores.json"
+    path.write_text("old")
+
+    def write() -> None:
+        with replacing(path) as stream:
+            stream.write(b"half")
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        write()
+    assert path.read_text() == "old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_what_killed_processes_left_is_removed(tmp_path: Path) -> None:
+    left, young, locked, other = (
+        tmp_path / f".procc-{name}" for name in ("1.tmp", "2.tmp", "3.tmp", "4.json")
+    )
+    for path in (left, young, locked, other):
+        path.write_bytes(b"half")
+        if path != young:
+            os.utime(path, (1e9, 1e9))
+    with locked.open("rb") as file:
+        assert try_lock(file.fileno())  # a process that is still writing
+        write_atomic(tmp_path / "1.json", b"new")
+    assert sorted(tmp_path.glob(".procc*")) == sorted({young, locked, other} - {left})
+
+
+def test_a_name_as_long_as_it_may_be_is_locked_and_written(tmp_path: Path) -> None:
+    for name in ("d" * 250, "\u00e4" * 125):
+        with exclusive(tmp_path / name):
+            write_atomic(tmp_path / name, b"new")
+        assert (tmp_path / name).read_bytes() == b"new"
+    assert name_beside(tmp_path / "a", ".", ".lock") == tmp_path / ".a.lock"

@@ -159,7 +159,7 @@ def test_a_folder_in_place_of_a_file_and_a_damaged_member(tmp_path: Path) -> Non
     (folder / "2.json").mkdir()
     source = open_source(folder)
     assert list(list_annotations(source)) == ["1", "2", "3"]
-    with pytest.raises(InputError, match=r"2\.json: is a folder, expected a file"):
+    with pytest.raises(InputError, match=r"2\.json: cannot be read: is a folder, expected a file"):
         source.read("2.json")
     with pytest.raises(InputError, match="cannot be read"):
         source.read("4.json")

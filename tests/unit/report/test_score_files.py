@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import json
-import os
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +12,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.errors import SaveError, UsageError
+from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
@@ -22,7 +21,6 @@ from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
 from procc_annotator.report.scores.score_files import (
     JsonScores,
     json_fragment,
-    replacing,
     score_format,
 )
 from procc_annotator.report.sheet.figure import shortest
@@ -119,35 +117,6 @@ def test_only_known_endings() -> None:
         score_format(Path("scores.txt"))
 
 
-def test_a_broken_off_write_leaves_the_old_file(tmp_path: Path) -> None:
-    path = tmp_path / "scores.json"
-    path.write_text("old")
-
-    def write() -> None:
-        with replacing(path) as stream:
-            stream.write(b"half")
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        write()
-    assert path.read_text() == "old"
-    assert list(tmp_path.iterdir()) == [path]
-
-
-def test_a_full_disk_is_a_save_error(tmp_path: Path) -> None:
-    path = tmp_path / "scores.json"
-    path.write_text("old")
-    with pytest.raises(SaveError, match="no space"), replacing(path):
-        raise OSError(28, "no space left on device")
-    assert path.read_text() == "old"
-    assert list(tmp_path.iterdir()) == [path]
-
-
-def test_a_folder_that_does_not_exist_is_a_save_error(tmp_path: Path) -> None:
-    with pytest.raises(SaveError, match="absent"), replacing(tmp_path / "absent" / "a.json"):
-        pass
-
-
 def test_elements_in_the_file_are_those_of_the_score(setup: EvaluationSetup) -> None:
     """The file is written from arrays; the window shows `FrameScore.elements`."""
     frame = result(setup, 0.5, 3.0, 30.0)
@@ -162,18 +131,3 @@ def test_elements_in_the_file_are_those_of_the_score(setup: EvaluationSetup) -> 
             }
             for element in judged.elements
         }
-
-
-def test_a_link_is_followed_and_permissions_stay(tmp_path: Path) -> None:
-    path, link = tmp_path / "scores.json", tmp_path / "latest.json"
-    path.write_text("old")
-    path.chmod(0o640)
-    try:
-        link.symlink_to(path)
-    except OSError:
-        pytest.skip("no right to make links")
-    with replacing(link) as stream:
-        stream.write(b"new")
-    assert link.is_symlink()
-    assert path.read_text() == "new"
-    assert os.name == "nt" or path.stat().st_mode & 0o777 == 0o640

@@ -178,18 +178,6 @@ class TestDatabase:
         database.close()
         assert opened().verdicts("f1")[place_by_name("NBJW")].fault is Fault.CAMERA
 
-    def test_they_are_saved_from_a_damaged_file(self, tmp_path: Path, opened: Open) -> None:
-        database = opened()
-        for i in range(50):
-            database.set_verdict(f"f{i}", "NBJW", Fault.CAMERA)
-        database.close()
-        with sqlite3.connect(tmp_path / ".procc" / "workspace.db") as damaged:
-            damaged.execute("UPDATE source_verdict SET fault = 'nobody' WHERE frame = 'f7'")
-        damaged.close()
-        again = opened()
-        assert "set aside" in again.notices[0]
-        assert len(again.all_verdicts()) == 49
-
 
 class TestFilter:
     FACTS = FrameFacts("f", "done", (), 0, 0, "", False, False, False, lambda tau: None)
