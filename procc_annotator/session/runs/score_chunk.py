@@ -18,6 +18,7 @@ from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.io.camera_files.held_out_table import HeldOut
 from procc_annotator.metric.clicked import AnnotatedExtent, clicked
 from procc_annotator.metric.measure import Measurement, measure_frames
+from procc_annotator.metric.project import why_clipped
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
@@ -252,6 +253,8 @@ def _load_camera(
     loaded = cameras.read(name, task.setup.field)
     setup = task.setup
     camera, scaled = fit_to_size(loaded, setup.size, task.camera_size, setup.unsized)
+    if problem := why_clipped(camera, setup):
+        raise CameraError(cameras.display(name), problem)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
     model = model_name(camera, loaded.model, setup.size)
     fitted = Fitted.of(loaded.fitted_on, annotation)
