@@ -17,7 +17,13 @@ from procc_annotator.io.camera_files.camera_writers import (
     encode_camera,
     writer_of,
 )
-from procc_annotator.io.camera_files.fitted_on import DIGEST, FIT_KEY, annotation_digest
+from procc_annotator.io.camera_files.fitted_on import (
+    BESIDE,
+    DIGEST,
+    FIT_KEY,
+    annotation_digest,
+    beside_content,
+)
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.version import __version__
 
@@ -46,8 +52,9 @@ def save_camera(
             (.npy) or ``world`` (.txt).
         size: (width, height) px of the picture. A plain camera belongs to it; fits, and cameras
             whose file told theirs, are scaled to it. Homographies need one.
-        fitted_to: the annotation that the camera was fitted to; the file of a SoccerNet camera then
-            says so, and such a camera stands marked wherever it is judged by these clicks.
+        fitted_to: the annotation that the camera was fitted to, where ``camera`` does not know it
+            (a fit does). The file, or one beside it that ends in .fit, then says so, and the camera
+            is marked and not ranked wherever it is judged by these clicks.
         overwrite: whether a file that is there may be replaced.
 
     Returns:
@@ -65,22 +72,22 @@ def save_camera(
     if not overwrite and os.path.lexists(file):
         raise UsageError(f"{file}: is there already (overwrite=True replaces it)")
     loaded = _with_size(camera, as_size_or_none(size))
-    lost: tuple[str, ...] = ()
-    if fitted_to is not None and format == _SOCCERNET:
-        what = {
-            "program": f"procc-annotator {__version__}",
-            "model": loaded.model,
-            DIGEST: annotation_digest(as_annotation(fitted_to)),
-        }
-        loaded = replace(loaded, content={**loaded.content, FIT_KEY: what})
-    elif fitted_to is not None:
-        lost = ("what it was fitted to",)
+    if fitted_to is not None:
+        digest = annotation_digest(as_annotation(fitted_to))
+        program = f"procc-annotator {__version__}"
+        what = {"program": program, "model": loaded.model, DIGEST: digest}
+        loaded = replace(loaded, fitted_on=digest, content={**loaded.content, FIT_KEY: what})
     try:
         data, losses = encode_camera(loaded, format, size=as_size_or_none(size))
     except ValueError as error:
         raise UsageError(f"{file}: not written: {error}") from None
+    beside = file.with_suffix(BESIDE)
+    if loaded.fitted_on is not None and not writer.evaluated:  # the others say it themselves
+        write_atomic(beside, beside_content(loaded.fitted_on))
+    else:
+        beside.unlink(missing_ok=True)  # of the camera that was there before
     write_atomic(file, data)
-    return (*losses, *lost)
+    return losses
 
 
 def _writer(name: str) -> CameraWriter:
@@ -97,6 +104,6 @@ def _with_size(camera: AnyCamera, size: tuple[int, int] | None) -> LoadedCamera:
     if isinstance(camera, FitResult):
         if camera.camera is None:
             raise UsageError(f"there is no camera to write, the fit failed: {camera.failure}")
-        return LoadedCamera(camera.camera, camera.model, camera.size)
+        return LoadedCamera(camera.camera, camera.model, camera.size, fitted_on=camera.fitted_on)
     as_camera(camera, "camera")
     return LoadedCamera(camera, str(getattr(camera, "model", type(camera).__name__)), size)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.api.given import CameraAt
 from procc_annotator.errors import UsageError
-from procc_annotator.io.camera_files.fitted_on import fitted_words, is_fitted_on
+from procc_annotator.io.camera_files.fitted_on import Fitted
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.metric.chance.intervals import Interval, Method
 from procc_annotator.metric.chance.paired import PairedDifference
@@ -232,8 +232,7 @@ def score_set(
     models = {name: camera.model for name, (_, camera) in frames.items() if camera is not None}
     source = SourceSums.of("this", thresholds, sums)
     terms = setup.describe(source.ground_only)
-    fitted = sum(frame.fitted for frame in source.frames)
-    mark = fitted_words(fitted, int(source.with_camera.sum()))
+    mark = source.fitted.among(int(source.with_camera.sum()))
     described = f"{terms}, {mark}" if mark else terms
     return SetScore(described, total.summary(), found, models, source, terms)
 
@@ -256,7 +255,7 @@ def _evaluated(
         scores,
         ground_only=measurement.projected.ground_only,
         model=camera.model,
-        fitted=is_fitted_on(camera.fitted_on, annotation),
+        fitted=Fitted.of(camera.fitted_on, annotation),
     )
     return Evaluated(result, camera.camera, camera.model, measurement, annotation)
 

@@ -26,7 +26,7 @@ from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import open_source
@@ -294,25 +294,28 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     return annotated, {}
 
 
-def _fitted_on(sources: Sequence[CameraSet], dataset: Path | None, field: Field) -> list[bool]:
-    """Whether a camera of each was fitted to the dataset's annotation of its frame."""
+def _fitted_on(sources: Sequence[CameraSet], dataset: Path | None, field: Field) -> list[Fitted]:
+    """The cameras of each that were fitted to the dataset's annotation of their frame."""
     if dataset is None:
-        return [False] * len(sources)
+        return [NOT_FITTED] * len(sources)
     with open_annotations(annotations_or_itself(dataset), field) as annotations:
         files = list_annotations(annotations)
 
-        def of_these(source: CameraSet, frame: str) -> bool:
+        def of_these(source: CameraSet, frame: str) -> Fitted:
             digest = source.fitted_on(frame)
             if digest is None:
-                return False
+                return NOT_FITTED
             try:
                 data = annotations.read(files[frame])
                 found = read_annotation(data, path=annotations.display(files[frame]), field=field)
             except InputError:  # nothing is told of what cannot be read
-                return False
-            return is_fitted_on(digest, found)
+                return NOT_FITTED
+            return Fitted.of(digest, found)
 
-        return [any(of_these(s, frame) for frame in s.frames if frame in files) for s in sources]
+        return [
+            sum((of_these(s, frame) for frame in s.frames if frame in files), NOT_FITTED)
+            for s in sources
+        ]
 
 
 def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:

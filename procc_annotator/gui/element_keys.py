@@ -76,5 +76,7 @@ class ElementShortcuts(QObject):
         self._shortcuts = []
         for name, keys in element_keys(self._document.field, self._document.state.keymap).items():
             shortcut = QShortcut(keys, self._window)
-            shortcut.activated.connect(lambda name=name: self._document.select_class(name))
+            shortcut.activated.connect(
+                lambda name=name: self._document.select_class(name, continues=True)
+            )
             self._shortcuts.append(shortcut)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from procc_annotator.annotation import point_from_px, points_px
+from procc_annotator.annotation import Point, point_from_px, points_px
 from procc_annotator.interact import step_names
 from procc_annotator.interact.gesture import (
     IGNORED,
@@ -21,11 +21,13 @@ from procc_annotator.interact.gesture import (
 from procc_annotator.interact.overlay_shapes import NO_HAND, Draft, Hand
 from procc_annotator.language import tr
 from procc_annotator.session.dataset import edits
+from procc_annotator.session.facts.origins import PointKey
 
 
 @dataclass
 class DrawTool:
-    """Clicks along an element; a class that has points already is continued at its last one.
+    """Clicks along an element; one that has points already is continued at its last one if a hand
+    chose it for that.
 
     Continuing an unconfirmed element confirms it.
     """
@@ -59,7 +61,7 @@ class DrawTool:
         self, position: Position, modifiers: Modifiers, context: Context
     ) -> Position | None:
         """Where a click here would be put by snapping; None: exactly here."""
-        name = self.class_name if self.busy else context.selected_class
+        name = self.class_name if self.busy else context.clicked_class
         if name is None:
             return None
         direction = self._direction(name, position, context)
@@ -70,10 +72,10 @@ class DrawTool:
         is wanted."""
         self._spot_placed = False
         if not self.busy:
-            begun = context.selected_class or context.unnamed
+            begun = context.clicked_class or context.unnamed
             if begun is None:
                 return Reaction(message=tr("choose an element first: field map, list, or its key"))
-            self.class_name, self.unnamed = begun, context.selected_class is None
+            self.class_name, self.unnamed = begun, context.clicked_class is None
             if self.class_name in context.spots:
                 return self._place(self.class_name, position, context)
         placed = self.landing(position, modifiers, context)
@@ -86,7 +88,7 @@ class DrawTool:
         self.points.append(placed if placed is not None else position)
         if context.two_clicks_finish and self._is_complete(context):
             return self.finish(context, finished=True)
-        return Reaction()
+        return Reaction(select=Selection(None)) if self.unnamed else Reaction()
 
     def move(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
         return IGNORED
@@ -128,20 +130,24 @@ class DrawTool:
         """Make what was clicked an edit; also used before anything that would leave the frame."""
         if not self.busy or self.class_name is None:
             return IGNORED
-        name, size = self.class_name, context.picture_size
-        points = [point_from_px(x, y, size) for x, y in self.points]
-        on_line = [p in self._snapped for p in self.points]
-        snapped = {point_key(q) for q, on in zip(points, on_line, strict=True) if on}
+        name = self.class_name
+        points, snapped = self.drawn(context)
         self.points.clear()
         self._snapped.clear()
         goes_on, title = context.polyline(name) is not None, context.title(name)
         edited = edits.append_points(edits.confirm(context.annotation, name), name, points)
         label = step_names.drawing(title, goes_on=goes_on)
-        edit = Edit(label, edited, snapped=frozenset(snapped))
+        edit = Edit(label, edited, snapped=snapped)
         if self.unnamed:
             asked = name if finished else None
             return Reaction(edit=edit, select=Selection(name), completed=name, to_name=asked)
         return Reaction(edit=edit, select=Selection(name), finished=finished, completed=name)
+
+    def drawn(self, context: Context) -> tuple[tuple[Point, ...], frozenset[PointKey]]:
+        """The points under way, and those of them that were put on a line's centre."""
+        points = tuple(point_from_px(x, y, context.picture_size) for x, y in self.points)
+        on_line = zip(points, self.points, strict=True)
+        return points, frozenset(point_key(q) for q, p in on_line if p in self._snapped)
 
     def call(self, name: str) -> bool:
         """Give what is under way its name; False for what has one, or is named already."""

@@ -59,6 +59,7 @@ class Context:
         title: what people call a class.
         spots: classes that are single places: one click annotates them, and no line is near.
         unnamed: the class of a line that is named after it was drawn; None: classes come first.
+        continues: whether clicks add to the points the selected element has.
     """
 
     annotation: FrameAnnotation
@@ -74,6 +75,14 @@ class Context:
     title: Callable[[str], str] = str.strip
     spots: frozenset[str] = frozenset()
     unnamed: str | None = None
+    continues: bool = False
+
+    @property
+    def clicked_class(self) -> str | None:
+        """The class that clicks begin or continue: never one that is finished or copied, unless it
+        was chosen to be continued."""
+        name = self.selected_class
+        return name if self.continues or self.polyline(name) is None else None
 
     @property
     def chosen_points(self) -> frozenset[PointRef]:

@@ -23,12 +23,12 @@ def draft_of(
         cursor: where it would be.
         held: keys.
     """
-    name = draw.class_name if draw.busy else context.selected_class
+    name = draw.class_name if draw.busy else context.clicked_class
     if name is None or cursor is None:
-        return draw.draft(context.selected_class, cursor)
+        return draw.draft(context.clicked_class, cursor)
     landing = draw.landing(cursor, held, context)
     hand = _hand(name, len(draw.points), context, landing, suspended=held.ctrl)
-    return draw.draft(context.selected_class, cursor, landing, hand)
+    return draw.draft(context.clicked_class, cursor, landing, hand)
 
 
 def _hand(

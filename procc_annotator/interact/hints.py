@@ -37,6 +37,7 @@ class GhostHint:
 
 SEPARATOR = "  •  "
 _NOTHING_TO_DO = word("click, Enter and Esc do nothing yet")
+_NAMED_AFTER = word("click begins a line that is named after")
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,12 +174,8 @@ def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | 
         return _chosen_words(context.selected_class, context, field, upcoming)
     if context.unnamed is not None:
         first = tr("or choose its element first: field map, list, its key or /")
-        return _Words(
-            tr("DRAW"),
-            tr("click begins a line that is named after"),
-            (tr("Enter and Esc do nothing yet"), first),
-            _snap_words(context),
-        )
+        answers = (tr("Enter and Esc do nothing yet"), first)
+        return _Words(tr("DRAW"), tr(_NAMED_AFTER), answers, _snap_words(context))
     choose = tr("choose an element: field map, list, its key or /")
     return _Words(tr("DRAW"), "", (choose, tr(_NOTHING_TO_DO)))
 
@@ -215,6 +212,9 @@ def _chosen_words(class_name: str, context: Context, field: Field, upcoming: str
     if waiting:
         enter = tr("Enter confirms it")
     answers, more = (enter, tr("Esc deselects")), _point_words(context)
+    if context.clicked_class is None:
+        again = tr("choose it again, then clicks continue it")
+        return _Words(tool, tr(_NAMED_AFTER) if context.unnamed else "", answers, (again, *more))
     if spot:
         following = _title(upcoming, field) if upcoming is not None else None
         return _Words(tool, _placing_words(following, placed=count > 0), answers, more)

@@ -12,7 +12,7 @@ from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.io.atomic import make_folder, write_atomic
-from procc_annotator.io.camera_files.fitted_on import marked
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted, marked
 from procc_annotator.io.frame_names import file_of_frame
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import Disagreement
@@ -77,7 +77,7 @@ class ComparisonReport:
     errors: list[str] = field(default_factory=list)
     notices: Counter[str] = field(default_factory=Counter)
     pictures: list[Path] = field(default_factory=list)
-    fitted: tuple[bool, bool] = (False, False)
+    fitted: tuple[Fitted, Fitted] = (NOT_FITTED, NOT_FITTED)
     chance: tuple[Sheet, ...] = ()  # intervals, where they were asked for
 
     @property
@@ -268,7 +268,7 @@ def _json(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
 
 
 def _source_entry(compared: ComparisonReport, which: int, path: Path) -> dict[str, Any]:
-    mark = {"fitted_on_these_clicks": True} if compared.fitted[which] else {}
+    mark = compared.fitted[which].entry(bool)
     return {"name": compared.names[which], "path": str(path), **mark}
 
 

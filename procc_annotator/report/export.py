@@ -27,7 +27,7 @@ from procc_annotator.io.annotation_files.soccernet_classes import (
 )
 from procc_annotator.io.atomic import make_folder, replacing
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
-from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.camera_files.fitted_on import Fitted
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.clicked import clicked
@@ -341,7 +341,7 @@ class _Totals:
             scores,
             ground_only=ground_only,
             model=loaded.model,
-            fitted=is_fitted_on(loaded.fitted_on, annotation),
+            fitted=Fitted.of(loaded.fitted_on, annotation),
             clicked=extent,
         )
 

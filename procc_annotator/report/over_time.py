@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.errors import UsageError
-from procc_annotator.io.camera_files.fitted_on import marked
+from procc_annotator.io.camera_files.fitted_on import FITTED_KEYS, NOT_FITTED, Fitted, marked
 from procc_annotator.metric.over_time.frame_offset import FrameOffset
 from procc_annotator.metric.over_time.positions import way_back
 from procc_annotator.metric.over_time.steadiness import of_shot
@@ -25,13 +25,12 @@ from procc_annotator.words import count_of
 
 SUFFIXES = (".json", ".csv")
 
-_FITTED = "fitted_on_these_clicks"  # of so many frames; of one: whether
 _OF_SHOT = (
     Column("set", "set"),
     Column("source", "source"),
     Column("shot", "shot"),
     whole("frames"),
-    whole(_FITTED),
+    *map(whole, FITTED_KEYS),  # of so many frames
     of(figures.MEAN_JAC),
     *(of(figure) for figure in figures.JAC_THIRDS),
     of(figures.JITTER_PX),
@@ -83,7 +82,7 @@ _OF_FRAME = (
     Column("frame", "frame"),
     whole("number"),
     Column("camera", "camera", "yes_no"),
-    Column(_FITTED, kind="yes_no"),
+    *(Column(key, kind="yes_no") for key in FITTED_KEYS),
     of(figures.JAC),
     of(figures.STEP_PX),
     of(figures.JITTER_PX),
@@ -130,7 +129,7 @@ class SourceOverTime:
     @property
     def marked_name(self) -> str:
         """Its name as tables and charts tell it beside others."""
-        return marked(self.source, any(shot.fitted.any() for shot in self.shots))
+        return marked(self.source, sum((shot.fits for shot in self.shots), NOT_FITTED))
 
     @property
     def errors(self) -> list[str]:
@@ -168,8 +167,11 @@ def shown_sheets(whole_sheet: Sheet) -> list[Sheet]:
     """The same in sheets that fit a terminal; columns that say nothing are left out, and a source
     that was fitted to the clicks is marked."""
     keys = [column.key for column in whole_sheet.columns]
-    fits = {row[:2] for row in whole_sheet.rows if row[keys.index(_FITTED)]}
-    named = [(row[0], marked(str(row[1]), row[:2] in fits), *row[2:]) for row in whole_sheet.rows]
+    fits: dict[tuple[Value, ...], Fitted] = {}
+    for row in whole_sheet.rows:
+        own = Fitted(*(int(row[keys.index(key)] or 0) for key in FITTED_KEYS))
+        fits[row[:2]] = fits.get(row[:2], NOT_FITTED) + own
+    named = [(row[0], marked(str(row[1]), fits[row[:2]]), *row[2:]) for row in whole_sheet.rows]
     parts = []
     for number, (title, chosen) in enumerate(zip(_TITLES, _SHOWN, strict=True)):
         places = [keys.index(key) for key in chosen]
@@ -256,7 +258,8 @@ def _shot_row(one: SourceOverTime, shot: ShotOverTime) -> tuple[Value, ...]:
         one.source,
         shot.shot.name,
         len(shot.shot.frames),
-        int(shot.fitted.sum()),
+        shot.fits.these,
+        shot.fits.another,
         shot.mean_jac,
         *(shot.jac_third(third) for third in range(3)),
         shot.jitter_px,
@@ -297,7 +300,8 @@ def _all_shots_row(one: SourceOverTime) -> tuple[Value, ...]:
         "source": one.source,
         "shot": f"all {count_of(len(shots), 'shot')}",
         "frames": frames,
-        _FITTED: sum(int(shot.fitted.sum()) for shot in shots),
+        **dict.fromkeys(FITTED_KEYS, 0),
+        **sum((shot.fits for shot in shots), NOT_FITTED).entry(),
         "mean_jac": float(np.nanmean(jac)) if np.isfinite(jac).any() else None,
         "jitter_px": of_shot(_joined([shot.steady.px for shot in shots]), left_out),
         "jitter_m": of_shot(_joined([shot.steady.ground_m for shot in shots]), left_out),
@@ -327,6 +331,6 @@ def _frame_rows(one: SourceOverTime, shot: ShotOverTime) -> list[tuple[Value, ..
     for at, (name, number) in enumerate(zip(shot.shot.frames, shot.shot.numbers, strict=True)):
         values = [float(v) if np.isfinite(v) else None for v in numbers[at]]
         named = (one.set_name, one.source, shot.shot.name, name, number)
-        known = (not gone[at], bool(shot.fitted[at]))
+        known = (not gone[at], *shot.fitted[at].values)
         rows.append((*named, *known, *values[:4], bool(shot.broken.unsteady[at]), *values[4:]))
     return rows

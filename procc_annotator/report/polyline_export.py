@@ -14,6 +14,7 @@ from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import ConvertedCameras
 from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.io.camera_files.fitted_on import BESIDE, beside_content
 from procc_annotator.io.camera_files.polyline_submission import (
     FORMAT,
     Manifest,
@@ -75,6 +76,8 @@ def export_polylines(
             done.losses.update([*loaded.notices, *([notice] if notice else [])])
             pieces = projected_pieces(camera, setup.of_frame(frame))
             archive.write(f"{frame}.json", encode_polylines(pieces, setup.size))
+            if loaded.fitted_on is not None:
+                archive.write(f"{frame}{BESIDE}", beside_content(loaded.fitted_on))
             done.written += 1
     return done
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 MARK = "fitted on these clicks"
+OTHER = "fitted to another version of these annotations"
 FEW = ("--draws", 200, "--seed", 1)
 
 
@@ -47,17 +48,43 @@ def test_evaluate_marks_them_in_every_output(cli, dataset, fits, tmp_path) -> No
         assert found == {("theirs", "false"), ("ours", "true")}
 
 
-def test_other_clicks_are_not_those_of_the_fit(cli, dataset, fits) -> None:
-    for name in ("1", "2"):
+def move_a_point(dataset, names) -> None:
+    for name in names:
         path = dataset.annotations / f"{name}.json"
         content = json.loads(path.read_text())
         next(iter(content.values()))[0]["x"] += 1e-6
         path.write_text(json.dumps(content))
-    done = cli("evaluate", dataset.annotations, fits)
-    assert f"{MARK} in 3 of 5 frames" in plain(done.stdout)
-    for name in ("3", "10", "11"):
-        (dataset.annotations / f"{name}.json").unlink()
-    assert MARK not in cli("evaluate", dataset.annotations, fits).stdout
+
+
+def test_a_point_moved_since_makes_a_fit_no_method(cli, dataset, fits, tmp_path) -> None:
+    move_a_point(dataset, ("1", "2"))
+    some = f"{MARK}, or to another version of these annotations"
+    assert some in plain(cli("evaluate", dataset.annotations, fits).stdout)
+    move_a_point(dataset, ("3", "10", "11"))
+    out = [part for name in ("s.json", "s.csv") for part in ("-o", tmp_path / name)]
+    both = ("--cameras", f"theirs={dataset.cameras}", "--cameras", f"ours={fits}")
+    done = cli("evaluate", dataset.annotations, *both, *out, "--intervals", *FEW)
+    assert f"ours ({OTHER})" in plain(done.stdout)
+    assert f"({MARK})" not in plain(done.stdout)
+    theirs, ours = json.loads((tmp_path / "s.json").read_text())["evaluations"]
+    assert all(image["fitted_on_another_version"] for image in ours["images"])
+    assert not any("fitted_on" in key for image in theirs["images"] for key in image)
+    told = {(row["method"], row["fitted_on_another_version"]) for row in rows(tmp_path / "s.csv")}
+    assert told == {("theirs", "false"), ("ours", "true")}
+    files = [part for name in ("r.html", "r.csv") for part in ("-o", tmp_path / name)]
+    assert cli("report", dataset.root, *both, *files, "--worst", 0, *FEW).exit_code == 0
+    assert f"ours ({OTHER})" in (tmp_path / "r.html").read_text()
+    ranks = {row["source"]: row["rank"] for row in rows(tmp_path / "r.csv") if not row["class"]}
+    assert ranks == {"theirs": "1", "ours": ""}
+
+
+@pytest.mark.parametrize("to", ["krt", "opencv", "soccernet-camera", "submission", "polylines"])
+def test_a_converted_fit_is_still_one(cli, dataset, fits, tmp_path, to) -> None:
+    first, out = tmp_path / "first", tmp_path / "out.zip"
+    assert cli("convert", fits, first, "--to", "krt").exit_code == 0
+    assert cli("convert", first, out, "--to", to).exit_code == 0
+    fmt = ("--camera-format", to) if to == "polylines" else ()
+    assert MARK in plain(cli("evaluate", dataset.annotations, out, *fmt).stdout)
 
 
 @pytest.mark.parametrize(("model", "kept"), [("H", "calibration.csv"), ("R", "camera_*.json")])

@@ -349,7 +349,7 @@ class Hand:
 
     def draw(self, class_name: str, *points: tuple[float, float]) -> np.ndarray:
         """Choose an element, click its points, press Enter, see it saved; where the clicks were."""
-        self.document.select_class(class_name)
+        self.document.select_class(class_name, continues=True)
         clicked = [self.click(*p) for p in points]
         self.key(Qt.Key.Key_Return)
         until_kept()

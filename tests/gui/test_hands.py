@@ -214,6 +214,7 @@ class TestNextElement:
         clicks.key(Qt.Key.Key_Return, SHIFT)
         assert document.selected_class == "Big rect. left main"
         on_pitch.actions_["auto_advance"].trigger()
+        document.select_class("Big rect. left main", continues=True)
         clicks.click(300, 400)
         clicks.key(Qt.Key.Key_Return)
         assert document.selected_class == "Big rect. left main"
@@ -227,6 +228,50 @@ class TestNextElement:
         clicks.click(300, 400)
         assert not on_pitch.canvas.editor.drawing
         assert len(px(on_pitch, MIDDLE)) == 2
+
+
+class TestLeaving:
+    """A frame is left, or the program dies, while something is drawn."""
+
+    def test_a_single_click_waits_and_is_no_element(
+        self, on_pitch: MainWindow, clicks: Hand, pitch: Path, qtbot: QtBot
+    ) -> None:
+        document = on_pitch.document
+        document.select_class(MIDDLE)
+        clicks.click(480, 130)
+        told = qtbot.waitSignal(
+            document.message,
+            check_params_cb=lambda text, _: text.startswith("kept 1 click of Half"),
+        )
+        with told:
+            document.next_frame()
+        document.save_now()
+        assert not (pitch / "0.json").exists()
+        document.previous_frame()
+        assert document.annotation.get_unconfirmed(MIDDLE) is not None
+        clicks.draw(MIDDLE, (480, 530))
+        assert len(px(on_pitch, MIDDLE)) == 2
+        assert kinds(on_pitch) == {OriginKind.SNAPPED: 2}
+
+    @pytest.mark.new_window
+    def test_clicks_under_way_outlive_the_program(
+        self, on_pitch: MainWindow, clicks: Hand, pitch: Path, make_window: MakeWindow
+    ) -> None:
+        document = on_pitch.document
+        document.select_class(MIDDLE)
+        clicks.click(480, 130)
+        clicks.click(480, 530)
+        assert document.review.database is not None
+        assert document.review.database.flush()
+        left = pitch.with_name("left")  # as it lies there while the hand is still at it
+        shutil.copytree(pitch, left, ignore=shutil.ignore_patterns("locks"))
+        later = make_window(left).document
+        waiting = later.annotation.get_unconfirmed(MIDDLE)
+        assert waiting is not None
+        assert len(waiting.points) == 2
+        on_pitch.canvas.key("Enter")
+        assert document.review.database.flush()
+        assert not document.review.database.drafts()
 
 
 class TestRegularise:
@@ -408,19 +453,30 @@ class TestCopying:
         assert set(kinds(on_pitch)) == {OriginKind.COPIED}
 
     @pytest.mark.parametrize("goes_on", [True, False])
-    def test_a_click_after_confirming_all_goes_into_none_of_them(
-        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, goes_on: bool
+    @pytest.mark.parametrize("done", ["finished", "seen again", "copied", "confirmed", "all"])
+    def test_a_stray_click_goes_into_no_element_that_is_done(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, done: str, goes_on: bool
     ) -> None:
-        on_pitch.document.set_option("auto_advance", goes_on)
-        self.copy(on_pitch, clicks, qtbot)
-        clicks.key(Qt.Key.Key_V, SHIFT)
-        before = {name: px(on_pitch, name) for name in (MIDDLE, TOP)}
-        chosen = on_pitch.document.selected_class
-        assert (chosen is not None) == goes_on
-        assert chosen not in before
+        document = on_pitch.document
+        document.set_option("auto_advance", goes_on)
+        if done in ("finished", "seen again"):
+            clicks.draw(MIDDLE, (480, 130), (480, 530))
+            document.select_class(MIDDLE)
+            if done == "seen again":
+                document.next_frame()
+                document.previous_frame()
+        else:
+            self.copy(on_pitch, clicks, qtbot)
+            for _ in range(2 if done == "confirmed" else 0):
+                clicks.key(Qt.Key.Key_Return)
+            if done == "all":
+                clicks.key(Qt.Key.Key_V, SHIFT)
+        before = document.annotation
         clicks.click(300, 300)
         clicks.key(Qt.Key.Key_Return)
-        assert all(np.array_equal(px(on_pitch, name), before[name]) for name in before)
+        for name in (MIDDLE, TOP):
+            assert document.annotation.get(name) == before.get(name)
+            assert document.annotation.get_unconfirmed(name) == before.get_unconfirmed(name)
 
     def test_dragging_a_copy_confirms_it_alone(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot

@@ -100,7 +100,7 @@ class Player:
         self.model.changed(name, points)
 
     def draw_and_leave(self) -> None:
-        name, points = self.click_some()
+        name, points = self.click_some(2)  # one alone would wait
         model = self.model
         if points is not None:
             model.changed(name, points)
@@ -111,15 +111,15 @@ class Player:
         if points is not None:
             self.hand.key(Qt.Key.Key_Escape)
 
-    def click_some(self) -> tuple[str, list[XY] | None]:
+    def click_some(self, least: int = 1) -> tuple[str, list[XY] | None]:
         """Click a few points, sometimes one too many and back; the element's points afterwards."""
         self.document.set_mode("draw")
         name = self.random.choice(CLASSES)
         cells = self.free_cells()
         if len(cells) < 6:
             return name, None
-        self.document.select_class(name)
-        clicked = [self.hand.click(*cells.pop()) for _ in range(self.random.randint(1, 4))]
+        self.document.select_class(name, continues=True)
+        clicked = [self.hand.click(*cells.pop()) for _ in range(self.random.randint(least, 4))]
         if self.random.random() < 0.3:
             self.hand.click(*cells.pop())
             self.hand.key(Qt.Key.Key_Backspace)

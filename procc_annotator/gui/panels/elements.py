@@ -288,7 +288,7 @@ class ElementsPanel(QWidget):
     def _choose(self, item: QTreeWidgetItem, column: int = 0) -> None:
         name = item.data(0, _CLASS)
         if name is not None:
-            self._document.select_class(name)
+            self._document.select_class(name, continues=True)
         elif column >= 0:
             item.setExpanded(not item.isExpanded())
 

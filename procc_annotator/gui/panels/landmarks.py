@@ -280,7 +280,7 @@ class LandmarksPanel(QWidget):
 
     def _choose(self) -> None:
         if (name := self._chosen) is not None:
-            self._document.select_class(name)
+            self._document.select_class(name, continues=True)
         self._refresh_chosen()
 
     def _add(self) -> None:
@@ -290,7 +290,7 @@ class LandmarksPanel(QWidget):
             self.name.setFocus()
         elif self._document.landmarks.add(name):
             self.name.clear()
-            self._document.select_class(name)
+            self._document.select_class(name, continues=True)
             self.left.emit()
 
     def _retitle(self) -> None:

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.gui.picture.editor_words import finished, why_not_deleted
+from procc_annotator.annotation import Polyline
+from procc_annotator.gui.picture.editor_words import finished, waiting, why_not_deleted
 from procc_annotator.gui.picture.snapping import ScreenSnapper
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.draw_tool import DrawTool
@@ -20,6 +21,8 @@ from procc_annotator.interact.naming import unnamed_class
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
 from procc_annotator.language import tr
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.facts.origins import PointKey
 from procc_annotator.session.strokes.copying import annotated_before
 
 # Given a key's name and whether Shift is held, takes it or does not.
@@ -50,6 +53,7 @@ class Editor(QObject):
         self.view_scale = 1.0
         self._asked_first: tuple[KeyTaker, ...] = ()
         document.aboutToLeave.connect(self.finish)
+        self.changed.connect(self._keep_clicks)
         document.selectionChanged.connect(self._finish_for_another_class)
         document.frameChanged.connect(self._look_before)
         document.frameChanged.connect(self._look_under)
@@ -251,7 +255,8 @@ class Editor(QObject):
         document.say(why_not_deleted(title, dropped), "info")
 
     def finish(self) -> None:
-        """The frame is about to be left: what is under way becomes an edit, and is said so."""
+        """The frame is about to be left: what is under way becomes an edit, a single click an
+        unconfirmed element; either is said."""
         self._end_draft(keep_selection=False)
         if self._edit.busy:
             self._do(self._edit.finish(self._context()))
@@ -278,6 +283,7 @@ class Editor(QObject):
             document.field.title_of,
             self.spots,
             unnamed_class(document.annotation) if document.state.options.draw_first else None,
+            document.state.selection.continues,
         )
 
     def _begin_on(self, seen: Context) -> bool:
@@ -324,16 +330,34 @@ class Editor(QObject):
         if not self._draw.busy:
             return
         name, count = self._draw.class_name, len(self._draw.points)
-        reaction = self._draw.finish(self._context())
-        if reaction.edit is None or name is None:
+        before = self._document.annotation
+        edit = self._draw.finish(self._context()).edit
+        if edit is None or name is None:
             return
-        self._commit(reaction.edit)
+        drawn = edit.annotation.get(name)
+        waits = drawn is not None and len(drawn.points) == 1  # it is no element yet
+        if drawn is not None and waits:
+            edit = replace(edit, annotation=edits.add_unconfirmed(before, [drawn]))
+        self._commit(edit)
         if not keep_selection:
             self._document.select_class(name)
-        frame = self._document.frame
+        frame = self._document.state.frame_name or ""
         title = tr(self._document.field.title_of(name))
-        self._document.say(finished(title, count, frame.name if frame is not None else ""), "info")
+        self._document.say(waiting(title, frame) if waits else finished(title, count, frame))
         self.changed.emit()
+
+    def _keep_clicks(self) -> None:
+        """Clicks under way are kept like an edit: as an element that waits for a hand."""
+        kept, snapped = None, frozenset[PointKey]()
+        if self._draw.busy and (name := self._draw.class_name) is not None:
+            context = self._context()
+            points, snapped = self._draw.drawn(context)
+            if (before := context.annotation.get_unconfirmed(name)) is not None:
+                points = (*before.points, *points)
+            elif context.polyline(name) is not None:  # what is in the file has its name
+                name = unnamed_class(context.annotation)
+            kept = Polyline(name, points)
+        self._document.editing.keep_clicks(kept, snapped)
 
     def _commit(self, edit: Edit) -> bool:
         return self._document.commit_edit(edit.label, edit.annotation, edit.kind, edit.snapped)

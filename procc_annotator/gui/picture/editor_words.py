@@ -21,6 +21,15 @@ def why_not_deleted(title: str, dropped: int) -> str:
     return tr("{title} has no points in this frame: choose the element to delete", title=title)
 
 
+def waiting(title: str, frame: str) -> str:
+    """That a single click on an element was kept as its frame was left."""
+    return tr(
+        "kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on",
+        title=title,
+        frame=frame,
+    )
+
+
 def finished(title: str, count: int, frame: str) -> str:
     """That an element was finished with so many points as its frame was left."""
     if not frame:

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from procc_annotator.gui.plots.looks import source_pen, symbol_of
 from procc_annotator.gui.plots.request import PlottedSource
-from procc_annotator.io.camera_files.fitted_on import FITTED
 from procc_annotator.language import tr
 
 _SYMBOL = 8.0  # logical px
@@ -116,5 +115,5 @@ def _paint_symbol(painter: QPainter, source: PlottedSource, at: QPointF) -> None
 
 
 def _entry(source: PlottedSource, more: str) -> str:
-    name = f"{source.name} ({tr(FITTED)})" if source.fitted else source.name
+    name = f"{source.name} ({tr(source.fitted.mark)})" if source.fitted else source.name
     return f"{name} {more}".strip()

@@ -17,7 +17,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrames
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store
-from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.camera_files.fitted_on import Fitted
 from procc_annotator.metric.measure import Measurement, measure_projected
 
 _FORGOTTEN_ONE_BY_ONE = 400  # more are forgotten together with all others, which takes no time
@@ -114,7 +114,7 @@ class Auditing(QObject):
         if active is not None and active.files is not None:
             measured = self._measured if state.counts else None
             shown = self._judge.shown
-            fitted = is_fitted_on(shown.fitted_on, state.annotation)
+            fitted = Fitted.of(shown.fitted_on, state.annotation)
             self._set_scores.put(active, name, shown, measured, state.tau, fitted)
         others = [
             (s, self._source_frames.of(s))

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.interact.palette import SOURCE_COLOURS
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet, FrameCameras
 from procc_annotator.session.dataset.fitted_cameras import FIT_NAME, FittedCameras
@@ -39,7 +40,7 @@ class CameraSource:
         self._seen: set[str] = set()
         self._jac_sums = np.zeros(len(TAU_GRID))
         self._models: Counter[str] = Counter()
-        self._fitted = 0  # of the audited frames
+        self._fitted = NOT_FITTED  # of the audited frames
 
     @property
     def name(self) -> str:
@@ -56,9 +57,9 @@ class CameraSource:
         return self.camera_set if isinstance(self.camera_set, CameraSet) else None
 
     @property
-    def fitted(self) -> bool:
-        """Whether cameras of it, of those seen, were fitted to the clicks they are judged by."""
-        return isinstance(self.camera_set, FittedCameras) or self._fitted > 0
+    def fitted(self) -> Fitted:
+        """Its cameras, of those seen, that were fitted to the clicks they are judged by."""
+        return Fitted(1) if isinstance(self.camera_set, FittedCameras) else self._fitted
 
     @property
     def look(self) -> SourceLook:
@@ -77,7 +78,7 @@ class CameraSource:
         self.problems.clear()
         self._seen.clear()
         self._models.clear()
-        self._fitted = 0
+        self._fitted = NOT_FITTED
         self._jac_sums[:] = 0.0
 
     def take(self, frame: str, audit: FrameAudit | None, problem: str = "") -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.presence import Presence
@@ -105,6 +105,17 @@ class Editing(QObject):
             if said:
                 say(self._store, said)
         return True
+
+    def keep_clicks(self, drawn: Polyline | None, snapped: frozenset[PointKey]) -> None:
+        """Keep what is being drawn beside the file, where it outlives the program; None: nothing
+        is."""
+        state = self._store.state
+        if state.workspace is None or state.frame is None or state.why_broken:
+            return
+        if state.workspace.keep_clicks(state.frame_index, drawn) and drawn is not None:
+            seen, name = state.annotation, state.frame.name
+            clicked = seen.with_polyline(drawn)
+            self.review.note_edit(name, seen, clicked, OriginKind.CLICKED, snapped)
 
     def note_unseen(self, unseen: frozenset[PointKey]) -> None:
         """Remember at which of this frame's points paint was looked for and not found."""

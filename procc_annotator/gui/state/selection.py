@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement, Mode, Option
@@ -19,15 +19,15 @@ class Selecting:
     def __init__(self, store: Store, signals: Signals) -> None:
         self._store, self._signals = store, signals
 
-    def select_class(self, class_name: str | None) -> None:
-        """Choose the element to draw and to look at."""
+    def select_class(self, class_name: str | None, *, continues: bool = False) -> None:
+        """Choose the element to draw and to look at; ``continues``: clicks add to its points."""
         chosen = self._store.state.selection
         stays = chosen.point is not None and chosen.point[0] == class_name
         if class_name == chosen.class_name or stays:
             # Whoever chooses means what was chosen, not what was finished before.
-            chosen = replace(chosen, class_name=class_name, last_finished=None)
+            chosen = replace(chosen, class_name=class_name, last_finished=None, continues=continues)
         else:
-            chosen = ChosenElement(class_name)
+            chosen = ChosenElement(class_name, continues=continues)
         self._store.set(selection=chosen)
 
     def select_point(
@@ -94,7 +94,8 @@ def without_points(selection: ChosenElement) -> ChosenElement:
 def that_survives(
     selection: ChosenElement, before: FrameAnnotation, after: FrameAnnotation, *, stepped: bool
 ) -> ChosenElement:
-    """What stays chosen when an annotation becomes another one.
+    """What stays chosen when an annotation becomes another one; an element whose points changed is
+    not continued by clicks.
 
     Args:
         selection: of before.
@@ -102,6 +103,9 @@ def that_survives(
         stepped: whether the other one was made elsewhere (undo, another window): points of an
             element that has more or fewer of them are others then than those that were chosen.
     """
+    name = selection.class_name or ""
+    if selection.continues and _polyline(before, name) != _polyline(after, name):
+        selection = replace(selection, continues=False)
     if selection.point is not None and selection.point[1] >= _count(after, selection.point[0]):
         return without_points(selection)
     if stepped:
@@ -111,6 +115,10 @@ def that_survives(
     return selection
 
 
+def _polyline(annotation: FrameAnnotation, class_name: str) -> Polyline | None:
+    return annotation.get(class_name) or annotation.get_unconfirmed(class_name)
+
+
 def _count(annotation: FrameAnnotation, class_name: str) -> int:
-    polyline = annotation.get(class_name) or annotation.get_unconfirmed(class_name)
+    polyline = _polyline(annotation, class_name)
     return len(polyline.points) if polyline is not None else 0

@@ -17,7 +17,7 @@ from procc_annotator.gui.state.source_frames import SourceFrame
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
-from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
@@ -157,7 +157,7 @@ class SetScores(QObject):
 
     def put(
         self, source: CameraSource, frame: str, shown: SourceFrame, measurement: Measurement | None,
-        tau: float, fitted: bool = False,
+        tau: float, fitted: Fitted = NOT_FITTED,
     ) -> None:  # fmt: skip
         """Take over how a source does in the frame on screen after an edit.
 
@@ -271,6 +271,6 @@ def _audit(
     if projected is None:
         projected = project_field(found.camera, setup)
     measurement = measure_projected(annotation, projected, setup)
-    fitted = is_fitted_on(found.fitted_on, annotation)
+    fitted = Fitted.of(found.fitted_on, annotation)
     audit = audit_frame(frame, found.camera, found.model, measurement, tau, fitted=fitted)
     return audit, ""

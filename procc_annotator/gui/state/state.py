@@ -44,12 +44,14 @@ class ChosenElement:
         point: the one point, or the first of several.
         points: those that are chosen together; empty for one or none.
         last_finished: the element finished on this frame before the next one was offered.
+        continues: whether clicks add to the points the element has: a hand chose it with these.
     """
 
     class_name: str | None = None
     point: PointRef | None = None
     points: frozenset[PointRef] = frozenset()
     last_finished: str | None = None
+    continues: bool = False
 
 
 @dataclass(frozen=True, slots=True)

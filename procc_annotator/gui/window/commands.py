@@ -56,7 +56,7 @@ class Commands:
             index = (names.index(current) + step) % len(names)
         else:
             index = 0 if step > 0 else -1
-        self._document.select_class(names[index])
+        self._document.select_class(names[index], continues=True)
 
     def step_camera(self, step: int) -> None:
         """Judge with the next source (1) or the one before (-1)."""

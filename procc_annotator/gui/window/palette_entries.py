@@ -138,7 +138,7 @@ class PaletteEntries:
                 tr(field.title_of(name)),
                 name,
                 key_text(field, name, document.state.keymap),
-                partial(document.select_class, name),
+                partial(document.select_class, name, continues=True),
                 document.selected_class == name,
                 english=field.title_of(name),
             )

@@ -176,11 +176,13 @@ class CameraCollection:
 
     def _read_beside(self, file: str) -> bytes | None:
         """The content of a file of the source; None where there is none that can be read."""
-        if file not in self._all_files:
-            return None
         try:
-            return self._source.read(file)
-        except InputError:  # gone, or damaged: it says nothing
+            if file in self._all_files:
+                return self._source.read(file)
+            beside = self.path.parent / PurePosixPath(file).name  # of a file that was named alone
+            alone = file.endswith(BESIDE) and self.path.is_file() and beside.is_file()
+            return beside.read_bytes() if alone else None
+        except (InputError, OSError):  # gone, or damaged: it says nothing
             return None
 
     def __enter__(self) -> Self:

@@ -6,8 +6,9 @@ import io
 import zipfile
 from collections import Counter
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.camera.scaling import ScaledCamera, scaled
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.io.atomic import make_folder, write_atomic
+from procc_annotator.io.camera_files.fitted_on import BESIDE, DIGEST, FIT_KEY, beside_content
 from procc_annotator.io.camera_files.homography_file import CONVENTIONS, HOMOGRAPHY_SIZE
 from procc_annotator.io.camera_files.krt_camera import write_krt
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
@@ -83,7 +85,7 @@ def _soccernet(loaded: LoadedCamera) -> tuple[bytes, Losses]:
         for key in _SIZE_KEYS:
             extra.pop(key, None)
         extra |= {"image_width": loaded.size[0], "image_height": loaded.size[1]}
-    return write_camera(camera, extra), ()
+    return write_camera(camera, extra | _fit(loaded)), ()
 
 
 def _submission(loaded: LoadedCamera) -> tuple[bytes, Losses]:
@@ -91,7 +93,7 @@ def _submission(loaded: LoadedCamera) -> tuple[bytes, Losses]:
     losses = _extra(loaded)
     if loaded.size is None:
         losses = (*losses, f"names no picture size: taken for pixels of {_spelled(OFFICIAL_SIZE)}")
-    return write_camera(camera), losses
+    return write_camera(camera, _fit(loaded)), losses
 
 
 def _krt(loaded: LoadedCamera) -> tuple[bytes, Losses]:
@@ -232,12 +234,16 @@ def write_cameras(
         for number, (frame, loaded) in enumerate(cameras, 1):
             encoded = _encoded(frame, loaded, writer, size, done)
             if encoded is not None:
-                name = _place(writer, frame, split)
-                if archived:
-                    archive.writestr(_entry(name), encoded)
-                else:
-                    make_folder((out / name).parent)
-                    write_atomic(out / name, encoded)
+                files = {_place(writer, frame, split): encoded}
+                digest = None if isinstance(loaded, CameraError) else loaded.fitted_on
+                if digest is not None and not writer.evaluated:  # the others say it themselves
+                    files[file_of_frame(frame, BESIDE)] = beside_content(digest)
+                for name, data in files.items():
+                    if archived:
+                        archive.writestr(_entry(name), data)
+                    else:
+                        make_folder((out / name).parent)
+                        write_atomic(out / name, data)
                 done.written += 1
             if progress is not None:
                 progress(number, total)
@@ -287,7 +293,7 @@ def _for_size(loaded: LoadedCamera, size: Size | None) -> LoadedCamera:
     if size is None or loaded.size is None or loaded.size == size:
         return loaded
     camera = scaled(loaded.camera, loaded.size, size)
-    return LoadedCamera(camera, loaded.model, size, loaded.extra, loaded.notices, loaded.content)
+    return replace(loaded, camera=camera, size=size)
 
 
 def _pinhole(camera: CameraOrProjections, what: str) -> PinholeCamera:
@@ -314,8 +320,15 @@ def _called(camera: CameraOrProjections) -> str:
     return names.get(type(camera).__name__, f"a camera model of a plug-in ({own})")
 
 
+def _fit(loaded: LoadedCamera) -> dict[str, Any]:
+    """What a file that has a place for it says of the annotation the camera was fitted to."""
+    if loaded.fitted_on is None:
+        return {}
+    return {FIT_KEY: loaded.content.get(FIT_KEY, {DIGEST: loaded.fitted_on})}
+
+
 def _extra(loaded: LoadedCamera) -> Losses:
-    left_out = sorted(key for key in loaded.extra if key not in _SIZE_KEYS)
+    left_out = sorted(key for key in loaded.extra if key not in (*_SIZE_KEYS, FIT_KEY))
     return (f"keys left out: {', '.join(map(printable, left_out[:5]))}",) if left_out else ()
 
 

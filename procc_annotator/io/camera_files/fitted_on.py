@@ -10,6 +10,7 @@ import hashlib
 import io
 import json
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation
@@ -18,12 +19,16 @@ from procc_annotator.io.csv_text import formula_text
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.language import word
 
-# The mark of cameras that explain the points they were made from, and predict none of them.
+# The marks of cameras that explain the points they were made from, and predict none of them.
 FITTED = word("fitted on these clicks")
+OTHER_VERSION = word("fitted to another version of these annotations")
+SOME_OTHER_VERSION = word("fitted on these clicks, or to another version of these annotations")
+MARKS = (FITTED, OTHER_VERSION, SOME_OTHER_VERSION)
+FITTED_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version")
 FIT_KEY = "fit"  # of a camera file: what it was fitted from
 DIGEST = "annotation_sha256"  # among that, and the column of the table
 TABLE_FILE = "calibration.csv"  # beside cameras of any format
-BESIDE = ".fit"  # says it of one homography, whose own file holds numbers only
+BESIDE = ".fit"  # says it of one camera, whose own file has no place for it
 
 
 def annotation_digest(annotation: FrameAnnotation) -> str:
@@ -31,22 +36,73 @@ def annotation_digest(annotation: FrameAnnotation) -> str:
     return hashlib.sha256(write_annotation(annotation)).hexdigest()
 
 
-def is_fitted_on(digest: str | None, annotation: FrameAnnotation) -> bool:
-    """Whether a camera that was fitted to the annotation of a digest was fitted to this one."""
-    return digest is not None and digest == annotation_digest(annotation)
+@dataclass(frozen=True, slots=True)
+class Fitted:
+    """Number of cameras that were fitted to the annotations they are judged by, or to another
+    version of these; false without any. No such source is ranked.
+
+    A point that was moved since leaves a camera that still explains the others.
+    """
+
+    these: int = 0
+    another: int = 0
+
+    @classmethod
+    def of(cls, digest: str | None, annotation: FrameAnnotation) -> Fitted:
+        """One camera by the digest of what it was fitted to, judged by an annotation."""
+        if digest is None:
+            return NOT_FITTED
+        same = digest == annotation_digest(annotation)
+        return cls(int(same), int(not same))
+
+    def __bool__(self) -> bool:
+        return self.count > 0
+
+    def __add__(self, other: Fitted) -> Fitted:
+        return Fitted(self.these + other.these, self.another + other.another)
+
+    def __sub__(self, other: Fitted) -> Fitted:
+        return Fitted(self.these - other.these, self.another - other.another)
+
+    @property
+    def count(self) -> int:
+        """Of both together."""
+        return self.these + self.another
+
+    @property
+    def mark(self) -> str:
+        """Words for people; empty without any."""
+        if not self.another:
+            return FITTED if self.these else ""
+        return SOME_OTHER_VERSION if self.these else OTHER_VERSION
+
+    @property
+    def values(self) -> tuple[bool, bool]:
+        """For the two columns of tables, `FITTED_KEYS`."""
+        return self.these > 0, self.another > 0
+
+    def entry(self, kind: Callable[[int], Any] = int) -> dict[str, Any]:
+        """For JSON: what there is, as a number or as ``kind`` makes of it."""
+        counts = zip(FITTED_KEYS, (self.these, self.another), strict=True)
+        return {key: kind(count) for key, count in counts if count}
+
+    def among(self, with_camera: int) -> str:
+        """The mark for a source with so many cameras."""
+        partly = self and self.count != with_camera
+        return f"{self.mark} in {self.count} of {with_camera} frames" if partly else self.mark
 
 
-def marked(name: str, fitted: object) -> str:
+NOT_FITTED = Fitted()
+
+
+def marked(name: str, fitted: Fitted) -> str:
     """The name of a source as it stands beside others, with the mark if it was fitted so."""
-    return f"{name} ({FITTED})" if fitted else name
+    return f"{name} ({fitted.mark})" if fitted else name
 
 
-def fitted_words(fitted: int, with_camera: int) -> str:
-    """The mark of a source of which so many of so many cameras were fitted to the annotations they
-    are judged by; nothing of one that was fitted to none."""
-    if not fitted:
-        return ""
-    return FITTED if fitted == with_camera else f"{FITTED} in {fitted} of {with_camera} frames"
+def beside_content(digest: str) -> bytes:
+    """What a file beside a camera says of the annotation it was fitted to."""
+    return json.dumps({DIGEST: digest}).encode()
 
 
 def folders_of(file: str) -> Iterator[str]:

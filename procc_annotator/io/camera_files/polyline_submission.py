@@ -20,6 +20,7 @@ from procc_annotator.camera.base import FloatArray
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.cameras import read_camera_file
+from procc_annotator.io.camera_files.fitted_on import BESIDE
 from procc_annotator.io.camera_files.submission import IGNORED, LOWERS, REFUSED, SubmissionRemark
 from procc_annotator.io.collections import MANIFEST_FILE, CameraFiles, list_cameras
 from procc_annotator.io.json_text import decode_as, printable
@@ -162,7 +163,9 @@ def check_polylines(
         files = list_cameras(archive, POLYLINES)
         found += _frames_remarks(files, frames)
         known = {*files.values(), MANIFEST_FILE, ""}
-        others = [n for n in archive.names() if n.removeprefix("./") not in known]
+        others = [
+            n for n in archive.names() if not (n.removeprefix("./") in known or n.endswith(BESIDE))
+        ]
         if others:
             what = f"{count_of(len(others), 'file')} ({first_of(others)}) of no frame"
             found.append(SubmissionRemark(IGNORED, "", what))

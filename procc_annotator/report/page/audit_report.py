@@ -13,7 +13,7 @@ import numpy as np
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.camera_files.fitted_on import marked
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted, marked
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.metric.score import FrameScore
@@ -108,7 +108,7 @@ class ReportedSource:
         notices: remark -> number of cameras it is about; 0 where it is about annotations.
         in_pixels: frames whose annotations look like pixels.
         failure: why nothing could be evaluated; empty when something was.
-        fitted: how many of its cameras were fitted to the annotations they are judged by.
+        fitted: its cameras that were fitted to the annotations they are judged by.
         held_out: what is known of elements left out of these fits.
     """
 
@@ -123,7 +123,7 @@ class ReportedSource:
     unmatched: tuple[str, ...] = ()
     failure: str = ""
     in_pixels: tuple[str, ...] = ()
-    fitted: int = 0
+    fitted: Fitted = NOT_FITTED
     held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
 
     @property

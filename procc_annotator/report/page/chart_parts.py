@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.field.colours import hex_of, linear_rgb
-from procc_annotator.io.camera_files.fitted_on import FITTED
+from procc_annotator.io.camera_files.fitted_on import MARKS
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.session.runs.audit_figures import Points, gather
 
@@ -137,7 +137,6 @@ def line_style(look: SourceStyle) -> dict[str, Any]:
 def chart_label(name: str) -> str:
     """A name as a label; matplotlib leaves out labels that begin with an underscore."""
     if len(name) > 40:
-        mark = f" ({FITTED})"
-        end = mark if name.endswith(mark) else ""
-        name = f"{name[: 38 - len(end)]}…{end}"
+        end = next((f" ({mark})" for mark in MARKS if name.endswith(f" ({mark})")), "")
+        name = f"{name.removesuffix(end)[: max(38 - len(end), 12)]}…{end}"
     return f" {name}" if name.startswith("_") else name

@@ -7,6 +7,7 @@ from typing import Any
 
 import msgspec
 
+from procc_annotator.io.camera_files.fitted_on import FITTED_KEYS
 from procc_annotator.metric.sets import ClassSummary, SetSummary
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.over_time import SourceOverTime, over_time_entries
@@ -40,7 +41,7 @@ _COLUMNS = (
     *(whole(count.key) for count in COUNTS), Column("field"),
     *(end for figure in WITH_INTERVAL for end in interval_columns(figure)), whole("rank"),
     Column("clusters"),
-    whole("fitted_on_these_clicks"),  # of the cameras: so many
+    *map(whole, FITTED_KEYS),  # of the cameras: so many
     whole("held_out_elements"), of(HELD_OUT), of(IN_SAMPLE),
 )  # fmt: skip
 
@@ -73,7 +74,7 @@ def _source_entry(source: ReportedSource) -> dict[str, Any]:
         "folder": source.folder,
         "model": source.model or None,
         "described": source.described,
-        **({"fitted_on_these_clicks": source.fitted} if source.fitted else {}),
+        **source.fitted.entry(),
         **held_out_entry(source, list(source.summaries)),
         "failure": source.failure or None,
         "summary": {shortest(t): summary_entry(s) for t, s in source.summaries.items()},
@@ -105,11 +106,12 @@ def report_csv(report: AuditReport) -> bytes:
     ranks = {tau: report.certainty.ranks(MEAN_JAC.key, tau) for tau in report.thresholds}
     for place, source in enumerate(report.evaluated):
         ends = report.certainty.intervals[place]
+        fits = source.fitted.these, source.fitted.another
         for tau, summary in source.summaries.items():
             within = [end for f in WITH_INTERVAL for end in interval_ends(ends[f.key, tau])]
             clusters = report.certainty.clusters.described
             shares = source.held_out.shares(tau) or (None, None)
-            known = (*within, ranks[tau][place], clusters, source.fitted)
+            known = (*within, ranks[tau][place], clusters, *fits)
             known += (len(source.held_out.elements) or None, *shares)
             rows.append((*_row(report, source, tau, summary), *known))
             for name, found in summary.per_class.items():
@@ -117,7 +119,7 @@ def report_csv(report: AuditReport) -> bytes:
                     (
                         *_row(report, source, tau, found, name),
                         *unknown,
-                        source.fitted,
+                        *fits,
                         None,
                         None,
                         None,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from procc_annotator.field.landmarks import titles_of_all_frames
-from procc_annotator.io.camera_files.fitted_on import FITTED
+from procc_annotator.io.camera_files.fitted_on import SOME_OTHER_VERSION
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.scores.held_out_sheet import held_out_sheet
 from procc_annotator.report.sheet.counts import (
@@ -94,7 +94,7 @@ def _rests_on(report: AuditReport) -> str:
     if len(counts) < 2:
         return rests
     if any(source.fitted for source in report.evaluated):
-        rests += f" A source {FITTED} explains them and is no method: it is never bold."
+        rests += f" Cameras {SOME_OTHER_VERSION} explain them and are no method: never bold."
     return (
         f"{rests} Bold is what is better than every other source beyond chance, on the frames both"
         " have; completeness and final score over all frames."

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Protocol
 
-from procc_annotator.io.camera_files.fitted_on import FITTED
+from procc_annotator.io.camera_files.fitted_on import SOME_OTHER_VERSION, Fitted
 from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.sheet.counts import FRAMES, HELD_OUT_ELEMENTS
@@ -24,7 +24,7 @@ class WithHeldOut(Protocol):
     @property
     def held_out(self) -> HeldOutFigures: ...
     @property
-    def fitted(self) -> int: ...
+    def fitted(self) -> Fitted: ...
     @property
     def ground_only(self) -> bool: ...
 
@@ -55,8 +55,8 @@ def held_out_sheet(
             row += figures.shares(tau) or (None, None)
         rows.append(tuple(row))
     notes = [
-        f"A camera {FITTED} explains them. Held out, every element is judged by the camera of the"
-        " frame's other elements; in sample, the same elements by the camera of all."
+        f"A camera {SOME_OTHER_VERSION} explains them. Held out, every element is judged by the"
+        " camera of the frame's other elements; in sample, the same elements by the camera of all."
     ]
     notes += [f"{name}: {why}" for name, source in fits if (why := _why_none(source))]
     all_on_ground = all(source.ground_only for _, source in fits)
@@ -88,10 +88,10 @@ def held_out_entry(source: WithHeldOut, thresholds: Sequence[float]) -> dict[str
 def _why_none(source: WithHeldOut) -> str:
     """Why some cameras have no such figures; empty where all have."""
     figures = source.held_out
-    if figures.frames >= source.fitted:
+    if figures.frames >= source.fitted.count:
         return ""
-    cameras = count_of(source.fitted, "camera")
-    without = source.fitted - figures.frames
+    cameras = count_of(source.fitted.count, "camera")
+    without = source.fitted.count - figures.frames
     which = (
         f"{without} of its {cameras} have no such figures"
         if figures.frames

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from procc_annotator.io.camera_files.fitted_on import FITTED_KEYS
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.report.sheet.figure import values_of
 from procc_annotator.report.sheet.figures import ANNOTATED, FN, FP, JAC, OF_FRAME, SPREAD, TP
@@ -18,8 +19,8 @@ FRAME_COLUMNS = (
     *map(of, OF_FRAME),
 )  # fmt: skip
 
-# Whether the camera was fitted to the annotation it is judged by.
-FITTED_COLUMN = Column("fitted_on_these_clicks", kind="yes_no")
+# Whether the camera was fitted to the annotation it is judged by, or to another version of it.
+FITTED_COLUMNS = tuple(Column(key, kind="yes_no") for key in FITTED_KEYS)
 
 
 def frame_values(score: FrameScore | None) -> tuple[Value, ...]:
@@ -40,7 +41,7 @@ _KEY_COLUMNS = (
 )  # fmt: skip
 COLUMNS = (
     *_KEY_COLUMNS, _required("counted", "yes_no"), Column("model"), *FRAME_COLUMNS,
-    whole("points"), Column("camera"), Column("error"), _required("version"), FITTED_COLUMN,
+    whole("points"), Column("camera"), Column("error"), _required("version"), *FITTED_COLUMNS,
     counted(ANNOTATED), of(SPREAD),
 )  # fmt: skip
 NAMES = tuple(column.key for column in COLUMNS)

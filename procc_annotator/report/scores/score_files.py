@@ -66,8 +66,7 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
     if result.clicked is not None:
         image |= figure_entry(OF_ANNOTATION, result.clicked)
     image["results"] = entries
-    if result.fitted:
-        image["fitted_on_these_clicks"] = True
+    image |= result.fitted.entry(bool)
     if by:
         image["groups"] = dict(zip(by, result.groups, strict=True))
     return encoded(image)

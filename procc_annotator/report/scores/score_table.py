@@ -40,7 +40,7 @@ def figures_of(result: FrameResult, thresholds: Sequence[float]) -> tuple[Figure
         said = error or "no camera" if score is None else error
         points = None if score is None else len(score.labelling.all_distances)
         scored = name, threshold, result.counted, model, *figures, points, camera, said
-        rows.append((*scored, result.fitted, *annotated))
+        rows.append((*scored, *result.fitted.values, *annotated))
     return tuple(rows)
 
 
@@ -55,8 +55,8 @@ def whole_rows(
     )  # fmt: skip
     names = _text(set_name), _text(method)
     return [
-        (*names, frame, threshold, *terms, *rest, __version__, fitted, elements, spread)
-        for frame, threshold, *rest, fitted, elements, spread in figures
+        (*names, frame, threshold, *terms, *rest[:-4], __version__, *rest[-4:])
+        for frame, threshold, *rest in figures
     ]
 
 

@@ -12,6 +12,7 @@ from typing import IO, Any
 
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
@@ -110,7 +111,7 @@ class Scored:
     rows: list[Row] = field(default_factory=list)
     in_pixels: tuple[str, ...] = ()
     sums: SourceSums | None = None
-    fitted: int = 0
+    fitted: Fitted = NOT_FITTED
     held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
     ground_only: bool = False
 

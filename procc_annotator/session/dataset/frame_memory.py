@@ -51,6 +51,8 @@ class FrameMemory:
     def keep_unconfirmed(self, frame: str, state: FrameState) -> None:
         """Keep what waits for a hand, unless it is kept already."""
         waiting = state.history.current.unconfirmed
+        if (drawn := state.under_way) is not None:
+            waiting = (*(p for p in waiting if p.class_name != drawn.class_name), drawn)
         if self.database is None or waiting == state.kept_unconfirmed:
             return
         state.kept_unconfirmed = waiting

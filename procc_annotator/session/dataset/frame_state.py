@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.errors import InputError, SaveError
 from procc_annotator.language import word
 from procc_annotator.session.dataset.frames import Frame
@@ -23,6 +23,7 @@ class FrameState:
         error: why the annotation file cannot be used; the frame cannot be edited then.
         save_error: why the last save failed; None once one succeeded.
         kept_unconfirmed: the unconfirmed elements that are remembered beside the file.
+        under_way: what is being drawn, kept beside the file like what is unconfirmed.
         digest: of the file as it was read or written last; None where there was none.
         made_here: whether whatever file there is was made in this session.
         attempted: digests of what writes that failed may have left in the file; none if it is known
@@ -35,6 +36,7 @@ class FrameState:
         self.error: InputError | None = None
         self.save_error: SaveError | None = None
         self.kept_unconfirmed = annotation.unconfirmed
+        self.under_way: Polyline | None = None
         self._on_disk = annotation
         self.digest = digest
         self.made_here = digest is None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.errors import AnnotationError, InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
@@ -205,6 +205,15 @@ class Workspace:
         changed = state.history.push(label, annotation)
         self.memory.keep_unconfirmed(self.frames[index].name, state)
         return changed
+
+    def keep_clicks(self, index: int, drawn: Polyline | None) -> bool:
+        """Remember what is being drawn in a frame (None: nothing); whether that is new."""
+        state = self.state(index)
+        if drawn == state.under_way:
+            return False
+        state.under_way = drawn
+        self.memory.keep_unconfirmed(self.frames[index].name, state)
+        return True
 
     def undo(self, index: int) -> str | None:
         """Take back a frame's last edit; its label, or None."""

@@ -15,6 +15,7 @@ from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.field.landmarks import titles_of_all_frames
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.metric.measure import Measurement, nearest_points
 from procc_annotator.metric.score import jac_curve, score_to_read
 
@@ -64,7 +65,7 @@ class FrameAudit:
     residuals_px: NDArray[np.float32]
     pose: Pose | None
     mirrored: bool = False
-    fitted: bool = False
+    fitted: Fitted = NOT_FITTED
     counted_rows: NDArray[np.int16] | None = None
 
     @property
@@ -84,7 +85,7 @@ def audit_frame(
     measurement: Measurement,
     tau: float,
     *,
-    fitted: bool = False,
+    fitted: Fitted = NOT_FITTED,
 ) -> FrameAudit:
     """Keep what plots and reports need of a measured frame.
 

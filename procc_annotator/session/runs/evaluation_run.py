@@ -12,7 +12,7 @@ from typing import TypeVar
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.camera_files.fitted_on import fitted_words
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
@@ -107,7 +107,8 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         used = {with_camera.name_there(frame.name) for frame in frames if frame.has_camera}
         self.unmatched_cameras = tuple(name for name in with_camera if name not in used)
         self.notices = cameras.notices
-        self.counted = self.with_camera = self.fitted = 0
+        self.counted = self.with_camera = 0
+        self.fitted = NOT_FITTED
         self.ground_only = False
         self._sums = task.new_tally()
         self._require_cameras(annotations, cameras)
@@ -174,7 +175,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
     def describe(self) -> str:
         """Protocol, size and what else the numbers depend on, in words."""
         described = self.setup.describe(self.ground_only)
-        mark = fitted_words(self.fitted, self.with_camera)
+        mark = self.fitted.among(self.with_camera)
         return f"{described}, {mark}" if mark else described
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.io.camera_files.fitted_on import marked
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted, marked
 from procc_annotator.metric.chance.sampling import Ratios
 from procc_annotator.metric.polylines import BoolArray, FloatArray
 from procc_annotator.metric.score import FrameScore, jac_curve
@@ -37,7 +37,8 @@ class FrameSums:
         model: of the camera; empty without one.
         moved: (R, T + S) JaC with all points moved R times, at each threshold and each of
             `SPARSE_TAUS`; None unless it was asked for.
-        fitted: whether the camera was fitted to the annotation it is judged by.
+        fitted: whether the camera was fitted to the annotation it is judged by, or to another
+            version of it.
         ground_only: whether the camera knows only the ground.
     """
 
@@ -48,7 +49,7 @@ class FrameSums:
     pose: Pose | None = None
     model: str = ""
     moved: NDArray[np.float32] | None = None
-    fitted: bool = False
+    fitted: Fitted = NOT_FITTED
     ground_only: bool = False
     spread: float | None = None
 
@@ -127,10 +128,10 @@ class SourceSums:
         return np.array([frame.curve is not None for frame in self.frames], dtype=bool)
 
     @property
-    def fitted(self) -> bool:
-        """Whether some of its cameras were fitted to the annotations they are judged by: no method
-        among methods, and never the best of them."""
-        return any(frame.fitted for frame in self.frames)
+    def fitted(self) -> Fitted:
+        """Its cameras that were fitted to the annotations they are judged by: no method among
+        methods, and never the best of them."""
+        return sum((frame.fitted for frame in self.frames), NOT_FITTED)
 
     @property
     def ground_only(self) -> bool:

@@ -17,7 +17,7 @@ from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.motion import Motion, carried_points, estimate_motion
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
-from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.measure import Measurement, measure
@@ -40,7 +40,7 @@ from procc_annotator.metric.over_time.steadiness import (
     of_shot,
     steadiness,
 )
-from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
+from procc_annotator.metric.polylines import FloatArray, IntArray
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.runs.execution.executor import Executor
@@ -76,7 +76,7 @@ class ShotOverTime:
         jac: (n,) at the threshold, NaN for frames without an annotation or a camera.
         offset: of cameras against annotations; None where too few frames can say.
         picture_offset: of cameras against the motion of the pictures.
-        fitted: (n,) whether the camera was fitted to the annotation it is judged by.
+        fitted: of n cameras, whether they were fitted to the annotation they are judged by.
         ground_only: whether a camera that is judged knows only the ground.
         errors: cameras, annotations and pictures that cannot be read, one line each.
     """
@@ -89,9 +89,14 @@ class ShotOverTime:
     jac: FloatArray
     offset: FrameOffset | None
     picture_offset: FrameOffset | None
-    fitted: BoolArray
+    fitted: Sequence[Fitted]
     ground_only: bool = False
     errors: tuple[str, ...] = ()
+
+    @property
+    def fits(self) -> Fitted:
+        """Of all its cameras."""
+        return sum(self.fitted, NOT_FITTED)
 
     @property
     def jitter_px(self) -> float | None:
@@ -150,7 +155,7 @@ class _Judged(NamedTuple):
 
     jac: FloatArray
     offset: FrameOffset | None
-    fitted: BoolArray
+    fitted: Sequence[Fitted]
     ground_only: bool
 
 
@@ -224,7 +229,7 @@ class MeasureShots(AnnotationTask):
         errors: list[str],
         tried: IntArray,
     ) -> _Judged:
-        jac, fitted, ground_only = np.full(len(found), np.nan), np.zeros(len(found), bool), False
+        jac, fitted, ground_only = np.full(len(found), np.nan), [NOT_FITTED] * len(found), False
         at = {number: place for place, number in enumerate(shot.numbers)}
         rows = []
         for place, name in enumerate(shot.frames):
@@ -242,7 +247,7 @@ class MeasureShots(AnnotationTask):
                 row[column] = _distance_px(measurement)
                 if shift == 0:
                     jac[place] = score(measurement, self.threshold).jac
-                    fitted[place] = is_fitted_on(found[place][1], annotation)
+                    fitted[place] = Fitted.of(found[place][1], annotation)
                     ground_only |= measurement.projected.ground_only
             if annotation.annotated:  # a frame without clicks tells nothing of shifts
                 rows.append(row)

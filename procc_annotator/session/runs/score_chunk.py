@@ -14,7 +14,7 @@ from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
-from procc_annotator.io.camera_files.fitted_on import is_fitted_on
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.io.camera_files.held_out_table import HeldOut
 from procc_annotator.metric.clicked import AnnotatedExtent, clicked
 from procc_annotator.metric.measure import Measurement, measure_frames
@@ -39,8 +39,8 @@ class FrameResult:
     set, for nobody knows what a camera should have agreed with. A frame whose camera is missing or
     unreadable is counted (it lowers the completeness) and has no scores. ``groups`` are its values
     of what the set is grouped by, None where it has none; ``model`` is empty without a camera;
-    ``fitted`` says that the camera was fitted to this very annotation; ``clicked`` is how much of
-    the frame is annotated, None where the annotation could not be read.
+    ``fitted`` says that the camera was fitted to this annotation or another version of it;
+    ``clicked`` is how much of the frame is annotated, None where the annotation could not be read.
     """
 
     name: str
@@ -52,7 +52,7 @@ class FrameResult:
     ground_only: bool = False
     model: str = ""
     groups: tuple[str | None, ...] = ()
-    fitted: bool = False
+    fitted: Fitted = NOT_FITTED
     clicked: AnnotatedExtent | None = None
 
 
@@ -89,7 +89,7 @@ class Tally:
     counted: int = 0
     with_camera: int = 0
     ground_only: bool = False
-    fitted: int = 0  # cameras fitted to the annotations they are judged by
+    fitted: Fitted = NOT_FITTED
     held_out: HeldOutTally = field(default_factory=HeldOutTally)
     in_pixels: list[str] = field(default_factory=list)  # frames whose coordinates look like that
 
@@ -154,7 +154,7 @@ class _Read(NamedTuple):
     camera: CameraOrProjections | None = None
     model: str = ""
     notices: tuple[str, ...] = ()
-    fitted: bool = False
+    fitted: Fitted = NOT_FITTED
     held_out: HeldOut | None = None
     error: str | None = None
     clicked: AnnotatedExtent | None = None
@@ -226,7 +226,7 @@ def _scored(
     tally.with_camera += 1
     tally.ground_only |= ground_only
     tally.fitted += read.fitted
-    tally.held_out.add(read.held_out if read.fitted else None)
+    tally.held_out.add(read.held_out if read.fitted.these else None)
     result = FrameResult(
         name,
         task.cameras.opened.display(name),
@@ -244,7 +244,7 @@ def _scored(
 
 def _load_camera(
     name: str, annotation: FrameAnnotation, task: ScoreChunk[Any], cameras: CameraCollection
-) -> tuple[CameraOrProjections, str, tuple[str, ...], bool, HeldOut | None]:
+) -> tuple[CameraOrProjections, str, tuple[str, ...], Fitted, HeldOut | None]:
     if name not in cameras.frames:  # it was there when the set was listed, on the first machine
         raise CameraError(
             cameras.path, f"holds no camera of frame {name!r} any more", advice="try again"
@@ -254,5 +254,5 @@ def _load_camera(
     camera, scaled = fit_to_size(loaded, setup.size, task.camera_size, setup.unsized)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
     model = model_name(camera, loaded.model, setup.size)
-    fitted = is_fitted_on(loaded.fitted_on, annotation)
+    fitted = Fitted.of(loaded.fitted_on, annotation)
     return camera, model, notices, fitted, loaded.held_out

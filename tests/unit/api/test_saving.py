@@ -60,9 +60,11 @@ def test_a_fit_is_written_with_its_size_and_the_clicks_it_explains(
     smaller = tmp_path / "small.json"
     save_camera(fit, smaller, size=SIZE)
     assert load_camera(smaller).size == SIZE
-    assert load_camera(smaller).fitted_on is None
-    lost = save_camera(fit, tmp_path / "2.yml", format="opencv", fitted_to=annotation)
-    assert lost == ("what it was fitted to",)
+    assert load_camera(smaller).fitted_on == read.fitted_on
+    for fmt, name in (("opencv", "2.yml"), ("krt", "3.json")):
+        fitted = {"size": fit.size, "fitted_to": annotation}
+        assert save_camera(fit.camera, tmp_path / name, format=fmt, **fitted) == ()
+        assert load_camera(tmp_path / name, format=fmt).fitted_on == read.fitted_on
     with pytest.raises(UsageError, match="the fit failed: 2 elements"):
         save_camera(
             fit_camera(FrameAnnotation(annotation.polylines[:2])), tmp_path / "camera_3.json"

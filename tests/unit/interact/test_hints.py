@@ -140,7 +140,8 @@ def test_a_point_that_undo_took_away_is_not_spoken_of() -> None:
 def test_counts_are_those_of_the_polylines() -> None:
     assert "1 point" in STATES["drawing, one point"].say()
     assert "3 points" in STATES["drawing, three points"].say()
-    assert "after its 3 points" in STATES["draw, an annotated class"].say()
+    assert "after its 3 points" in State("draw", replace(CHOSEN, continues=True)).say()
+    assert "continues it after" not in STATES["draw, an annotated class"].say()
 
 
 def test_a_class_the_field_does_not_know_is_called_as_in_the_file() -> None:
@@ -183,7 +184,7 @@ class TestGhosts:
         assert "Shift+Enter: accept all" in text
 
     def test_a_narrow_window_shows_them_before_further_keys(self) -> None:
-        context = replace(CHOSEN, snap=lambda name, position, direction: position)
+        context = replace(CHOSEN, continues=True, snap=lambda name, position, direction: position)
         words = State("draw", context, ghosts=GhostHint(7)).say().split(SEPARATOR)
         assert words[4:6] == ["Tab: first of 7 ghosts", "Shift+Enter: accept all"]
         assert "Ctrl" in words[6]

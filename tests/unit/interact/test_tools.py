@@ -72,7 +72,7 @@ class TestDrawing:
 
     def test_an_unconfirmed_element_is_continued_and_so_confirmed(self) -> None:
         waiting = FrameAnnotation(unconfirmed=LINE.polylines)
-        tool, context = DrawTool(), Context(waiting, SIZE, 1.0, "Middle line")
+        tool, context = DrawTool(), Context(waiting, SIZE, 1.0, "Middle line", continues=True)
         assert "continues it after its 3 points" in hint("draw", tool, EditTool(), context, FIELD)
         tool.press((500, 500), PLAIN, context)
         edit = tool.key("Enter", context).edit
@@ -130,7 +130,7 @@ class TestDrawing:
         assert "pinned" in hint("edit", DrawTool(), tool, context, FIELD)
 
     def test_an_annotated_class_is_continued(self) -> None:
-        tool, context = DrawTool(), Context(LINE, SIZE, 1.0, "Middle line")
+        tool, context = DrawTool(), Context(LINE, SIZE, 1.0, "Middle line", continues=True)
         tool.press((500, 500), PLAIN, context)
         edit = tool.finish(context).edit
         assert edit is not None
@@ -338,7 +338,7 @@ class TestHints:
         assert "choose an element" in self.say("draw", empty)
         chosen = replace(empty, selected_class="Circle left")
         assert "click begins it" in self.say("draw", chosen)
-        again = Context(LINE, SIZE, 1.0, "Middle line")
+        again = Context(LINE, SIZE, 1.0, "Middle line", continues=True)
         assert "click continues it" in self.say("draw", again)
         drawing = DrawTool("Circle left", [(1, 1), (2, 2)])
         text = self.say("draw", chosen, draw=drawing)
@@ -392,8 +392,10 @@ class TestSpots:
 
     def test_another_click_moves_it(self) -> None:
         tool, there = DrawTool(), annotated(Penalty_mark_left=[(100, 100)])
-        assert "click moves it here" in hint("draw", tool, EditTool(), self.context(there), FIELD)
-        edit = tool.press((30, 40), PLAIN, self.context(there)).edit
+        assert tool.press((30, 40), PLAIN, self.context(there)).edit is None  # it is finished
+        again = replace(self.context(there), continues=True)
+        assert "click moves it here" in hint("draw", tool, EditTool(), again, FIELD)
+        edit = tool.press((30, 40), PLAIN, again).edit
         assert edit is not None
         assert edit.label.startswith("move ")
         assert px(edit.annotation, self.MARK) == [[30, 40]]

@@ -5,15 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from procc_annotator.field.load import load_field
+from procc_annotator.io.camera_files.fitted_on import Fitted
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.held_out_sheet import held_out_sheet
 from procc_annotator.session.runs.held_out import HeldOutFigures
+
+ONE = Fitted(1)
 
 
 @dataclass
 class Fits:
     ground_only: bool
-    fitted: int = 1
+    fitted: Fitted = ONE
     held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
 
 
@@ -21,7 +24,7 @@ def test_elements_off_the_ground_that_are_left_out_are_told() -> None:
     setup = EvaluationSetup(load_field("soccer"), (960, 540), off_plane="left_out")
     words = "off-plane elements left out"
     ground, pinholes = ("H", Fits(ground_only=True)), ("R", Fits(ground_only=False))
-    method = ("theirs", Fits(ground_only=True, fitted=0))
+    method = ("theirs", Fits(ground_only=True, fitted=Fitted()))
     alone = held_out_sheet([ground, method], [5.0], setup)
     assert words in alone.described
     both = held_out_sheet([ground, pinholes], [5.0], setup)

@@ -37,7 +37,8 @@ def row(frame: str = "1", threshold: float = 5.0, jac: float | None = 0.1, **cha
         "jac": jac, "tp": 1, "fp": 2, "fn": 3, "mirrored": False, "precision": 1 / 3,
         "recall": None, "mean_reprojection_error": 2.5e-17, "mean_error": 1.5, "points": 11,
         "camera": 'a, "b"\nc.json', "error": None, "version": "0.1.0",
-        "fitted_on_these_clicks": False, "annotated_elements": 7, "spread": 0.25,
+        "fitted_on_these_clicks": False, "fitted_on_another_version": False,
+        "annotated_elements": 7, "spread": 0.25,
     } | changes  # fmt: skip
     assert list(values) == list(NAMES)
     return tuple(values.values())
@@ -80,7 +81,7 @@ def test_the_same_key_replaces_and_all_else_stays(path: Path) -> None:
     [
         ("name,jac\n1,2\n", "line 1: is no table of scores"),
         ("", "line 1: is no table of scores"),
-        ("{HEAD}\n{ROW},more\n", "line 2: has 29 cells, expected 28"),
+        ("{HEAD}\n{ROW},more\n", "line 2: has 30 cells, expected 29"),
         ("{HEAD}\n{ROW}\na,b\n", "line 3: has 2 cells"),
         ("{HEAD}\n{ROW}\n".replace("{ROW}", "{960}"), "line 2: width is 'wide', expected a whole"),
         ("{HEAD}\n{jac}\n", "line 2: jac is 'nan', expected a number"),

@@ -11,7 +11,6 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.cameras.source_row import SourceRow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.io.camera_files.fitted_on import FITTED
 from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.workspace import Workspace
@@ -142,7 +141,7 @@ class SourceList(QWidget):
     def _model(self, source: CameraSource) -> str:
         """The camera model: of the set when it has one, else of the frame on screen."""
         words = self._model_words(source)
-        return f"{words}, {tr(FITTED)}" if words and source.fitted else words
+        return f"{words}, {tr(source.fitted.mark)}" if words and source.fitted else words
 
     def _model_words(self, source: CameraSource) -> str:
         models = source.models

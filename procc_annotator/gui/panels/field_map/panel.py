@@ -147,9 +147,9 @@ class FieldMapPanel(QWidget):
         anchors = dict(zip(self._shape.names, self._placement().anchors, strict=True))
         chosen = self._document.selected_class
         if chosen not in anchors:
-            self._document.select_class(next(iter(anchors), None))
+            self._document.select_class(next(iter(anchors), None), continues=True)
         elif (found := nearest(anchors[chosen], anchors, way)) is not None:
-            self._document.select_class(found)
+            self._document.select_class(found, continues=True)
 
     # --- mouse ---------------------------------------------------------------------------------
 
@@ -180,7 +180,7 @@ class FieldMapPanel(QWidget):
         if moved:
             self.unsetCursor()
         elif event.button() == Qt.MouseButton.LeftButton:
-            self._document.select_class(self.class_at(event.position()))
+            self._document.select_class(self.class_at(event.position()), continues=True)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if self.class_at(event.position()) is None:

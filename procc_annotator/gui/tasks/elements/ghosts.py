@@ -27,7 +27,6 @@ class _Before:
 
     place: ViewPlace
     selected: str | None
-    annotated: tuple[str, ...]
     frame: Frame | None
 
 
@@ -152,7 +151,6 @@ class GhostTasks(QObject):
             self._before = _Before(
                 self._canvas.place,
                 document.selected_class,
-                document.annotation.annotated,
                 document.frame,
             )
         self._shown = ghost.name
@@ -172,14 +170,10 @@ class GhostTasks(QObject):
             self._choose(self._chosen_before(before))
 
     def _chosen_before(self, before: _Before | None) -> str | None:
-        """The element that was chosen before the walk, unless it was accepted meanwhile: that one
-        is done, and the next click must not continue it."""
-        document = self._document
-        if before is None or before.frame != document.frame:
+        """The element that was chosen before the walk."""
+        if before is None or before.frame != self._document.frame:
             return None
-        selected = before.selected
-        new = selected in document.annotation.annotated and selected not in before.annotated
-        return None if new else selected
+        return before.selected
 
     def _go_on(self, accepted: tuple[str, ...]) -> None:
         """Ghosts are elements now: they are done."""

@@ -10,6 +10,7 @@ import pytest
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
+from procc_annotator.io.camera_files.fitted_on import Fitted
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report.scores.chance_sheets import differences_sheet, power_sheet
 from procc_annotator.report.scores.click_sheets import clicks_sheets
@@ -27,6 +28,8 @@ from procc_annotator.session.runs.strata import strata, values_of_frames
 FIELD = load_field("soccer")
 TAUS = (2.0, 5.0)
 DRAWS = Draws(2000)
+
+ANOTHER = Fitted(another=1)
 
 
 def frame(name: str, jac: float | None, *, pose: Pose | None = None, elements: int = 8):
@@ -102,7 +105,7 @@ def test_a_part_of_one_cluster_is_warned_of(three) -> None:
 
 def test_a_fit_to_the_clicks_is_never_the_best_and_takes_no_place(three) -> None:
     plain, better, _ = three
-    fitted = SourceSums("fit", TAUS, tuple(replace(f, fitted=True) for f in better.frames))
+    fitted = SourceSums("fit", TAUS, tuple(replace(f, fitted=ANOTHER) for f in better.frames))
     worse = source("worse", [f.figures[1, 0] - 0.1 for f in plain.frames])
     found = certain((plain, fitted, worse))
     assert certain((plain, better, worse)).best("mean_jac", 5.0) == 1
@@ -114,7 +117,10 @@ def test_a_fit_to_the_clicks_is_never_the_best_and_takes_no_place(three) -> None
     sheet = differences_sheet(found, "")
     methods = [{row[1], row[2]} == {"plain", "worse"} for row in sheet.rows]
     assert {row for row, _ in sheet.bold} == {row for row, those in enumerate(methods) if those}
-    assert {row[1] for row in sheet.rows} == {"plain", "fit (fitted on these clicks)"}
+    assert {row[1] for row in sheet.rows} == {
+        "plain",
+        "fit (fitted to another version of these annotations)",
+    }
 
 
 def test_the_error_of_fewer_points_is_not_bold(three) -> None:
