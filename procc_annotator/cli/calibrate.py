@@ -147,13 +147,14 @@ def calibrate(given: AskedToCalibrate) -> None:
     names = options.label_map(given.labels, setup.field)
     with open_annotations(place, setup.field, names) as source:
         left = unfinished_file(given.out, "calibrate")
-        going_on = options.goes_on(left, given.out, resume=given.resume, overwrite=given.overwrite)
+        going_on = options.goes_on(
+            left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
+        )
         _check_out(
             given.out,
             source,
             overwrite=given.overwrite or going_on,
             positions=given.shared_position,
-            resume=given.resume,
         )
         datasets.report_mismatch(source, setup.field)
         datasets.report_like_cameras(source)
@@ -264,15 +265,12 @@ def _share(
     return _report_problems(report, out)
 
 
-def _check_out(
-    out: Path, source: FileSource, *, overwrite: bool, positions: bool, resume: bool
-) -> None:
+def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: bool) -> None:
     """Fail before the work: nothing may be written over what is read or among it, or over cameras
     nobody asked to replace.
 
     Args:
         positions: a table of positions is to be written too.
-        resume: a run is to go on, of which nothing is left.
 
     Raises:
         UsageError: OUT cannot be what is asked for.
@@ -293,9 +291,8 @@ def _check_out(
         finished = (out / TABLE_FILE).exists() or out.is_file()
         stopped = "" if finished else f" but no {TABLE_FILE}"
         why = ", as an interrupted run leaves them" if stopped else ""
-        nothing = "; no run was stopped here, --resume has nothing to go on with" if resume else ""
         raise UsageError(
-            f"{out}: holds cameras or their tables already{stopped}{why}{nothing}; choose another"
+            f"{out}: holds cameras or their tables already{stopped}{why}; choose another"
             " place, or --overwrite to replace them"
         )
 

@@ -147,7 +147,9 @@ def propose(given: AskedToPropose) -> None:
     pictures = open_pictures(given.dataset, given.annotations)
     datasets.report_remarks(pictures.notices)
     left = unfinished_file(given.out, "propose")
-    going_on = options.goes_on(left, given.out, resume=given.resume, overwrite=given.overwrite)
+    going_on = options.goes_on(
+        left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
+    )
     inputs = [pictures.path, *([given.known] if given.known is not None else [])]
     _check_out(given.out, inputs, pictures.frames, overwrite=given.overwrite or going_on)
     positions = (
