@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import typer
-
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.datasets import (
     report_notices,
     report_remarks,
     report_unreadable,
 )
+from procc_annotator.cli.echo import echo
 from procc_annotator.report.scores import tables
 from procc_annotator.report.scores.chance import ToldOfSet
 from procc_annotator.report.scores.held_out_sheet import held_out_sheet
@@ -75,7 +74,7 @@ def report_problems(scored: list[Scored]) -> int:
         report_notices({f"{of}{notice}": count for notice, count in one.notices.items()})
         if one.unmatched_cameras:
             counted = listed(one.unmatched_cameras, "camera")
-            typer.echo(f"note: {of}without annotation, not counted: {counted}", err=True)
+            echo(f"note: {of}without annotation, not counted: {counted}", err=True)
     # The annotations of a set are read for every method and size.
     sets = {one.set_name: one for one in scored}
     for name, one in sets.items():

@@ -10,6 +10,7 @@ import typer
 
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.report.pictures import Rendered, render_pictures
 from procc_annotator.report.scenes import OverlayLook
@@ -110,7 +111,7 @@ def render(
     rendered = Rendered(out)
     for done in with_progress(steps, len(workspace.frames), "drawing"):
         rendered = done
-    typer.echo(f"{count_of(len(rendered.pictures), 'overlay picture')} written to {out}")
+    echo(f"{count_of(len(rendered.pictures), 'overlay picture')} written to {out}")
     datasets.report_notices(rendered.notices)
     if rendered.bare:
         frames = listed(rendered.bare, "frame")

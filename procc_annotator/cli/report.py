@@ -13,6 +13,7 @@ import typer
 
 from procc_annotator.cli import chance_options, datasets, options, outputs, over_time
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter, pair_painter
 from procc_annotator.cli.recipe_further import Further
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, recipe_for
@@ -324,7 +325,7 @@ def _make(
 def _tell(call: _Call, gathered: AuditReport, problems: list[str]) -> int:
     """Say what was written and what went wrong; returns the exit code."""
     for path in (*call.written, *([call.recipe.path] if call.recipe else [])):
-        typer.echo(f"written: {path}")
+        echo(f"written: {path}")
     notes = dict.fromkeys(note for s in gathered.sources for note in s.annotation_notes)
     datasets.report_remarks(notes)
     failures = list(dict.fromkeys(gathered.failures()))
@@ -366,7 +367,7 @@ def annotation_place(
         return annotations or dataset, {}
     workspace = Workspace.open(dataset, field, annotations)
     for notice in workspace.notices:
-        typer.echo(f"note: {notice}", err=True)
+        echo(f"note: {notice}", err=True)
     if workspace.frames:
         pictures = FrameTable((frame.name, frame.image_path) for frame in workspace.frames)
         return annotations or workspace.annotations, pictures

@@ -651,7 +651,7 @@ class TestSaving:
         qtbot.waitUntil(lambda: bool(told))
         let_work_end(qtbot)
         assert [level for _, level in told] == ["error"]
-        assert "could not be saved" in told[0][0]
+        assert "is a file, expected a folder" in told[0][0]
 
 
 class TestBlind:
