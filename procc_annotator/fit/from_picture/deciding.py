@@ -12,12 +12,12 @@ from procc_annotator.language import said, said_joined
 
 # Below, what was found is no camera of this picture.
 _LEAST_BOTH = 0.4
-_SURE_COVERAGE, _SURE_EXPLAINED, _SURE_MARGIN = 0.65, 0.8, 0.18
+SURE_COVERAGE, SURE_EXPLAINED, _SURE_MARGIN = 0.65, 0.8, 0.18
 _WELL, MARGIN_WELL = 0.85, 0.1  # where more is found, less has to part it from others
 _MOST_UNLIKELY = 6.0
-# Longer by shorter side: below, no camera takes such pictures. Squeezed into a square, 16:9 shows a
-# camera at 1.7 times its height, and the paint fits as well.
-_LEAST_SHAPE = 1.2
+# Longer by shorter side of the narrowest pictures that cameras make (5:4). In a squeezed picture another
+# position and zoom agree with the lines as well as the true ones do with square pixels.
+_NARROWEST = 1.25
 # So many elements tell a camera; one less, such as a circle and two lines, where all is found.
 _SURE_ELEMENTS, _ALL_FOUND = 4, 0.9
 
@@ -69,11 +69,15 @@ def decide(seen: Evidence) -> tuple[State, str]:
 
 def _doubt(seen: Evidence) -> str:
     share = min(seen.coverage, seen.explained)
+    if max(seen.fit.size) < _NARROWEST * min(seen.fit.size):  # phones stand upright
+        return said(
+            "the picture is nearly square, as a squeezed one is: its pixels may not be square"
+        )
     if seen.margin < (_SURE_MARGIN if share < _WELL else MARGIN_WELL):
         return another_camera()
-    if seen.coverage < _SURE_COVERAGE:
+    if seen.coverage < SURE_COVERAGE:
         return said("lines are missing that should be in sight")
-    if seen.explained < _SURE_EXPLAINED:
+    if seen.explained < SURE_EXPLAINED:
         return said("there is paint where the field has none")
     if seen.unlikeliness > _MOST_UNLIKELY:
         return said("cameras hardly stand there")
@@ -81,13 +85,5 @@ def _doubt(seen: Evidence) -> str:
         return said("too few lines are in sight to tell")
     if seen.beside:
         return seen.beside
-    width, height = seen.fit.size
-    if max(width, height) < _LEAST_SHAPE * min(width, height):
-        return said(
-            "the picture is {width} x {height}: its pixels may not be square (16:9 squeezed), and"
-            " then its camera is another one",
-            width=width,
-            height=height,
-        )
     open_ = hardly_determined(seen.fit)
     return said("the lines in sight leave the camera open: {what}", what=open_) if open_ else ""

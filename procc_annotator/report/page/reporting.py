@@ -182,7 +182,7 @@ def write_report(
         first = [comparison_table(report), *([fits] if fits else []), *report.told.sheets]
         contents["tex"] = latex_tables(
             [*first, *steady, *tables], remarks, request.latex_width_pt
-        ).encode()
+        ).encode("utf-8", "backslashreplace")
     if "html" in kinds and drawing is not None:
         page = _page(report, material, request, drawing, pairs, tables, work, problems)
         if material.over_time:
