@@ -213,7 +213,7 @@ def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) ->
             f" with --annotations {out}",
             err=True,
         )
-    return datasets.report_unreadable(done.errors)
+    return datasets.report_unreadable([*pictures.problems, *done.errors])
 
 
 def _looked_for_elsewhere(pictures: PictureSource, out: Path) -> Path | None:

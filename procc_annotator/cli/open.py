@@ -17,7 +17,8 @@ from procc_annotator.cli.options import Lines, Sources
 from procc_annotator.cli.qt_libraries import require_qt_libraries
 from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import UsageError
-from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
+from procc_annotator.image.suffixes import VIDEO_SUFFIXES
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, frames_folder
 
 HELP = """\
 PATH is a folder of pictures (or its field.toml), one picture, a video, or nothing. The word "open"
@@ -83,6 +84,11 @@ def open_window(given: AskedToOpen) -> None:
     for place in (path, given.annotations, *(source.path for source in sources)):
         if place is not None and not place.exists():
             raise UsageError(f"{place}: does not exist")
+    if path is not None and given.annotations is not None and path.suffix.lower() in VIDEO_SUFFIXES:
+        raise UsageError(
+            f"{path} is a video, whose annotations lie in {frames_folder(path)}: open it without"
+            " --annotations, or move them there"
+        )
     if not display_available():
         raise UsageError(
             "there is no display for the window; `evaluate`, `export` and `render` work without"

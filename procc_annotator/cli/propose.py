@@ -175,7 +175,7 @@ def propose(given: AskedToPropose) -> None:
             kept.finish()
     except Interrupted as stopped:
         raise KeyboardInterrupt(_what_is_there(stopped, given.out)) from None
-    raise typer.Exit(_report(found, wanted, given.out))
+    raise typer.Exit(_report(found, wanted, pictures.problems, given.out))
 
 
 def _check_out(
@@ -255,7 +255,7 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
     )
 
 
-def _report(found: ProposedSet, wanted: _Wanted, out: Path) -> int:
+def _report(found: ProposedSet, wanted: _Wanted, problems: tuple[str, ...], out: Path) -> int:
     """Print what was found; returns the exit code."""
     console = stdout_console()
     console.print(states_table(found))
@@ -269,4 +269,4 @@ def _report(found: ProposedSet, wanted: _Wanted, out: Path) -> int:
         frames = count_of(len(wanted.damaged), "frame")
         echo(f"passed over: {frames} whose annotation cannot be read (--all)")
     echo(f"{proposed_words(found)}; written to {out}, with {TABLE_FILE}")
-    return datasets.report_unreadable([*found.errors, *wanted.damaged])
+    return datasets.report_unreadable([*problems, *found.errors, *wanted.damaged])

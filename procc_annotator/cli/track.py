@@ -162,7 +162,7 @@ def track(
             _follow(again, shown, executor, out, table, "looking where other shots stand")
     except Interrupted as stopped:
         raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
-    raise typer.Exit(_report(table, anchors, len(kept), out))
+    raise typer.Exit(_report(table, [*pictures.problems, *anchors.errors], len(kept), out))
 
 
 def _follow(
@@ -313,7 +313,7 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
     )
 
 
-def _report(table: TrackTable, anchors: Anchors, kept: int, out: Path) -> int:
+def _report(table: TrackTable, problems: list[str], kept: int, out: Path) -> int:
     """Print what was found; returns the exit code."""
     console = stdout_console()
     console.print(shots_table(table))
@@ -322,4 +322,4 @@ def _report(table: TrackTable, anchors: Anchors, kept: int, out: Path) -> int:
     if kept:
         echo(f"followed before: {count_of(kept, 'shot')} (--overwrite follows them again)")
     echo(f"{tracked_words(table)}; written to {out}, with {TABLE_FILE}")
-    return datasets.report_unreadable([*anchors.errors, *table.errors])
+    return datasets.report_unreadable([*problems, *table.errors])

@@ -77,10 +77,10 @@ def build_window(
     from now on.
     """
     window = MainWindow()
-    if path is not None:
-        window.opening.open_path(path, annotations)
     document = window.document
-    if field is not None:
+    if path is not None:
+        window.opening.open_path(path, annotations, field)
+    elif field is not None:
         document.field_choice.take(field)
     choices = [CameraChoice(cameras)] if isinstance(cameras, Path) else cameras
     loaded = [document.load_cameras(c.path, c.format, c.name) for c in choices]

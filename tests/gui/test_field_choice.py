@@ -414,7 +414,7 @@ def test_a_reload_leaves_what_is_being_drawn(
     hand.click(300, 200)
     hand.key(Qt.Key.Key_Return)
     assert len(saved("gate")) == 2
-    document.select_class("gate")
+    document.select_class("gate", continues=True)
     hand.click(200, 100)
     path.write_text(YARD.replace('name = "gate"', 'name = "door"'))  # the class is gone
     qtbot.waitUntil(lambda: document.field.knows("door"), timeout=20_000)

@@ -335,9 +335,10 @@ class TestSource:
         document.commit_edit("nudge", nudged(document.annotation, 0.05))
         arrive(fitted, qtbot)
         settle(fitted, qtbot)
-        assert [s.fitted for s in document.sources] == [False, True]
+        other = "fitted to another version of these annotations"
+        assert {s.name: s.fitted.mark for s in document.sources} == {"kept": other, "fit": mark}
         label = fitted.findChild(QLabel, "cameras_model_0")
-        qtbot.waitUntil(lambda: mark not in label.toolTip())
+        qtbot.waitUntil(lambda: other in label.toolTip())
 
     def test_three_elements_show_the_field(self, fitted: MainWindow, qtbot: QtBot) -> None:
         document, whole = fitted.document, fitted.document.annotation

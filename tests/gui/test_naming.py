@@ -51,12 +51,28 @@ def test_a_line_without_a_class_is_kept_and_named(
 ) -> None:
     menu = drawn(window, hand, qtbot, (100, 100), (300, 120), (500, 130))
     assert len(saved(UNKNOWN)) == 3  # kept before anybody says what it is
-    name = offered(menu)[1]
+    name = "Big rect. left main"
+    assert offered(menu)[1] != name  # its own key, whatever stands second
     QTest.keyClick(menu, Qt.Key.Key_2)
     assert not menu.isVisible()
     assert len(saved(name)) == 3
     assert len(saved(UNKNOWN)) == 0
     assert window.document.selected_class is None  # the next line is drawn first, too
+
+
+def test_two_points_are_no_curve_without_a_word(
+    window: MainWindow, hand: Hand, qtbot: QtBot, saved: ReadPoints
+) -> None:
+    menu = drawn(window, hand, qtbot, (100, 100), (300, 120))
+    assert not window.canvas.editor.curved & set(offered(menu))
+    circle = window.document.field.element("Circle central")
+    assert circle is not None
+    QTest.keySequence(menu, circle.shortcut)
+    assert len(saved("Circle central")) == 2
+    assert "Centre circle is a curve" in window.document.state.told.text
+    hand.click(200, 200)  # and it goes on
+    hand.key(Qt.Key.Key_Return)
+    assert len(saved("Circle central")) == 3
 
 
 def test_enter_takes_the_first(

@@ -13,6 +13,7 @@ import pytest
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.files.video_opening import VideoDialog
 from procc_annotator.gui.worker import run_in_background
@@ -92,6 +93,24 @@ def test_a_frame_every_second_is_annotated_beside_the_video(
     saved = match.parent / "match_frames" / "match_000020.json"
     assert "Middle line" in saved.read_text()
     assert list(saved.parent.glob("*.png")) == []  # nothing is extracted
+
+
+@pytest.mark.new_window
+@pytest.mark.parametrize("chosen", ["volleyball", "tennis"])
+def test_the_dialog_shows_the_field_and_asks_it(
+    make_window: MakeWindow, qtbot: QtBot, match: Path, chosen: str
+) -> None:
+    window = make_window(match, field=load_field("volleyball"))
+    qtbot.waitUntil(lambda: window.findChild(VideoDialog) is not None)
+    dialog = window.findChild(VideoDialog)
+    assert isinstance(dialog, VideoDialog)
+    assert dialog.field.currentData() == "volleyball"
+    dialog.field.setCurrentIndex(dialog.field.findData(chosen))
+    accept(window, dialog, qtbot)
+    qtbot.waitUntil(lambda: window.document.field.name == chosen)
+    assert window.opening.open_path(match)  # and the dataset remembers it
+    qtbot.waitUntil(lambda: len(window.findChildren(VideoDialog)) > 0)
+    assert window.findChildren(VideoDialog)[-1].field.currentData() == chosen
 
 
 def test_the_interface_opens_no_video_itself(

@@ -11,7 +11,14 @@ import numpy as np
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.climbing import SearchScene, agreement_with_paint, harmonic
-from procc_annotator.fit.from_picture.deciding import MARGIN_WELL, Evidence, another_camera, decide
+from procc_annotator.fit.from_picture.deciding import (
+    MARGIN_WELL,
+    SURE_COVERAGE,
+    SURE_EXPLAINED,
+    Evidence,
+    another_camera,
+    decide,
+)
 from procc_annotator.fit.from_picture.field_lines import FieldLines, lines_of
 from procc_annotator.fit.from_picture.hypotheses import at_places, on_side
 from procc_annotator.fit.from_picture.in_view import apart_px
@@ -37,6 +44,7 @@ from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.solving.solver import Prior
 from procc_annotator.fit.solving.starts import SIDES, prior_near
 from procc_annotator.image.pixels import PixelArray
+from procc_annotator.language import said
 
 _FEWEST = 60  # places of paint
 _REFINED, _REACHES_PX = 7, (16.0, 8.0, 4.0)
@@ -82,7 +90,8 @@ def propose_camera(
         return _none(size, f"{field.title} has no painted lines to look for")
     paint = see_paint(picture, field)
     if len(paint.on_ground) < _FEWEST:
-        return _none(size, "there is hardly any paint on the ground in this picture")
+        why = "there is hardly any paint on the ground in this picture"
+        return _asking(_none(size, why), field)
     go_on()
 
     def search(places: Sequence[KnownPosition | None]) -> Proposal:
@@ -93,9 +102,20 @@ def propose_camera(
         return max(found, key=lambda best: best.score).proposal(picture, field, paint.frame)
 
     if not known:
-        return search((None,))
+        return _asking(search((None,)), field)
     at_known = search(known)
-    return better_proposal(search((None,)), at_known, field) if elsewhere else at_known
+    found = better_proposal(search((None,)), at_known, field) if elsewhere else at_known
+    return _asking(found, field)
+
+
+def _asking(found: Proposal, field: Field) -> Proposal:
+    """Ask for the sport: no camera suits another one, or it leaves much unexplained."""
+    shares = found.coverage / SURE_COVERAGE, found.explained / SURE_EXPLAINED
+    if found.state == SURE or min(shares) >= 1:
+        return found
+    asked = said("is this {field}, and no other sport? {why}", field=field.title, why=found.reason)
+    fit = found.fit if found.fit.camera is not None else replace(found.fit, failure=asked)
+    return replace(found, fit=fit, reason=asked)
 
 
 def better_proposal(free: Proposal, at_known: Proposal, field: Field) -> Proposal:

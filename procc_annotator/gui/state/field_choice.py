@@ -36,7 +36,7 @@ from procc_annotator.session.dataset.dataset_field import (
     kept_lines_of,
     own_field_file,
 )
-from procc_annotator.session.dataset.field_match import Mismatch, classes_in
+from procc_annotator.session.dataset.field_match import Mismatch, classes_in, telling
 from procc_annotator.session.dataset.workspace import Workspace
 
 _REFUSAL = "field"  # the notice that another one cannot be chosen
@@ -348,7 +348,7 @@ class FieldChoice(QObject):
         """Classes of the frame on screen that the field does not know."""
         state = self._store.state
         names = state.annotation.annotated
-        return frozenset(name.strip() for name in names if not state.field.knows(name))
+        return telling(name for name in names if not state.field.knows(name))
 
     def _tell(self, mismatch: Mismatch | None) -> None:
         if mismatch != self.mismatch:

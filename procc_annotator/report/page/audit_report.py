@@ -25,7 +25,6 @@ from procc_annotator.session.runs.certainty import Certainty
 from procc_annotator.session.runs.evaluation_run import (
     Evaluated,
     EvaluationRun,
-    in_pixels_words,
     run_digested,
 )
 from procc_annotator.session.runs.execution.executor import Executor
@@ -106,7 +105,7 @@ class ReportedSource:
         ground_only: whether one of its cameras knows only the ground.
         frames: in natural order, all annotated ones.
         notices: remark -> number of cameras it is about; 0 where it is about annotations.
-        in_pixels: frames whose annotations look like pixels.
+        annotation_notes: as of `EvaluationRun`.
         failure: why nothing could be evaluated; empty when something was.
         fitted: its cameras that were fitted to the annotations they are judged by.
         held_out: what is known of elements left out of these fits.
@@ -122,7 +121,7 @@ class ReportedSource:
     notices: Mapping[str, int] = field(default_factory=dict)
     unmatched: tuple[str, ...] = ()
     failure: str = ""
-    in_pixels: tuple[str, ...] = ()
+    annotation_notes: tuple[str, ...] = ()
     fitted: Fitted = NOT_FITTED
     held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
 
@@ -343,8 +342,7 @@ def _gather(
     notices = Counter(run.notices)
     for frame in frames:
         notices.update(frame.notices)
-    if run.in_pixels:
-        notices[in_pixels_words(run.in_pixels)] = 0
+    notices.update(dict.fromkeys(run.annotation_notes, 0))
     if run.counted == 0:
         why = f"none of the {run.total} annotations can be read; the first: {frames[0].error}"
         return ReportedSource(source.name, folder, fmt, {}, setup.describe(), failure=why)
@@ -358,7 +356,7 @@ def _gather(
         frames,
         notices,
         run.unmatched_cameras,
-        in_pixels=run.in_pixels,
+        annotation_notes=run.annotation_notes,
         fitted=run.fitted,
         held_out=run.held_out,
     )

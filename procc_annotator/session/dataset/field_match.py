@@ -11,6 +11,7 @@ from procc_annotator.errors import InputError
 from procc_annotator.field.load import field_names, is_shipped, load_field
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.soccernet_classes import WITHOUT_GEOMETRY
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 
@@ -84,6 +85,13 @@ class Mismatch:
         return len(self.unknown) >= _NEARLY_ALL * self.classes
 
 
+def telling(classes: Iterable[str]) -> frozenset[str]:
+    """Classes that say which field a set shows, without spaces around them: those of lines that
+    nobody could name stand for elements of any sport."""
+    names = (name.strip() for name in classes)
+    return frozenset(n for n in names if n.partition(" (")[0] not in WITHOUT_GEOMETRY)
+
+
 def rank_fields(classes: Collection[str], more: Sequence[Field] = ()) -> tuple[FieldMatch, ...]:
     """Fields by how many classes they know, the best one first; those that know none are left out.
 
@@ -93,7 +101,7 @@ def rank_fields(classes: Collection[str], more: Sequence[Field] = ()) -> tuple[F
         classes: names as in files; spaces around them do not count.
         more: fields beside those the package ships.
     """
-    wanted = {name.strip() for name in classes}
+    wanted = telling(classes)
     found = []
     for field in (*more, *map(load_field, field_names())):
         known = len(wanted & _stripped(field))
@@ -113,7 +121,7 @@ def mismatch_of(
         field: the one the set is said to show.
         more: fields beside those the package ships.
     """
-    wanted = {name.strip() for name in classes}
+    wanted = telling(classes)
     unknown = wanted - _stripped(field)
     if not unknown:
         return None

@@ -155,7 +155,9 @@ def test_a_known_position_is_one_more_hypothesis(
 @pytest.mark.parametrize("sport", ["volleyball", "ice_hockey"])
 def test_a_picture_of_another_sport_is_not_sure(sport: str, sample_data: Path) -> None:
     picture = decode_bgra(sample_data / sport / "00001.jpg")
-    assert propose_camera(picture, _stage().field).state != "sure"
+    found = propose_camera(picture, _stage().field)
+    assert found.state != "sure"
+    assert found.reason.startswith("is this Soccer, and no other sport? ")
 
 
 def test_a_picture_without_paint_has_no_camera() -> None:
@@ -165,6 +167,13 @@ def test_a_picture_without_paint_has_no_camera() -> None:
     assert found.fit.camera is None
     assert found.fit.failure == found.reason
     assert "hardly any paint" in found.reason
+
+
+def test_a_squeezed_picture_is_not_sure(shared_data: Path) -> None:
+    picture = decode_bgra(shared_data / "inputs" / "squashed" / "frame_512x512.jpg")
+    found = propose_camera(picture, _stage().field)
+    assert found.state == "unsure"
+    assert "pixels may not be square" in found.reason
 
 
 def test_can_be_stopped() -> None:

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QObject, QPoint, Qt, QTimer
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QMenu
+from PySide6.QtGui import QKeyEvent, QKeySequence
+from PySide6.QtWidgets import QMenu, QWidget
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.fit.predict.likely_names import likely_names
 from procc_annotator.fit.predict.sight import stretches_in_sight
 from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.digit_row import keys_by_place
+from procc_annotator.gui.element_keys import element_keys
+from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.states import class_swatch
 from procc_annotator.gui.picture.canvas import Canvas
@@ -25,7 +29,32 @@ from procc_annotator.language import tr
 from procc_annotator.session.strokes.copying import annotated_before
 
 _BESIDE = QPoint(18, 12)  # of the pen, so that its next move chooses nothing
+_CURVE = 3  # points; two are on any curve
 _FARTHEST = 0.1  # of the picture's width: ghosts beyond are another line
+
+
+class _Offer(QMenu):
+    """A menu in which the keys of all elements mean what they mean outside."""
+
+    def __init__(
+        self, keys: Mapping[str, QKeySequence], named: Callable[[str], None], parent: QWidget
+    ) -> None:
+        super().__init__(tr("Name of the line"), parent)
+        self._keys, self._named = keys, named
+        self._typed = ""  # the beginning of longer keys
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        chord = keys_by_place(event) or QKeySequence(event.keyCombination()).toString()
+        typed = QKeySequence(self._typed + chord)
+        matches = {typed.matches(keys): name for name, keys in self._keys.items()}
+        self._typed = ""
+        if (name := matches.get(QKeySequence.SequenceMatch.ExactMatch)) is not None:
+            self.close()
+            self._named(name)
+        elif QKeySequence.SequenceMatch.PartialMatch in matches:
+            self._typed = f"{typed.toString()}, "
+        else:
+            super().keyPressEvent(event)
 
 
 class Naming(QObject):
@@ -87,13 +116,15 @@ class Naming(QObject):
         document = self._document
         if document.selected_class != class_name or document.annotation.get(class_name) is None:
             return  # the frame was left, or the line taken back
-        menu = self.menu = QMenu(tr("Name of the line"), self._canvas)
+        field = document.field
+        keys = element_keys(field, document.state.keymap)
+        menu = self.menu = _Offer(keys, partial(self._name, class_name), self._canvas)
         menu.setObjectName("namingMenu")
         menu.setAccessibleName(tr("What is this line?"))
-        field = document.field
-        for number, name in enumerate(likely, start=1):
+        for name in likely:
             title = tr(field.title_of(name)).replace("&", "&&")
-            action = menu.addAction(class_swatch(field, name), f"&{number}  {title}")
+            key = keys[name].toString(NATIVE) if name in keys else ""
+            action = menu.addAction(class_swatch(field, name), f"{title}\t{key}")
             action.setData(name)
             action.setIconVisibleInMenu(True)
             action.triggered.connect(partial(self._name, class_name, name))
@@ -106,9 +137,19 @@ class Naming(QObject):
         menu.popup(self._canvas.viewport().mapToGlobal(at))
 
     def _name(self, class_name: str, name: str) -> None:
-        if self._document.selected_class == class_name:
-            self._edits.change_class(name)
-            self._document.select_class(None)  # the next line is drawn first, too
+        document = self._document
+        drawn, title = document.annotation.get(class_name), tr(document.field.title_of(name))
+        if document.selected_class != class_name or drawn is None:
+            return
+        if document.annotation.get(name) is not None:  # the two would be swapped
+            document.say(tr("{element} is annotated already", element=title), "warning")
+            return
+        self._edits.change_class(name)
+        unclear = name in self._canvas.editor.curved and len(drawn.points) < _CURVE
+        document.select_class(name if unclear else None, continues=unclear)  # or a line comes next
+        if unclear:
+            why = tr("{element} is a curve, which two points do not show: click on", element=title)
+            document.say(why, "warning")
 
     def _likely(self, drawn: FloatArray, by_views: tuple[str, ...] = ()) -> tuple[str, ...]:
         """By the camera that is known, else by what the frame before had there and by the usual
@@ -116,10 +157,12 @@ class Naming(QObject):
         document = self._document
         field, annotation = document.field, document.annotation
         there = {p.class_name for p in annotation}
+        if len(drawn) < _CURVE:
+            there |= self._canvas.editor.curved
         size = document.picture_size or (2, 2)
         before, last = self._canvas.editor.seen_before, document.state.selection.last_finished
         following = next_element(field, annotation, last, before)
-        usual = [following] if following is not None else []
+        usual = [following] if following is not None and following not in there else []
         usual += [e.name for e in field.elements if e.name not in there and not e.optional]
         fit = self._fit if document.foresight.allowed else None
         if fit is not None and fit.camera is not None:
@@ -130,7 +173,8 @@ class Naming(QObject):
                 courses.setdefault(stretch.name, []).append(stretch.points_px)
             return likeliest(drawn, courses, usual, farthest=_FARTHEST * size[0])
         expected = self._before(size, there)
-        return likeliest(drawn, expected, (*by_views, *usual), farthest=_FARTHEST * size[0])
+        usual = [*(name for name in by_views if name not in there), *usual]
+        return likeliest(drawn, expected, usual, farthest=_FARTHEST * size[0])
 
     def _before(self, size: tuple[int, int], there: set[str]) -> dict[str, list[FloatArray]]:
         """What the frame before had and this one has not yet, px of this picture."""

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.errors import InputError
+from procc_annotator.field.model import Field
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, Setting, Settings
 from procc_annotator.gui.state.document import Document
@@ -41,12 +42,17 @@ class OpeningTask(QObject):
         self._copying = Latest(self, lambda why: document.say(why, "warning"))
         self.video = VideoOpening(document, window, self._remember)
 
-    def open_path(self, path: Path, annotations: Path | None = None) -> bool:
-        """Open a folder or picture and remember it, or ask which frames of a video to open."""
+    def open_path(
+        self, path: Path, annotations: Path | None = None, field: Field | None = None
+    ) -> bool:
+        """Open a folder or picture and remember it, or ask which frames of a video to open; a
+        ``field`` is the dataset's from then on."""
         if _is_video(path):
-            self.video.ask(path)
+            self.video.ask(path, field)
             return True
         opened = self._document.open_path(path, annotations)
+        if field is not None:
+            self._document.field_choice.take(field)
         if opened:
             self._remember(path)
         elif not path.exists():

@@ -19,13 +19,20 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.errors import FieldError
+from procc_annotator.field.load import field_titles, load_field
+from procc_annotator.field.model import Field
 from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.panels.parts import choice
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import write
 from procc_annotator.image.video import Video, frames_at_interval, open_shared, scene_cuts
 from procc_annotator.language import tr, tr_count
+from procc_annotator.session.dataset.dataset_field import field_of_dataset, own_field_file
+from procc_annotator.session.dataset.dataset_folder import frames_folder
+from procc_annotator.session.dataset.field_match import loadable
 from procc_annotator.session.dataset.video_frames import keep_frame, open_video
 
 T = TypeVar("T")
@@ -36,9 +43,13 @@ _PATIENCE_MS = 400
 
 
 class VideoDialog(QDialog):
-    """Every so many seconds, or one frame for each scene."""
+    """Every so many seconds, or one frame for each scene; and which field the video shows."""
 
-    def __init__(self, parent: QWidget, video: Video) -> None:
+    def __init__(self, parent: QWidget, video: Video, shown: Field, *, decided: bool) -> None:
+        """Args:
+        shown: the field as far as known.
+        decided: whether a file in the dataset's folder says so, and no other can be chosen.
+        """
         super().__init__(parent)
         self.setObjectName("videoDialog")
         self.setWindowTitle(tr("Open a video"))
@@ -46,6 +57,7 @@ class VideoDialog(QDialog):
         seconds = video.frame_count / video.fps if video.fps else 0.0
         frames = tr_count(video.frame_count, "{n:,} frame", "{n:,} frames")
         text = f"{video.path.name}: {frames}, {width}x{height}, {seconds:.0f} s"
+        text += f"\n{video.cut_off}" if video.cut_off else ""
         self.interval = QRadioButton(tr("One frame every"))
         self.interval.setChecked(True)
         self.seconds = DecimalBox()
@@ -56,6 +68,15 @@ class VideoDialog(QDialog):
         self.cuts = QRadioButton(tr("The first frame of every scene"))
         self.cuts.setToolTip(tr("Looks through the whole video for cuts; this takes a while"))
         self.cuts.toggled.connect(lambda on: self.seconds.setEnabled(not on))
+        self.field = choice("videoField")
+        for name, title in field_titles().items():
+            self.field.addItem(tr(title), name)
+        at = self.field.findData(loadable(shown))
+        if at < 0 or shown.own_terms:
+            self.field.insertItem(at := 0, shown.described)
+        self.field.setCurrentIndex(at)
+        self.field.setEnabled(not decided)
+        self.shown_at = at
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Cancel
         )
@@ -65,6 +86,7 @@ class VideoDialog(QDialog):
         form.addRow(QLabel(text))
         form.addRow(self.interval, self.seconds)
         form.addRow(self.cuts)
+        form.addRow(tr("Field"), self.field)
         form.addRow(QLabel(tr("Nothing is extracted; “Keep this video frame” writes a picture.")))
         form.addRow(buttons)
 
@@ -81,30 +103,47 @@ class VideoOpening:
         # Whoever opened something else meanwhile does not want the video any more.
         document.datasetChanged.connect(self.cancel)
 
-    def ask(self, path: Path) -> None:
-        """Read how many frames a video has, then show the dialog."""
+    def ask(self, path: Path, field: Field | None = None) -> None:
+        """Read how many frames a video has, then show the dialog; ``field``: what it shows, where
+        that was said already."""
 
-        def read(_: JobControl) -> Video:
+        def read(_: JobControl) -> tuple[Video, Field]:
             video = open_shared(path)  # its first picture is shown by the same one
             video.read_index()  # reads through the file: here, not when the dialog asks
-            return video
+            if field is not None:
+                return video, field
+            try:
+                return video, field_of_dataset(path).field
+            except FieldError:  # opening says what is wrong with the dataset's own
+                return video, load_field()
 
-        self._run(tr("Reading {file}", file=path.name), read, self._show_dialog)
+        self._run(
+            tr("Reading {file}", file=path.name),
+            read,
+            lambda found: self._show_dialog(*found, said=field is not None),
+        )
 
     def cancel(self) -> None:
         """Forget the video that is being read or looked through."""
         self._work.cancel()
         self._end_progress()
 
-    def _show_dialog(self, video: Video) -> None:
-        dialog = VideoDialog(self._parent, video)
-        dialog.accepted.connect(lambda: self._choose(dialog, video))
+    def _show_dialog(self, video: Video, shown: Field, *, said: bool) -> None:
+        decided = own_field_file(frames_folder(video.path)) is not None
+        dialog = VideoDialog(self._parent, video, shown, decided=decided)
+
+        def take() -> None:
+            name = dialog.field.currentData()
+            same = dialog.field.currentIndex() == dialog.shown_at
+            self._choose(dialog, video, (shown if said else None) if same else name)
+
+        dialog.accepted.connect(take)
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
-    def _choose(self, dialog: VideoDialog, video: Video) -> None:
+    def _choose(self, dialog: VideoDialog, video: Video, field: Field | str | None) -> None:
         if not dialog.cuts.isChecked():
-            self._open(video.path, frames_at_interval(video, dialog.seconds.value()))
+            self._open(video.path, frames_at_interval(video, dialog.seconds.value()), field)
             return
 
         def look(control: JobControl) -> list[int]:
@@ -113,12 +152,18 @@ class VideoOpening:
         self._run(
             tr("Looking for cuts in {file}", file=video.path.name),
             look,
-            lambda numbers: self._open(video.path, numbers),
+            lambda numbers: self._open(video.path, numbers, field),
         )
 
-    def _open(self, path: Path, numbers: list[int]) -> None:
-        if self._document.opening.open_workspace(open_video(path, numbers, self._document.field)):
-            self._opened(path)
+    def _open(self, path: Path, numbers: list[int], field: Field | str | None) -> None:
+        document = self._document
+        if not document.opening.open_workspace(open_video(path, numbers, document.field)):
+            return
+        self._opened(path)
+        if isinstance(field, Field):
+            document.field_choice.take(field)
+        elif field is not None:
+            document.field_choice.choose(field)
 
     def _run(self, what: str, work: Callable[[JobControl], T], then: Callable[[T], object]) -> None:
         """Work in the background, with a window that shows how far it is and can cancel it."""

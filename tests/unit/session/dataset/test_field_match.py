@@ -49,6 +49,10 @@ def test_a_mismatch_names_the_field_that_fits() -> None:
     )
 
 
+def test_a_line_that_nobody_could_name_tells_no_sport() -> None:
+    assert mismatch_of(["Line unknown", "Line unknown (2)"], load_field("tennis")) is None
+
+
 def test_no_field_is_named_that_knows_no_more() -> None:
     found = mismatch_of([*CLASSES, "sponsor"], SOCCER)
     assert found is not None

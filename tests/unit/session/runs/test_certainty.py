@@ -266,6 +266,8 @@ def test_strata_by_what_cameras_and_annotations_are_like() -> None:
     frames = [frame(str(n), 0.5, pose=p, elements=n + 3) for n, p in enumerate((*poses, None))]
     sources = (SourceSums("a", TAUS, tuple(frames)),)
     assert values_of_frames("zoom", sources, FIELD, {})[0] == "focal 1000 to 2000 px"
+    two = values_of_frames("zoom", sources * 2, FIELD, {})
+    assert two[0] == "focal 1000 to 2000 px, median of 2 methods"
     assert values_of_frames("zoom", sources, FIELD, {})[-1] is None
     main, opposite, behind = "main camera's side", "opposite side", "behind the end at x > 0"
     assert values_of_frames("side", sources, FIELD, {}) == [main, main, opposite, behind, None]
