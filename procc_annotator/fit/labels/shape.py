@@ -204,7 +204,10 @@ def _distinct_neighbours(points: FloatArray) -> FloatArray:
 
 
 def _count_places(points: FloatArray) -> int:
-    """How many places (n, 2) points are at; not more than it takes to be enough for any element."""
+    """How many of (n, 2) points are apart from all before them; of very many as far as it takes."""
+    if len(points) <= _MOST_POINTS:
+        apart = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
+        return int((~np.tril(apart < _SAME_PLACE_PX, -1).any(axis=1)).sum())
     count = 0
     while len(points) and count < _POINTS_OF_AN_ELLIPSE:
         points = points[np.hypot(*(points - points[0]).T) >= _SAME_PLACE_PX]
