@@ -65,6 +65,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.io.camera_files.loaded_camera import LoadedCamera as LoadedCamera
     from procc_annotator.metric.chance.intervals import Interval as Interval
     from procc_annotator.metric.chance.paired import PairedDifference as PairedDifference
+    from procc_annotator.metric.chance.paired import corrected_for as corrected_for
     from procc_annotator.metric.disagreement import Disagreement as Disagreement
     from procc_annotator.metric.score import ElementScore as ElementScore
     from procc_annotator.metric.score import FrameScore as FrameScore
@@ -119,7 +120,7 @@ _HOMES = {
     "fit.through_shot.track": ("Track", "TrackedFrame"),
     "io.camera_files.loaded_camera": ("LoadedCamera",),
     "metric.chance.intervals": ("Interval",),
-    "metric.chance.paired": ("PairedDifference",),
+    "metric.chance.paired": ("PairedDifference", "corrected_for"),
     "metric.disagreement": ("Disagreement",),
     "metric.score": ("ElementScore", "FrameScore"),
     "metric.sets": ("ClassSummary", "SetSummary"),

@@ -24,7 +24,7 @@ class ProccError(Exception):
     """
 
     def __init__(self, text: str) -> None:
-        super().__init__(_one_line(text))
+        super().__init__(printable(text))
 
 
 class InputError(ProccError):
@@ -89,7 +89,13 @@ class UsageError(ProccError):
     """The request itself makes no sense."""
 
 
-def _one_line(text: str) -> str:
+def printable(text: str, keep: str = "") -> str:
+    """Text with every character escaped that would break its line or command a terminal.
+
+    Args:
+        text: of anybody.
+        keep: such characters that may stay.
+    """
     if text.isprintable():
         return text
-    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
+    return "".join(c if c.isprintable() or c in keep else ascii(c)[1:-1] for c in text)

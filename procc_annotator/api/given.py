@@ -24,6 +24,8 @@ from procc_annotator.image.pixels import PixelArray, bgra
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.metric.project import why_clipped
+from procc_annotator.metric.setup import EvaluationSetup
 
 AnyCamera = Camera | ElementProjections | FitResult | LoadedCamera
 """A camera as a caller has it: of any model, fitted, or read from a file."""
@@ -79,6 +81,23 @@ def camera_at(
     own = as_camera(camera, name)
     at = own if camera_size in (None, size) else scaled(own, camera_size, size)
     return CameraAt(at, str(getattr(own, "model", type(own).__name__)))
+
+
+def judged_camera(
+    camera: object,
+    setup: EvaluationSetup,
+    camera_size: tuple[int, int] | None = None,
+    name: str = "camera",
+) -> CameraAt:
+    """As `camera_at`, for a camera that is judged.
+
+    Raises:
+        UsageError: as of `camera_at`, or projections that the protocol cannot judge.
+    """
+    found = camera_at(camera, setup.size, camera_size, name, field=setup.field)
+    if problem := why_clipped(found.camera, setup):
+        raise UsageError(f"{name}: {problem}")
+    return found
 
 
 def as_camera(camera: object, name: str) -> CameraOrProjections:

@@ -12,6 +12,7 @@ from procc_annotator.api.given import (
     as_field,
     as_size_or_none,
     camera_at,
+    judged_camera,
 )
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -82,7 +83,7 @@ def evaluate(
     (threshold,) = check_thresholds((tau,))
     at = _size_for(camera, size)
     setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
-    used = camera_at(camera, at, as_size_or_none(camera_size), field=setup.field).camera
+    used = judged_camera(camera, setup, as_size_or_none(camera_size)).camera
     return score_to_read(measure(as_annotation(annotation), used, setup), threshold)
 
 
@@ -123,7 +124,7 @@ def jac_curve(
         raise UsageError(f"expected thresholds as numbers of pixels, found {thresholds!r}")
     at = _size_for(camera, size)
     setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
-    used = camera_at(camera, at, as_size_or_none(camera_size), field=setup.field).camera
+    used = judged_camera(camera, setup, as_size_or_none(camera_size)).camera
     return score.jac_curve(measure(as_annotation(annotation), used, setup), given)
 
 
@@ -134,6 +135,7 @@ def project_field(
     size: Size | None = None,
     camera_size: Size | None = None,
     protocol: str = "procc",
+    clipped: bool = True,
 ) -> dict[str, tuple[FloatArray, ...]]:
     """Where a camera shows the elements of a field.
 
@@ -142,12 +144,14 @@ def project_field(
         field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
         size: (width, height) px of the picture; as of `evaluate`.
         camera_size: as of `evaluate`.
-        protocol: ``procc`` for true curves, cut where they leave the picture; ``soccernet`` for the
-            points that the official evaluation measures to.
+        protocol: ``procc`` for true curves; ``soccernet`` for the points that the official
+            evaluation measures to, which always end at the border of the picture.
+        clipped: whether curves are cut where they leave the picture, to be drawn. To be judged as
+            `ElementProjections` in place of the camera they must not be.
 
     Returns:
-        Class name -> its pieces in the picture, each (n, 2) px of ``size``, vertices in order along
-        the element; of the elements that have any.
+        Class name -> its pieces, each (n, 2) px of ``size``, vertices in order along the element;
+        of the elements that have any in the picture.
 
     Raises:
         UsageError: an argument of another kind, see `evaluate`.
@@ -156,7 +160,10 @@ def project_field(
     at = _size_for(camera, size)
     known = as_field(field)
     used = camera_at(camera, at, as_size_or_none(camera_size), field=known).camera
-    return project.project_field(used, EvaluationSetup(known, at, protocol)).pieces
+    setup = EvaluationSetup(known, at, protocol)
+    if clipped:
+        return project.project_field(used, setup).pieces
+    return project.measured_pieces(used, setup)
 
 
 def disagreement(

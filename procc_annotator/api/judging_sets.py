@@ -12,7 +12,7 @@ from procc_annotator.api.given import (
     as_annotation,
     as_field,
     as_size_or_none,
-    camera_at,
+    judged_camera,
     kind_of,
 )
 from procc_annotator.api.reading import Dataset, load_cameras, load_dataset
@@ -93,7 +93,7 @@ def evaluate_set(
             camera = None
         used = None
         if camera is not None:
-            used = camera_at(camera, at, own, f"camera of {name}", field=known)
+            used = judged_camera(camera, setup, own, f"camera of {name}")
         frames[name] = as_annotation(annotation), used
     return score_set(frames, setup, check_thresholds(tuple(thresholds)))
 

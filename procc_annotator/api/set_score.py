@@ -12,7 +12,7 @@ import numpy as np
 from natsort import natsorted
 from numpy.typing import NDArray
 
-from procc_annotator.annotation import FrameAnnotation, pixel_like
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.api.given import CameraAt
 from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_files.fitted_on import Fitted
@@ -25,10 +25,11 @@ from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.score_columns import FRAME_COLUMNS, frame_values
+from procc_annotator.session.runs.annotation_notes import AnnotationNotes
 from procc_annotator.session.runs.audit import TAU_GRID
 from procc_annotator.session.runs.certainty import Certainty, same_frames
 from procc_annotator.session.runs.clusters import NONE, SHOT, clusters_of
-from procc_annotator.session.runs.evaluation_run import CHUNK, in_pixels_words
+from procc_annotator.session.runs.evaluation_run import CHUNK
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
 from procc_annotator.session.runs.score_chunk import AT_ONCE, Evaluated, FrameResult
 
@@ -170,7 +171,9 @@ class SetScore:
         Returns:
             Threshold (px) -> key (``mean_jac``, ``final_score``, ``mean_error``, ``completeness``)
             -> the difference in the figure's unit, its interval, the p of a permutation test, and
-            whether it is beyond chance.
+            whether it is beyond chance. This is one comparison of two methods: ``corrected`` equals
+            ``p``. Of several pairs, correct the differences of one figure together:
+            `corrected_for`.
 
         Raises:
             UsageError: the two were scored differently, or as of `intervals`.
@@ -207,9 +210,11 @@ def score_set(
     if not any(camera is not None for _, camera in frames.values()):
         what = "no frame that is annotated has a camera" if frames else "no annotated frame"
         raise UsageError(f"nothing to score: {what}")
-    in_pixels = [name for name, (own, _) in frames.items() if pixel_like(own) is not None]
-    if in_pixels:
-        warnings.warn(in_pixels_words(in_pixels), stacklevel=3)
+    notes = AnnotationNotes()
+    for name, (own, _) in frames.items():
+        notes.add(name, own, setup.of_frame(name).field)
+    for line in notes.lines():
+        warnings.warn(line, stacklevel=3)
     total = SetAccumulator(setup, thresholds)
     sums: list[FrameSums | None] = []
     found: dict[str, Mapping[float, FrameScore]] = {}

@@ -9,6 +9,8 @@ import numpy as np
 
 from procc_annotator.camera.base import Camera, FloatArray
 
+_ON_BORDER_PX = 1e-4  # files round shares
+
 
 @dataclass(frozen=True, eq=False)
 class ElementProjections:
@@ -22,6 +24,21 @@ class ElementProjections:
     """
 
     pieces: Mapping[str, tuple[FloatArray, ...]]
+
+    def is_clipped(self, size: tuple[int, int]) -> bool:
+        """Whether pieces end at the border of a picture of (width, height) px and none goes on
+        beyond it: somebody cut them to the picture.
+
+        What a camera shows ends there by chance only. Programs cut at the centres of the last
+        pixels, or, as the official evaluation does, at width and height.
+        """
+        pieces = [px for parts in self.pieces.values() for px in parts if len(px)]
+        if not pieces:
+            return False
+        every, ends = np.concatenate(pieces), np.concatenate([px[[0, -1]] for px in pieces])
+        border = np.array([[0.0, 0.0], np.subtract(size, 1), size])[:, None]
+        within = ((every >= -_ON_BORDER_PX) & (every <= np.add(size, _ON_BORDER_PX))).all()
+        return bool(within and (np.abs(ends - border) <= _ON_BORDER_PX).any())
 
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> ElementProjections:
         """The same for another picture size (pixel centres: factors (W'-1)/(W-1))."""

@@ -19,6 +19,7 @@ from procc_annotator.cli.datasets import (
     report_remarks,
     report_unreadable,
 )
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.io.collections import list_annotations, told_by_trees
@@ -153,7 +154,7 @@ def agree(given: AskedToAgree) -> None:
                 stdout_console().print(needed)
             errors = agreed.errors
     for path in files:
-        typer.echo(f"written: {path}")
+        echo(f"written: {path}")
     if len(sources) == 2:
         _report_frames(agreed)
     raise typer.Exit(report_unreadable(errors))
@@ -193,10 +194,10 @@ def _agree_all(
         console.print(needed_sheet(agreed.floor, agreed.described, agreed.known))
     console.print(floor_line(agreed))
     if consensus is not None:
-        typer.echo(f"written: {consensus}")
+        echo(f"written: {consensus}")
     for letter, alone in zip(ascii_uppercase, run.alone, strict=False):
         if alone:
-            typer.echo(f"note: only in {letter}, not compared: {listed(alone, 'frame')}", err=True)
+            echo(f"note: only in {letter}, not compared: {listed(alone, 'frame')}", err=True)
     return list(agreed.errors)
 
 
@@ -214,9 +215,9 @@ def _report_frames(agreed: Agreed) -> None:
     summary = agreed.summary
     for who, names in (("A", summary.frames_only_a), ("B", summary.frames_only_b)):
         if names:
-            typer.echo(f"note: only in {who}, not compared: {listed(names, 'frame')}", err=True)
+            echo(f"note: only in {who}, not compared: {listed(names, 'frame')}", err=True)
     if summary.mirrored:
-        typer.echo(
+        echo(
             "note: left and right seem to be swapped between A and B, counted as they are:"
             f" {listed(summary.mirrored, 'frame')}",
             err=True,

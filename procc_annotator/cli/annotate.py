@@ -12,6 +12,7 @@ import typer
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.io.atomic import make_folder
@@ -200,19 +201,19 @@ def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) ->
     """Say what was written and what was not; returns the exit code."""
     written = count_of(len(done.frames), "annotation")
     what = f"{count_of(done.elements, 'element')}, {count_of(done.points, 'point')}"
-    typer.echo(f"written: {written} ({what}) to {out}, their points as proposed")
+    echo(f"written: {written} ({what}) to {out}, their points as proposed")
     if kept := passed_over + len(done.kept):
-        typer.echo(f"not touched: {count_of(kept, 'frame')} annotated already")
+        echo(f"not touched: {count_of(kept, 'frame')} annotated already")
     if done.bare:
-        typer.echo(f"no paint found under the camera: {listed(done.bare, 'frame')}")
+        echo(f"no paint found under the camera: {listed(done.bare, 'frame')}")
     datasets.report_remarks(done.remarks)
     if (looked := _looked_for_elsewhere(pictures, out)) is not None and done.frames:
-        typer.echo(
+        echo(
             f"note: the window looks for annotations of {pictures.path} in {looked}; open these"
             f" with --annotations {out}",
             err=True,
         )
-    return datasets.report_unreadable(done.errors)
+    return datasets.report_unreadable([*pictures.problems, *done.errors])
 
 
 def _looked_for_elsewhere(pictures: PictureSource, out: Path) -> Path | None:

@@ -10,6 +10,7 @@ import typer
 
 from procc_annotator.cli import chance_options, datasets
 from procc_annotator.cli.console import stdout_console, with_progress
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import SaveError, UsageError
 from procc_annotator.field.load import is_shipped
@@ -123,10 +124,8 @@ def assign(given: AskedToAssign) -> None:
             _remember_field(given.out / name, shown.field)
     stdout_console().print(counts_sheet(assigned, parts, terms))
     even = "" if not parts else f", even over {alike.described}"
-    typer.echo(
-        f"{count_of(len(frames), 'frame')}, {len(marked)} of them gold{even}, seed {given.seed}"
-    )
-    typer.echo(f"written: {given.out} (keep {PLAN_FILE} to yourself)")
+    echo(f"{count_of(len(frames), 'frame')}, {len(marked)} of them gold{even}, seed {given.seed}")
+    echo(f"written: {given.out} (keep {PLAN_FILE} to yourself)")
 
 
 def _remember_field(folder: Path, field: Field) -> None:

@@ -10,6 +10,7 @@ import typer
 
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
 from procc_annotator.errors import UsageError
 from procc_annotator.fit.determined import LIMITS
@@ -146,13 +147,14 @@ def calibrate(given: AskedToCalibrate) -> None:
     names = options.label_map(given.labels, setup.field)
     with open_annotations(place, setup.field, names) as source:
         left = unfinished_file(given.out, "calibrate")
-        going_on = options.goes_on(left, given.out, resume=given.resume, overwrite=given.overwrite)
+        going_on = options.goes_on(
+            left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
+        )
         _check_out(
             given.out,
             source,
             overwrite=given.overwrite or going_on,
             positions=given.shared_position,
-            resume=given.resume,
         )
         datasets.report_mismatch(source, setup.field)
         datasets.report_like_cameras(source)
@@ -231,9 +233,9 @@ def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str |
     _print_report(report, out)
     if hold_out:
         stdout_console().print(calibration.held_out_table(report))
-        typer.echo(f"written: {HELD_OUT_FILE}, which evaluate and report tell beside these cameras")
+        echo(f"written: {HELD_OUT_FILE}, which evaluate and report tell beside these cameras")
     if (out / POSITIONS_FILE).exists():
-        typer.echo(
+        echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"
             " it was not touched",
             err=True,
@@ -259,19 +261,16 @@ def _share(
         console.print(together.apart_table(run.apart))
     if run.gained:
         have = count_of(len(run.gained), "frame has", "frames have")
-        typer.echo(f"{have} a camera now that the position is known: {first_of(run.gained)}")
+        echo(f"{have} a camera now that the position is known: {first_of(run.gained)}")
     return _report_problems(report, out)
 
 
-def _check_out(
-    out: Path, source: FileSource, *, overwrite: bool, positions: bool, resume: bool
-) -> None:
+def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: bool) -> None:
     """Fail before the work: nothing may be written over what is read or among it, or over cameras
     nobody asked to replace.
 
     Args:
         positions: a table of positions is to be written too.
-        resume: a run is to go on, of which nothing is left.
 
     Raises:
         UsageError: OUT cannot be what is asked for.
@@ -292,9 +291,8 @@ def _check_out(
         finished = (out / TABLE_FILE).exists() or out.is_file()
         stopped = "" if finished else f" but no {TABLE_FILE}"
         why = ", as an interrupted run leaves them" if stopped else ""
-        nothing = "; no run was stopped here, --resume has nothing to go on with" if resume else ""
         raise UsageError(
-            f"{out}: holds cameras or their tables already{stopped}{why}{nothing}; choose another"
+            f"{out}: holds cameras or their tables already{stopped}{why}; choose another"
             " place, or --overwrite to replace them"
         )
 
@@ -314,26 +312,26 @@ def _print_report(report: CalibrationReport, out: Path) -> None:
     if report.failures:
         console.print(calibration.failures_table(report))
     cameras = count_of(report.cameras, "camera")
-    typer.echo(f"written: {cameras} and {TABLE_FILE} to {out}")
+    echo(f"written: {cameras} and {TABLE_FILE} to {out}")
 
 
 def _report_problems(report: CalibrationReport, out: Path) -> int:
     """Say on stderr what a person should look at; returns the exit code."""
     datasets.report_remarks(report.remarks)
     if report.open:
-        typer.echo(
+        echo(
             f"note: {count_of(len(report.open), 'camera is', 'cameras are')} hardly determined"
             f" ({LIMITS}; column hardly_determined): {first_of(report.open)}",
             err=True,
         )
     if report.left_out:
-        typer.echo(
+        echo(
             f"note: frames with elements that fit no camera together with the others, and were left"
             f" out: {report.left_out} (column left_out of the table; are the labels right?)",
             err=True,
         )
     if report.stale:
-        typer.echo(
+        echo(
             f"note: {out} holds {count_of(len(report.stale), 'other camera')}, not written now and"
             f" not touched: {first_of(report.stale)}",
             err=True,

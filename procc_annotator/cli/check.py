@@ -16,6 +16,7 @@ from procc_annotator.cli.datasets import (
     report_remarks,
     report_unreadable,
 )
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.together import fit_sizes
 from procc_annotator.fit.fitting import check_model
@@ -126,7 +127,7 @@ def check(
         report = _check_set(run, written_to, shown, workers, dask, wrong_field=wrong)
     _print_report(report, written_to)
     if paint and not run.seen:
-        typer.echo("no pictures beside the annotations: paint was not looked for")
+        echo("no pictures beside the annotations: paint was not looked for")
     report_remarks(report.remarks)
     code = report_unreadable([problem for _, problem in report.unreadable])
     raise typer.Exit(1 if failing is not None and report.has_any(failing) else code)
@@ -154,6 +155,6 @@ def _print_report(report: CheckReport, written_to: Sequence[Path]) -> None:
     if report.worth_listing:
         console.print(findings.findings_table(report, in_file=bool(written_to)))
     for line in findings.by_eye_words(report):
-        typer.echo(line)
+        echo(line)
     for path in written_to:
-        typer.echo(f"written: {path}")
+        echo(f"written: {path}")

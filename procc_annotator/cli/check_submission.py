@@ -9,6 +9,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from procc_annotator.cli import options
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.io.camera_files import submission as submissions
@@ -62,7 +63,7 @@ def check_submission(
 
 def _tell(findings: Sequence[submissions.SubmissionRemark], nothing: str) -> NoReturn:
     for finding in findings:
-        typer.echo(str(finding))
+        echo(str(finding))
     if not findings:
-        typer.echo(nothing)
+        echo(nothing)
     raise typer.Exit(1 if findings else 0)

@@ -19,6 +19,7 @@ from procc_annotator.cli.datasets import (
     report_remarks,
     report_unreadable,
 )
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.painters import pair_painter
 from procc_annotator.cli.sources import parse_sources
@@ -203,7 +204,7 @@ def compare(given: AskedToCompare) -> None:
         told += _draw(compared, comparison, given.pictures, images, given.worst or None)
     _print_comparison(compared, given.worst or count)
     for line in told:
-        typer.echo(line)
+        echo(line)
     _report_frames(comparison, compared)
     raise typer.Exit(report_unreadable(compared.errors))
 
@@ -222,7 +223,7 @@ def open_sources(
             raise UsageError(f"{spec.path}: does not exist")
         source = CameraSet.open(spec.path, spec.format, spec.name, camera_size, field)
         for notice in source.notices:
-            typer.echo(f"note: {spec.name}: {notice}", err=True)
+            echo(f"note: {spec.name}: {notice}", err=True)
         opened.append(source)
     return opened
 
@@ -333,7 +334,7 @@ def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
             mismatch = mismatch_of(classes, field) if classes else None
             if mismatch is not None and mismatch.is_telling:
                 try_it = f"name the dataset after B ({folder}), or its field: --field NAME"
-                typer.echo(f"note: {mismatch.words()}; {try_it}", err=True)
+                echo(f"note: {mismatch.words()}; {try_it}", err=True)
             if classes:
                 return
 
@@ -397,5 +398,5 @@ def _report_frames(comparison: ComparisonRun, compared: ComparisonReport) -> Non
         ("nothing to compare, no common ground in the picture", compared.summary.blank),
     ):
         if names:
-            typer.echo(f"note: {where}: {listed(names, 'frame')}", err=True)
+            echo(f"note: {where}: {listed(names, 'frame')}", err=True)
     report_notices(compared.notices)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
-from rich.console import Console
+from rich.console import Console, ConsoleOptions
 from rich.progress import (
     BarColumn,
     MofNCompleteColumn,
@@ -16,9 +16,11 @@ from rich.progress import (
     TextColumn,
     TimeRemainingColumn,
 )
+from rich.segment import Segment
 from rich.table import Table
 
 from procc_annotator.cli.table_widths import fit_columns
+from procc_annotator.errors import printable
 from procc_annotator.report.sheet.as_plain import plain_table
 from procc_annotator.report.sheet.as_terminal import terminal_table
 from procc_annotator.report.sheet.sheet import Sheet
@@ -48,7 +50,7 @@ class _Console(Console):
 
     def _print_fitting(self, objects: tuple[Any, ...], options: dict[str, Any]) -> None:
         if self.is_terminal:
-            super().print(*objects, **options)
+            super().print(*map(_Printable, objects), **options)
             return
         with self.capture() as captured:
             super().print(*objects, **options)
@@ -63,7 +65,7 @@ class _Console(Console):
 
     def _write(self, text: str) -> None:
         try:
-            self.file.write(text)
+            self.file.write(printable(text, keep="\n"))
             self.file.flush()
         except BrokenPipeError:
             self.on_broken_pipe()
@@ -71,6 +73,18 @@ class _Console(Console):
     def on_broken_pipe(self) -> None:
         """Leave it to the command, which is quiet about it; see `cli.main`."""
         raise BrokenPipeError
+
+
+class _Printable:
+    """What is printed, without what a terminal would obey in its texts."""
+
+    def __init__(self, content: Any) -> None:
+        self._content = content
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Segment]:
+        for segment in console.render(self._content, options):
+            text = segment.text if segment.control else printable(segment.text, keep="\n")
+            yield segment._replace(text=text)
 
 
 def stdout_console() -> Console:

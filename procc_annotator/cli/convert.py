@@ -12,6 +12,7 @@ import typer
 
 from procc_annotator.cli import datasets, options
 from procc_annotator.cli.console import progress_bar
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.io.annotation_files.annotation_formats import NAMES
@@ -191,7 +192,7 @@ def _convert_annotations(given: AskedToConvert) -> int:
     unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.frames:
         raise UsageError(f"nothing to do: no frame of {source} could be written to {given.out}")
-    typer.echo(
+    echo(
         f"{count_of(done.frames, 'frame')}, {count_of(done.elements, 'element')},"
         f" {count_of(done.points, 'point')}"
         f" written to {given.out} ({done.title})"
@@ -215,7 +216,7 @@ def _convert_to_polylines(given: AskedToConvert) -> int:
         datasets.report_remarks(cameras.notices)
     datasets.report_notices(done.losses)
     unreadable = datasets.report_unreadable(done.problems, "left out")
-    typer.echo(
+    echo(
         f"polylines of {count_of(done.written, 'frame')} written to {given.out}"
         f" ({setup.describe()}, method {method})"
     )
@@ -238,7 +239,7 @@ def _convert_cameras(given: AskedToConvert) -> int:
         raise UsageError(
             f"nothing to do: no camera of {given.source} could be written to {given.out}"
         )
-    typer.echo(f"{count_of(done.written, 'camera')} written to {given.out}")
+    echo(f"{count_of(done.written, 'camera')} written to {given.out}")
     if given.to == "world":
         told = "nothing in these files tells them from wc14: read them with --camera-format world"
         datasets.report_remarks([told])

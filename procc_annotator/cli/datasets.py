@@ -10,6 +10,7 @@ from typing import Annotated
 
 import typer
 
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.problems import folded
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
@@ -172,13 +173,13 @@ def report_notices(notices: Mapping[str, int]) -> None:
     """One line each on stderr: the remark and for how many cameras, where it is for several; of
     many alike the first few."""
     for notice, count in few_of(notices).items():
-        typer.echo(f"note: {notice}" + (f" ({count} cameras)" if count > 1 else ""), err=True)
+        echo(f"note: {notice}" + (f" ({count} cameras)" if count > 1 else ""), err=True)
 
 
 def report_remarks(remarks: Iterable[str]) -> None:
     """One line each on stderr."""
     for remark in remarks:
-        typer.echo(f"note: {remark}", err=True)
+        echo(f"note: {remark}", err=True)
 
 
 def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch | None:
@@ -206,7 +207,7 @@ def report_like_cameras(source: FileSource, of: str = "") -> None:
         of: as of `report_mismatch`.
     """
     if remark := like_cameras_in(source.path):
-        typer.echo(f"note: {of}{remark}", err=True)
+        echo(f"note: {of}{remark}", err=True)
 
 
 def tell_mismatch(
@@ -237,7 +238,7 @@ def tell_mismatch(
         try_it = ", the dataset's own field: leave --field out"
     else:
         try_it = f": --field {mismatch.better.name}"
-    typer.echo(f"note: {of}{mismatch.words()}{try_it}", err=True)
+    echo(f"note: {of}{mismatch.words()}{try_it}", err=True)
     return mismatch
 
 
@@ -277,5 +278,5 @@ def report_unreadable(problems: list[str], word: str = "unreadable") -> int:
     """One line each on stderr, after a word that says what they are, and one line for many files
     with the same problem; returns the exit code."""
     for problem in folded(problems):
-        typer.echo(f"{word}: {problem}", err=True)
+        echo(f"{word}: {problem}", err=True)
     return 1 if problems else 0

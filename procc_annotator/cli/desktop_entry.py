@@ -11,6 +11,7 @@ from typing import Annotated
 
 import typer
 
+from procc_annotator.cli.echo import echo
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.io.atomic import make_folder, write_atomic
 from procc_annotator.resources import resources_dir
@@ -57,16 +58,16 @@ def desktop_entry(
         for name, data in files.items():
             make_folder((home / name).parent)
             write_atomic(home / name, data)
-        typer.echo(f"{count_of(len(files), 'file')} written below {home}")
+        echo(f"{count_of(len(files), 'file')} written below {home}")
     elif remove:
         there = [home / name for name in files if (home / name).exists()]
         for path in there:
             _remove(path)
-        typer.echo(f"{count_of(len(there), 'file')} removed below {home}")
+        echo(f"{count_of(len(there), 'file')} removed below {home}")
     else:
         for name in files:
             there_too = " (there)" if (home / name).exists() else ""
-            typer.echo(f"{home / name}{there_too}")
+            echo(f"{home / name}{there_too}")
         return
     refresh(home)
 
@@ -143,4 +144,4 @@ def refresh(home: Path) -> None:
         )
         if done.returncode != 0:
             said = (done.stderr or done.stdout).strip().splitlines()
-            typer.echo(f"note: {tool}: {said[0] if said else done.returncode}", err=True)
+            echo(f"note: {tool}: {said[0] if said else done.returncode}", err=True)

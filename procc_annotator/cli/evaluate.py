@@ -19,6 +19,7 @@ from procc_annotator.cli.datasets import (
     report_remarks,
     report_unreadable,
 )
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.evaluations import Plan
 from procc_annotator.cli.printed_scores import print_all, print_chance, report_problems
 from procc_annotator.cli.recipe_further import Further
@@ -91,7 +92,7 @@ By = Annotated[
         show_default=False,
         help="Also the figures by this tag, or by the model of the camera; with intervals by zoom,"
         " number of elements, how much of the picture they enclose, the camera's side and shot;"
-        " repeat for several."
+        " zoom and side are medians of the methods compared; repeat for several."
         "  [default: every tag of --tags]",
     ),
 ]
@@ -187,7 +188,7 @@ def evaluate(context: typer.Context, given: AskedToEvaluate) -> None:
         known = {error for one in scored for error in one.errors}
         code = max(code, report_unreadable(over_time.errors(steadiness, known)))
     for failure in unwritten.values():
-        typer.echo(f"procc-annotator: {failure}", err=True)
+        echo(f"procc-annotator: {failure}", err=True)
     raise typer.Exit(2 if unwritten else code)
 
 
@@ -307,7 +308,7 @@ def _tell(
     print_all(scored)
     print_chance(told)
     for line in said:
-        typer.echo(line)
+        echo(line)
     if call.tags is not None:
         report_remarks(_tags_of_no_frame(call.tags, call.plan.frames(call.fields)))
     report_remarks(call.plan.remarks(call.fields, [setup.size for setup in call.setups]))

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.echo import echo
 from procc_annotator.errors import UsageError
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.export import (
@@ -121,18 +122,18 @@ def _tell(exported: Exported, setup: EvaluationSetup, *, scored: bool, split: st
     written = count_of(exported.annotations, "annotation")
     without = count_of(exported.unannotated, "frame has", "frames have")
     place = f"{exported.path}, split {split}" if split else str(exported.path)
-    typer.echo(f"{written} written to {place} ({without} none)")
+    echo(f"{written} written to {place} ({without} none)")
     if scored:
         for tau, figures in (exported.summary or {}).items():
             jac = "-" if figures.mean_jac is None else f"{100 * figures.mean_jac:.2f}"
-            typer.echo(
+            echo(
                 f"JaC@{tau:g} {jac} over {count_of(exported.scored, 'frame')}"
                 f" ({setup.describe(exported.ground_only)})"
             )
         if split:
-            typer.echo(f"scores in {' and '.join(map(str, split_scores(exported.path)))}")
+            echo(f"scores in {' and '.join(map(str, split_scores(exported.path)))}")
     elif not split:
-        typer.echo("no --cameras given: jac.csv and jac.json name the frames and hold no scores")
+        echo("no --cameras given: jac.csv and jac.json name the frames and hold no scores")
     if exported.others:
         held = count_of(len(exported.others), "other annotation")
         words = f"{exported.path} holds {held}, not written now and not touched"

@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli.console import stdout_console
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field, named_field
 from procc_annotator.cli.open import display_available
 from procc_annotator.cli.outputs import check_not_an_input, check_output_folder
@@ -86,13 +87,13 @@ def check(field: FieldText) -> None:
     read = chosen_field(field)
     remarks = check_field(read, _keys_of_the_window())
     for remark in remarks:
-        typer.echo(remark.told_at(place_in_file(read, remark.place)))
+        echo(remark.told_at(place_in_file(read, remark.place)))
     doubtful = sum(remark.severity is not RemarkSeverity.NOTE for remark in remarks)
     found = (
         f"{count_of(len(read.elements), 'element')}, {count_of(len(read.dimensions), 'dimension')}"
     )
     verdict = "nothing to mend" if not doubtful else f"{doubtful} to look at"
-    typer.echo(f"{read.title}: {found}: {verdict}")
+    echo(f"{read.title}: {found}: {verdict}")
     raise typer.Exit(1 if doubtful else 0)
 
 
@@ -122,13 +123,13 @@ def show(
     except FieldError as error:
         if not wanted:
             raise
-        typer.echo(f"procc-annotator: {error}", err=True)  # the window waits until it is mended
+        echo(f"procc-annotator: {error}", err=True)  # the window waits until it is mended
     else:
         if output is not None:
             _write_picture(read, output)
         _print(read)
         if output is not None:
-            typer.echo(f"map written to {output}")
+            echo(f"map written to {output}")
     if wanted:
         if not display_available():
             raise UsageError("there is no display for the window; --output writes the map")
@@ -143,7 +144,7 @@ def _print(field: Field) -> None:
     console.print(field_tables.elements_table(field))
     console.print(field_tables.dimensions_table(field))
     for fact in field_tables.facts(field):
-        typer.echo(fact)
+        echo(fact)
 
 
 def _write_picture(field: Field, out: Path) -> None:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path, PurePosixPath
 
-import typer
-
+from procc_annotator.cli.echo import echo
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.load import load_field, with_lines
 from procc_annotator.field.model import Field
@@ -86,7 +85,7 @@ def _own_field(*datasets: Path | None) -> Field:
         if _packs_field_file(place)
     ]
     for notice in (*found.notices, *packed):
-        typer.echo(f"note: {notice}", err=True)
+        echo(f"note: {notice}", err=True)
     return found.field
 
 

@@ -16,6 +16,7 @@ from procc_annotator.cli.datasets import (
     report_remarks,
     report_unreadable,
 )
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
 from procc_annotator.errors import SaveError, UsageError
 from procc_annotator.field.model import Field, Stadiums
@@ -113,7 +114,7 @@ def field_size(
     finally:
         _print_sizes(found, fitted, setup)
     for line in told:
-        typer.echo(line)
+        echo(line)
     errors = [frame.error for frame in fitted.frames if frame.error is not None]
     raise typer.Exit(report_unreadable(errors))
 
@@ -126,11 +127,11 @@ def _print_sizes(sizes: list[FieldSize], fitted: FittedSet, setup: EvaluationSet
     report_remarks(used.remarks())
     for found in sizes:
         for remark in together.remarks(found):
-            typer.echo(f"note: {remark}", err=True)
+            echo(f"note: {remark}", err=True)
     if fitted.fits.groups is not None:
         lonely = sum(fitted.fits.groups.get(f.name) is None for f in fitted.frames)
         if lonely:
-            typer.echo(f"note: frames without a group take no part: {lonely}", err=True)
+            echo(f"note: frames without a group take no part: {lonely}", err=True)
 
 
 def _workspace_of(dataset: Path) -> Path:
@@ -169,7 +170,7 @@ def _save(
     if not told:
         raise UsageError("; ".join(problems))
     for problem in problems:
-        typer.echo(f"note: {problem}", err=True)
+        echo(f"note: {problem}", err=True)
     return told
 
 
@@ -201,9 +202,7 @@ def _save_of_set(dataset: Path, field: Field, size: FieldSize) -> str:
     if not written or database.problem:
         raise SaveError(f"{dataset}: {database.problem or 'the dimensions were not written'}")
     if (dataset / STADIUMS_FILE).is_file():
-        typer.echo(
-            f"note: frames in {dataset / STADIUMS_FILE} go by the dimensions there", err=True
-        )
+        echo(f"note: frames in {dataset / STADIUMS_FILE} go by the dimensions there", err=True)
     return f"kept in the workspace of {dataset}: {sized.described}"
 
 
@@ -246,7 +245,7 @@ def _save_stadiums(
     counted = f"{count_of(len(found), 'stadium')}, {count_of(len(frames), 'frame')}"
     left_out = sorted({s.group for s in sizes} - found.keys())
     if left_out:
-        typer.echo(
+        echo(
             f"note: not determined, or of a single frame, and not kept: {first_of(left_out)}",
             err=True,
         )

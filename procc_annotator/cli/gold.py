@@ -12,6 +12,7 @@ import typer
 from procc_annotator.cli import chance_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import report_remarks, report_unreadable
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -119,9 +120,9 @@ def gold(given: AskedForGold) -> None:
         stdout_console().print(sheet)
     for name, found in zip(against.names, against.found, strict=True):
         if found is None:
-            typer.echo(f"note: {name} has annotated none of the gold frames", err=True)
+            echo(f"note: {name} has annotated none of the gold frames", err=True)
     for path in files:
-        typer.echo(f"written: {path}")
+        echo(f"written: {path}")
     raise typer.Exit(report_unreadable(list(against.errors)))
 
 

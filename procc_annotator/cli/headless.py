@@ -9,6 +9,7 @@ import typer
 
 from procc_annotator.cli import datasets
 from procc_annotator.cli.console import stdout_console
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import LabelsFile, label_map, make_setup
 from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.errors import UsageError
@@ -57,7 +58,7 @@ def run_headless(dataset: Path, out: Path, labels: Path | None = None) -> int:
     """
     if not dataset.is_dir():
         raise UsageError(f"{dataset}: no such folder")
-    typer.echo(f"Without a window: evaluating, exporting and drawing {dataset}.\n")
+    echo(f"Without a window: evaluating, exporting and drawing {dataset}.\n")
     setup = make_setup(None, "960x540", "soccernet", "missed", mirrored=False, datasets=[dataset])
     names = label_map(labels, setup.field)
     make_folder(out)
@@ -65,7 +66,7 @@ def run_headless(dataset: Path, out: Path, labels: Path | None = None) -> int:
     best = max(scored, key=lambda folder: _merit(scored[folder]), default=None)
     if scored:
         _print_table(scored)
-        typer.echo(f"\nscores, JSON and CSV   {out}/scores_*.json, .csv")
+        echo(f"\nscores, JSON and CSV   {out}/scores_*.json, .csv")
     problems = _export_and_draw(dataset, best, out, setup, names)
     for result in scored.values():
         problems += [error for error in result.errors if error not in problems]
@@ -128,6 +129,6 @@ def _export_and_draw(
         drawn = len(rendered.pictures)
         problems = exported.problems + [p for p in rendered.problems if p not in exported.problems]
     of_set = f" (cameras: {cameras.name})" if cameras is not None else ""
-    typer.echo(f"{exported.annotations} annotations and JaC   {out / 'export'}{of_set}")
-    typer.echo(f"{drawn} overlay pictures      {out / 'overlays'}{of_set}")
+    echo(f"{exported.annotations} annotations and JaC   {out / 'export'}{of_set}")
+    echo(f"{drawn} overlay pictures      {out / 'overlays'}{of_set}")
     return problems

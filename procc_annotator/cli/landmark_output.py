@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-import typer
-
 from procc_annotator.cli import datasets
 from procc_annotator.cli.console import stdout_console
+from procc_annotator.cli.echo import echo
 from procc_annotator.field.words import did_you_mean
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile, save_landmarks
@@ -48,18 +47,18 @@ def print_landmarks(located: Sequence[LocatedLandmark], described: str) -> None:
 def write_landmarks(target: Path, known: LandmarkFile) -> None:
     save_landmarks(target, known)
     placed = sum(mark.position is not None for mark in known.landmarks)
-    typer.echo(f"written: {count_of(placed, 'position')} to {target}")
+    echo(f"written: {count_of(placed, 'position')} to {target}")
 
 
 def keep_groups(target: Path, groups: ViewGroups, dataset: Path) -> None:
     """Write the groups where the landmarks were written to the dataset, if it keeps none yet."""
     folder = folder_of_dataset(dataset)
     if folder is None or (folder / LANDMARKS_FILE).resolve() != target.resolve():
-        typer.echo(f"note: {VIEWS_FILE} was not written: the dataset stays as it is", err=True)
+        echo(f"note: {VIEWS_FILE} was not written: the dataset stays as it is", err=True)
         return
     path = folder / VIEWS_FILE
     if not path.exists():
         save_views(path, groups)
-        typer.echo(f"written: {path}")
+        echo(f"written: {path}")
     elif load_views(path) != groups:
-        typer.echo(f"note: {path} groups the frames otherwise; it was not changed", err=True)
+        echo(f"note: {path} groups the frames otherwise; it was not changed", err=True)

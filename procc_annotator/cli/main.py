@@ -12,6 +12,7 @@ import typer
 from typer.core import TyperGroup
 from typer.main import get_command
 
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.lazy_command import LazyCommand
 from procc_annotator.errors import ProccError
 from procc_annotator.io.error_log import install, log_path
@@ -122,10 +123,10 @@ class CommandOrPath(TyperGroup):
             sys.stdout.flush()
             return result
         except ProccError as error:
-            typer.echo(f"procc-annotator: {error}", err=True)
+            echo(f"procc-annotator: {error}", err=True)
             raise typer.Exit(2) from error
         except KeyboardInterrupt as error:
-            typer.echo(f"procc-annotator: interrupted{_what_is_done(error)}", err=True)
+            echo(f"procc-annotator: interrupted{_what_is_done(error)}", err=True)
             raise typer.Exit(INTERRUPTED) from error
         except BrokenPipeError as error:
             # Who reads our output has seen enough (``| head``): end as other programs do.
@@ -136,18 +137,18 @@ class CommandOrPath(TyperGroup):
                 raise
             from procc_annotator.cli.qt_libraries import qt_missing_words
 
-            typer.echo(f"procc-annotator: {qt_missing_words(error)}", err=True)
+            echo(f"procc-annotator: {qt_missing_words(error)}", err=True)
             raise typer.Exit(2) from error
         except OSError as error:
             if error.filename is not None:  # one that no function names better
                 name, why = os.fsdecode(error.filename), error.strerror or str(error)
-                typer.echo(f"procc-annotator: {ProccError(f'{name}: {why}')}", err=True)
+                echo(f"procc-annotator: {ProccError(f'{name}: {why}')}", err=True)
                 raise typer.Exit(2) from error
             if error.errno not in _FULL:
                 raise
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             said = f"the standard output cannot be written: {error.strerror}"
-            typer.echo(f"procc-annotator: {said} (make room, or send it elsewhere)", err=True)
+            echo(f"procc-annotator: {said} (make room, or send it elsewhere)", err=True)
             raise typer.Exit(2) from error
 
 
@@ -174,7 +175,7 @@ app = typer.Typer(
 
 def _print_version(wanted: bool) -> None:
     if wanted:
-        typer.echo(f"procc-annotator {__version__}")
+        echo(f"procc-annotator {__version__}")
         raise typer.Exit
 
 
@@ -203,7 +204,7 @@ def run() -> None:
         # Called as ``app()``, typer would put its own hook for exceptions in place of ours.
         get_command(app)(prog_name="procc-annotator")
     except KeyboardInterrupt:  # the commands were not put together yet
-        typer.echo("procc-annotator: interrupted", err=True)
+        echo("procc-annotator: interrupted", err=True)
         sys.exit(INTERRUPTED)
     except Exception as error:  # noqa: BLE001 - a fault of the program: logged and reported
         sys.excepthook(type(error), error, error.__traceback__)
@@ -211,4 +212,4 @@ def run() -> None:
 
 
 def _report_fault(line: str, _details: str) -> None:
-    typer.echo(f"procc-annotator: unexpected error: {line} (see {log_path()})", err=True)
+    echo(f"procc-annotator: unexpected error: {line} (see {log_path()})", err=True)

@@ -11,6 +11,7 @@ from typing import Annotated
 
 import typer
 
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.options import Lines, Sources
 from procc_annotator.cli.qt_libraries import require_qt_libraries
@@ -116,7 +117,7 @@ def _selftest(path: Path | None, field: str | None, lines: str | None) -> int:
     from procc_annotator.gui.selftest import run_selftest
 
     shown = chosen_field(field, lines=lines) if field is not None else None
-    typer.echo(run_selftest(path, shown))
+    echo(run_selftest(path, shown))
     return 0
 
 

@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import LINES, Field
@@ -16,6 +17,7 @@ from procc_annotator.image.header import has_shape
 from procc_annotator.io.annotation_files.label_map import LabelMap, read_label_map
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
+from procc_annotator.report.targets import is_archive
 
 DEFAULT_THRESHOLD = 5.0
 DEFAULT_SIZE = "960x540"
@@ -319,19 +321,28 @@ def shown_size(size: str | None) -> tuple[int, int] | None:
     return None if size is None else parse_size(size)
 
 
-def goes_on(left: Path, out: Path, *, resume: bool, overwrite: bool) -> bool:
+def goes_on(left: Path, table: Path, out: Path, *, resume: bool, overwrite: bool) -> bool:
     """Whether a run goes on with what another one left.
 
     Args:
         left: see `procc_annotator.session.runs.unfinished.unfinished_file`.
+        table: what is written last; an archive is written as a whole.
         out: of the command.
 
     Raises:
         UsageError: both was asked for; or neither, and somebody's work would be lost.
+        typer.Exit: a run was finished here, nothing is to be gone on with.
     """
     if resume and overwrite:
         raise UsageError("--resume goes on and --overwrite begins anew: give one of them")
     if not left.exists():
+        done = out if is_archive(out) else table
+        if resume and done.exists():
+            echo(
+                f"{out}: already complete: {done.name} is there and no run was stopped here;"
+                " --overwrite begins anew, with other options for example"
+            )
+            raise typer.Exit
         return False
     if not resume and not overwrite:
         raise UsageError(

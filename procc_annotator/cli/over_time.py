@@ -13,6 +13,7 @@ import typer
 from procc_annotator.cli import outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.datasets import report_remarks
+from procc_annotator.cli.echo import echo
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.over_time import (
@@ -189,7 +190,7 @@ class OverTimeCall:
             console.print(terminal_table(sheet))
         for path in self.written_to:
             if path not in unwritten:
-                typer.echo(f"written: {path}")
+                echo(f"written: {path}")
 
 
 def _measured(

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-import typer
 
+from procc_annotator.cli.echo import echo
 from procc_annotator.errors import SaveError
 from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
 from procc_annotator.interact.overlay_figure import draw_overlay
@@ -69,7 +69,7 @@ def pair_painter(suffix: str = ".png") -> PaintPair | None:
 @cache
 def _can_paint(otherwise: str) -> bool:
     if why := missing_qt():
-        typer.echo(f"note: Qt cannot be loaded here ({why}): {otherwise}", err=True)
+        echo(f"note: Qt cannot be loaded here ({why}): {otherwise}", err=True)
     return not why
 
 

@@ -5,19 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import typer
-
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.datasets import (
     report_notices,
+    report_remarks,
     report_unreadable,
 )
+from procc_annotator.cli.echo import echo
 from procc_annotator.report.scores import tables
 from procc_annotator.report.scores.chance import ToldOfSet
 from procc_annotator.report.scores.held_out_sheet import held_out_sheet
 from procc_annotator.report.scores.scoring import Scored
 from procc_annotator.report.scores.tables import EvaluationRow, evaluations_table
-from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.words import count_of, listed
 
 
@@ -75,12 +74,11 @@ def report_problems(scored: list[Scored]) -> int:
         report_notices({f"{of}{notice}": count for notice, count in one.notices.items()})
         if one.unmatched_cameras:
             counted = listed(one.unmatched_cameras, "camera")
-            typer.echo(f"note: {of}without annotation, not counted: {counted}", err=True)
+            echo(f"note: {of}without annotation, not counted: {counted}", err=True)
     # The annotations of a set are read for every method and size.
     sets = {one.set_name: one for one in scored}
     for name, one in sets.items():
-        if one.in_pixels:
-            of = f"{name}: " if len(sets) > 1 else ""
-            typer.echo(f"note: {of}{in_pixels_words(one.in_pixels)}", err=True)
+        of = f"{name}: " if len(sets) > 1 else ""
+        report_remarks(f"{of}{note}" for note in one.annotation_notes)
     errors = dict.fromkeys(error for one in scored for error in one.errors)
     return report_unreadable(list(errors))

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
+from itertools import groupby
+
+from procc_annotator.words import count_of
 
 _TOLD_ONE_BY_ONE = 5
 _LONGEST_PLACE = 60  # characters of a place in a file
 
 # A problem -> where it is, and what many of them share.
 _Parted = Callable[[str], tuple[str, str]]
+_OF_FRAME = re.compile(r"(.*?: )frame (\d+)(: .*)")
 
 
 def folded(problems: Iterable[str]) -> list[str]:
@@ -18,7 +23,29 @@ def folded(problems: Iterable[str]) -> list[str]:
     Args:
         problems: each ``file: what is wrong`` or ``file: place: what is wrong``.
     """
-    return _folded(_folded(dict.fromkeys(problems), _by_file), _by_place)
+    return _folded(_folded(_by_frames(dict.fromkeys(problems)), _by_file), _by_place)
+
+
+def _by_frames(problems: Iterable[str]) -> list[str]:
+    """Frames of a video with the same problem in one line: ``3 frames (20 to 21, 40)``."""
+    numbers: dict[str | tuple[str, str], list[int]] = {}
+    for problem in problems:
+        found = _OF_FRAME.fullmatch(problem)
+        same = numbers.setdefault(problem if found is None else (found[1], found[3]), [])
+        if found is not None:
+            same.append(int(found[2]))
+    return [
+        same if isinstance(same, str) else f"{same[0]}{_frames_words(sorted(own))}{same[1]}"
+        for same, own in numbers.items()
+    ]
+
+
+def _frames_words(numbers: list[int]) -> str:
+    if len(numbers) == 1:
+        return f"frame {numbers[0]}"
+    runs = [list(run) for _, run in groupby(numbers, lambda n: n - numbers.index(n))]
+    named = (f"{run[0]} to {run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
+    return f"{count_of(len(numbers), 'frame')} ({', '.join(named)})"
 
 
 def _folded(problems: Iterable[str], parted: _Parted) -> list[str]:

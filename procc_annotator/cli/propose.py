@@ -11,6 +11,7 @@ import typer
 
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
@@ -146,7 +147,9 @@ def propose(given: AskedToPropose) -> None:
     pictures = open_pictures(given.dataset, given.annotations)
     datasets.report_remarks(pictures.notices)
     left = unfinished_file(given.out, "propose")
-    going_on = options.goes_on(left, given.out, resume=given.resume, overwrite=given.overwrite)
+    going_on = options.goes_on(
+        left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
+    )
     inputs = [pictures.path, *([given.known] if given.known is not None else [])]
     _check_out(given.out, inputs, pictures.frames, overwrite=given.overwrite or going_on)
     positions = (
@@ -172,7 +175,7 @@ def propose(given: AskedToPropose) -> None:
             kept.finish()
     except Interrupted as stopped:
         raise KeyboardInterrupt(_what_is_there(stopped, given.out)) from None
-    raise typer.Exit(_report(found, wanted, given.out))
+    raise typer.Exit(_report(found, wanted, pictures.problems, given.out))
 
 
 def _check_out(
@@ -252,18 +255,18 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
     )
 
 
-def _report(found: ProposedSet, wanted: _Wanted, out: Path) -> int:
+def _report(found: ProposedSet, wanted: _Wanted, problems: tuple[str, ...], out: Path) -> int:
     """Print what was found; returns the exit code."""
     console = stdout_console()
     console.print(states_table(found))
     if any(one.proposal is not None and not one.is_sure for one in found.frames):
         console.print(doubtful_table(found))
     if words := positions_words(found):
-        typer.echo(words)
+        echo(words)
     if wanted.annotated:
-        typer.echo(f"passed over: {count_of(wanted.annotated, 'annotated frame')} (--all)")
+        echo(f"passed over: {count_of(wanted.annotated, 'annotated frame')} (--all)")
     if wanted.damaged:
         frames = count_of(len(wanted.damaged), "frame")
-        typer.echo(f"passed over: {frames} whose annotation cannot be read (--all)")
-    typer.echo(f"{proposed_words(found)}; written to {out}, with {TABLE_FILE}")
-    return datasets.report_unreadable([*found.errors, *wanted.damaged])
+        echo(f"passed over: {frames} whose annotation cannot be read (--all)")
+    echo(f"{proposed_words(found)}; written to {out}, with {TABLE_FILE}")
+    return datasets.report_unreadable([*problems, *found.errors, *wanted.damaged])

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -81,7 +82,7 @@ def propose_map(
     _tell(proposals, known, annotations)
     text = proposed_text(proposals, annotations.name, known, given_cameras=shown is not None)
     write_atomic(output, text.encode())
-    typer.echo(f"written: {output}; look at it, then: --map {output}")
+    echo(f"written: {output}; look at it, then: --map {output}")
     raise typer.Exit(code)
 
 
@@ -90,12 +91,12 @@ def _tell(proposals: list[LabelProposal], field: Field, place: Path) -> None:
     mismatch = mismatch_of(labels, field)
     other = mismatch.better.name if mismatch and mismatch.better else better_field(labels, field)
     if other is not None:
-        typer.echo(f"note: {place}: these names are more like those of --field {other}", err=True)
+        echo(f"note: {place}: these names are more like those of --field {other}", err=True)
     for one in proposals:
         shapes = f"{printable(one.count.label)} ({count_of(one.count.shapes, 'shape')})"
-        typer.echo(f"{one.surety:6} {shapes}: {_words(one.rule)}; {one.why}")
+        echo(f"{one.surety:6} {shapes}: {_words(one.rule)}; {one.why}")
         if one.like:
-            typer.echo(f"       may be {', '.join(name.strip() for name in one.like)}")
+            echo(f"       may be {', '.join(name.strip() for name in one.like)}")
 
 
 def _words(rule: Rule) -> str:

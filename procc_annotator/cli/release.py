@@ -14,6 +14,7 @@ import typer
 
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import progress_bar, with_progress
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.together import fit_sizes
 from procc_annotator.errors import InputError, UsageError
@@ -171,7 +172,7 @@ def release(given: AskedToRelease) -> None:
         with progress_bar("reading") as progress:
             found = gather_frames(source, known, splits, sizes, progress)
         if unknown := [frame for frame in splits if frame not in list_annotations(source)]:
-            typer.echo(f"note: in a split, but not annotated: {listed(unknown, 'frame')}", err=True)
+            echo(f"note: in a split, but not annotated: {listed(unknown, 'frame')}", err=True)
         released = FrameTable((frame.name, None) for frame in found.frames)
         made = _Making(source, given.dataset, folder, known, released)
         files: dict[str, bytes] = {}
@@ -186,13 +187,13 @@ def release(given: AskedToRelease) -> None:
         with progress_bar("writing") as progress:
             changes = write_release(whole, given.out, given.before, sizes.path, progress)
     for split, names in whole.splits.items():
-        typer.echo(f"{split}: {count_of(len(names), 'frame')}")
+        echo(f"{split}: {count_of(len(names), 'frame')}")
     if changes is not None:
         counted = (len(changes.added), len(changes.removed), len(changes.changed))
         said = "since {}: {} added, {} removed, {} changed".format(changes.before, *counted)
         pictures = len(changes.pictures)
-        typer.echo(said + (f", {pictures} with another picture" if pictures else ""))
-    typer.echo(f"release {given.version} of {called} written to {given.out}")
+        echo(said + (f", {pictures} with another picture" if pictures else ""))
+    echo(f"release {given.version} of {called} written to {given.out}")
     raise typer.Exit(datasets.report_unreadable(found.problems, "left out"))
 
 

@@ -10,10 +10,11 @@ import typer
 
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.report.pictures import Rendered, render_pictures
 from procc_annotator.report.scenes import OverlayLook
-from procc_annotator.words import count_of
+from procc_annotator.words import count_of, listed
 
 HELP = """\
 Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
@@ -110,6 +111,9 @@ def render(
     rendered = Rendered(out)
     for done in with_progress(steps, len(workspace.frames), "drawing"):
         rendered = done
-    typer.echo(f"{count_of(len(rendered.pictures), 'overlay picture')} written to {out}")
+    echo(f"{count_of(len(rendered.pictures), 'overlay picture')} written to {out}")
     datasets.report_notices(rendered.notices)
+    if rendered.bare:
+        frames = listed(rendered.bare, "frame")
+        datasets.report_remarks([f"neither annotation nor camera, nothing is drawn: {frames}"])
     raise typer.Exit(datasets.report_unreadable(rendered.problems))

@@ -11,6 +11,7 @@ import typer
 
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.recipe_further import over_time_again, terms_again
 from procc_annotator.cli.recipes import evaluated_here, field_again, hashed_input, map_again
 from procc_annotator.errors import InputError, UsageError
@@ -86,7 +87,7 @@ def repeat(
     _tell(known, differences)
     if output is not None:
         write_atomic(output, json_bytes({"recipe": recipe.name, "differences": differences}))
-        typer.echo(f"written: {output}")
+        echo(f"written: {output}")
     raise typer.Exit(1 if differences else 0)
 
 
@@ -206,9 +207,9 @@ def _thresholds(known: Recipe) -> tuple[float, ...]:
 
 def _tell(known: Recipe, differences: Sequence[str]) -> None:
     for line in differences[:_LISTED]:
-        typer.echo(line)
+        echo(line)
     if (more := len(differences) - _LISTED) > 0:
-        typer.echo(f"... and {count_of(more, 'more difference')}")
+        echo(f"... and {count_of(more, 'more difference')}")
     files = sum(len(one.files) for one in known.inputs)
     figures = sum(len(f) for one in known.evaluations for f in one.figures.values())
     if known.chance is not None:
@@ -217,7 +218,7 @@ def _tell(known: Recipe, differences: Sequence[str]) -> None:
     if known.over_time is not None:
         figures += sum(len(row) for row in known.over_time.rows)
     if not differences:
-        typer.echo(
+        echo(
             f"the same: {count_of(files, 'file')} and {count_of(figures, 'figure')} of"
             f" {count_of(len(known.evaluations), 'evaluation')}"
         )

@@ -13,6 +13,7 @@ import typer
 
 from procc_annotator.cli import chance_options, datasets, options, outputs, over_time
 from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter, pair_painter
 from procc_annotator.cli.recipe_further import Further
 from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, recipe_for
@@ -45,7 +46,6 @@ from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import annotations_of, annotations_or_itself
 from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.runs.evaluation_run import in_pixels_words
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.strata import DERIVED
 from procc_annotator.session.runs.tags import Tags, check_by
@@ -114,7 +114,8 @@ By = Annotated[
         metavar="TAG|model|zoom|elements|spread|side|shot",
         show_default=False,
         help="Break everything down by this tag, by the model of the cameras, zoom, number of"
-        " elements, how much of the picture they enclose, the camera's side or shot; repeat."
+        " elements, how much of the picture they enclose, the camera's side or shot; zoom and"
+        " side are medians of the methods compared; repeat."
         "  [default: every tag of --tags]",
     ),
 ]
@@ -324,9 +325,9 @@ def _make(
 def _tell(call: _Call, gathered: AuditReport, problems: list[str]) -> int:
     """Say what was written and what went wrong; returns the exit code."""
     for path in (*call.written, *([call.recipe.path] if call.recipe else [])):
-        typer.echo(f"written: {path}")
-    in_pixels = dict.fromkeys(s.in_pixels for s in gathered.sources if s.in_pixels)
-    datasets.report_remarks(map(in_pixels_words, in_pixels))
+        echo(f"written: {path}")
+    notes = dict.fromkeys(note for s in gathered.sources for note in s.annotation_notes)
+    datasets.report_remarks(notes)
     failures = list(dict.fromkeys(gathered.failures()))
     # Drawing a frame meets what scoring it has met, without knowing the source's name.
     failures += [p for p in problems if not any(said.endswith(p) for said in failures)]
@@ -366,7 +367,7 @@ def annotation_place(
         return annotations or dataset, {}
     workspace = Workspace.open(dataset, field, annotations)
     for notice in workspace.notices:
-        typer.echo(f"note: {notice}", err=True)
+        echo(f"note: {notice}", err=True)
     if workspace.frames:
         pictures = FrameTable((frame.name, frame.image_path) for frame in workspace.frames)
         return annotations or workspace.annotations, pictures

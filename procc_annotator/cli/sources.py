@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import UsageError, printable
 
 _FORM = "PATH, NAME=PATH or NAME:FORMAT=PATH"
 SET_PLACE = "{set}"  # stands for the name of a set in the path of a source
@@ -120,4 +120,4 @@ def name_of(path: str) -> str:
         parts = list(Path(path).resolve().parts) if _exists(path) else parts
     last = Path(parts[-1])
     # A dot belongs to the name of a folder (``v1.2``) but ends that of a file (``a.zip``).
-    return last.name if Path(path).is_dir() or not last.stem else last.stem
+    return printable(last.name if Path(path).is_dir() or not last.stem else last.stem)

@@ -12,6 +12,7 @@ import typer
 
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
@@ -136,7 +137,7 @@ def track(
     anchors = _anchors(pictures, shown, clicked, cameras, camera_format, size)
     places = [str(given) for given in (annotations, cameras) if given is not None]
     if places and not anchors.cameras:
-        typer.echo(f"note: no frame here has a camera in {' and '.join(places)}", err=True)
+        echo(f"note: no frame here has a camera in {' and '.join(places)}", err=True)
     with ThreadPoolExecutor(1, thread_name_prefix="preparing") as aside:
         prepared = None
         if workers == 1 and not anchors.cameras and (overwrite or not table.rows):
@@ -161,7 +162,7 @@ def track(
             _follow(again, shown, executor, out, table, "looking where other shots stand")
     except Interrupted as stopped:
         raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
-    raise typer.Exit(_report(table, anchors, len(kept), out))
+    raise typer.Exit(_report(table, [*pictures.problems, *anchors.errors], len(kept), out))
 
 
 def _follow(
@@ -312,13 +313,13 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
     )
 
 
-def _report(table: TrackTable, anchors: Anchors, kept: int, out: Path) -> int:
+def _report(table: TrackTable, problems: list[str], kept: int, out: Path) -> int:
     """Print what was found; returns the exit code."""
     console = stdout_console()
     console.print(shots_table(table))
     if gaps := gaps_of(table):
         console.print(gaps_table(gaps))
     if kept:
-        typer.echo(f"followed before: {count_of(kept, 'shot')} (--overwrite follows them again)")
-    typer.echo(f"{tracked_words(table)}; written to {out}, with {TABLE_FILE}")
-    return datasets.report_unreadable([*anchors.errors, *table.errors])
+        echo(f"followed before: {count_of(kept, 'shot')} (--overwrite follows them again)")
+    echo(f"{tracked_words(table)}; written to {out}, with {TABLE_FILE}")
+    return datasets.report_unreadable([*problems, *table.errors])

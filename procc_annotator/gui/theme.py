@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QGuiApplication, QPainter, QPalette
-from PySide6.QtWidgets import QApplication, QGraphicsView, QStyle, QStyleOptionViewItem
+from PySide6.QtWidgets import (
+    QApplication,
+    QGraphicsView,
+    QLabel,
+    QProxyStyle,
+    QStyle,
+    QStyleOptionViewItem,
+    QWidget,
+)
 
 _LIGHT = {
     QPalette.ColorRole.Window: "#f3f4f5",
@@ -102,9 +110,21 @@ def alarm_colours(colours: QPalette) -> tuple[str, str]:
     return _ALARM[is_dark(colours)]
 
 
+class PlainTextStyle(QProxyStyle):
+    """Shows the text of labels and tool tips as it is, unless a label asks for rich text.
+
+    Names and texts of files may look like HTML; Qt would interpret them.
+    """
+
+    def polish(self, what: QWidget | QApplication | QPalette) -> None:  # type: ignore[override]
+        super().polish(what)
+        if isinstance(what, QLabel) and what.textFormat() == Qt.TextFormat.AutoText:
+            what.setTextFormat(Qt.TextFormat.PlainText)
+
+
 def follow_system(application: QApplication) -> None:
     """Give the application its looks now and whenever the system switches to light or dark."""
-    application.setStyle("Fusion")  # not shown
+    application.setStyle(PlainTextStyle("Fusion"))  # not shown
     hints = QGuiApplication.styleHints()
     hints.colorSchemeChanged.connect(lambda _: set_theme(application, _theme(application)))
     set_theme(application, _theme(application))

@@ -59,6 +59,13 @@ def legend_of(
     """
     if score is None or measurement is None:
         entries = _classes(annotation, field)
+        if measurement is not None:
+            colour, dash = (
+                tones.STATUS_COLOURS["not_annotated"],
+                tones.STATUS_DASHES["not_annotated"],
+            )
+            line = LegendLine(colour, tones.ANNOTATION_WIDTH, dash)
+            entries.append(LegendEntry("the projection", (line,)))
     else:
         entries = _verdicts(annotation, measurement, score, size)
     if with_paint:

@@ -55,7 +55,7 @@ from procc_annotator.interact.overlay_shapes import (
     Strokes,
 )
 from procc_annotator.interact.remembered import Remembered
-from procc_annotator.interact.verdicts import NO_POINTS, NO_VERDICTS, Verdicts, verdicts
+from procc_annotator.interact.verdicts import NO_POINTS, NO_VERDICTS, Verdicts, unjudged, verdicts
 from procc_annotator.language import tr
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
@@ -82,7 +82,8 @@ class ToDraw:
         size: (width, height) of the evaluation; the measurement's px belong to it.
         field: names, colours.
         picture_size: (width, height) of the picture on screen.
-        measurement, score: of this annotation against a camera; None without one.
+        measurement, score: of this annotation against a camera; None without one. A measurement
+            alone shows the projected field.
         highlight: class under the cursor here or in the field map.
         selection: selected class, or class and point.
         draft: polyline being drawn.
@@ -156,8 +157,10 @@ class OverlayBuilder:
         verdict = NO_VERDICTS
         if shown.score is not None and shown.measurement is not None and shown.with_projection:
             verdict = verdicts(shown.measurement, shown.score, shown.picture_size)
+        elif shown.measurement is not None and shown.with_projection:
+            verdict = unjudged(shown.measurement, shown.picture_size)
         self._draw(shown.annotation, shown.picture_size, shown.other)
-        by_class = shown.colour_by != "criterion" or verdict is NO_VERDICTS
+        by_class = shown.colour_by != "criterion" or not verdict.by_criterion
         strokes = tuple(self._strokes(shown, verdict, by_class))
         marks = tuple(self._marks(shown, verdict, by_class))
         labels: tuple[Labels, ...] = (self._distances(verdict, shown.selected_class),)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
@@ -79,6 +79,11 @@ class Verdicts:
         return self.projection.by_element.get(
             self.shown_as.get(class_name, class_name), NO_SEGMENTS
         )
+
+    @property
+    def by_criterion(self) -> bool:
+        """Whether anything is judged."""
+        return self.tau < np.inf
 
     @cached_property
     def passing(self) -> FloatArray:
@@ -158,6 +163,15 @@ def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) ->
         tuple(owners),
         score.threshold,
     )
+
+
+@lru_cache(maxsize=4)
+def unjudged(measurement: Measurement, picture_size: Size) -> Verdicts:
+    """The projected elements of a frame without a score."""
+    shown = measurement.projected
+    status = tuple([(name, "not_annotated") for name in shown.names])
+    projection = _projection(shown, measurement.setup.size, picture_size, status)
+    return replace(NO_VERDICTS, projection=projection)
 
 
 @lru_cache(maxsize=4)

@@ -142,6 +142,35 @@ def unclipped(camera: CameraOrProjections, setup: EvaluationSetup, only: BoolArr
     return fine_courses(camera, setup.field, setup.curves, setup.size, only=only).unclipped
 
 
+def measured_pieces(
+    camera: CameraOrProjections, setup: EvaluationSetup
+) -> dict[str, tuple[FloatArray, ...]]:
+    """Where a camera shows the elements in sight: all that the protocol measures distances to.
+
+    ``soccernet`` ends at the border of the picture. ``procc`` goes on beyond it, for elements that
+    are in sight.
+    """
+    shown = project_field(camera, setup)
+    if setup.is_official:
+        return shown.pieces
+    names = np.array(shown.names)
+    whole = unclipped(camera, setup, shown.polylines.detected)
+    return {str(names[row]): whole.pieces_of(row) for row in whole.detected.nonzero()[0].tolist()}
+
+
+def why_clipped(camera: CameraOrProjections, setup: EvaluationSetup) -> str:
+    """Why projections cannot be judged by a protocol that measures beyond the picture; empty if
+    they can."""
+    if setup.is_official or not isinstance(camera, ElementProjections):
+        return ""
+    if not camera.is_clipped(setup.size):
+        return ""
+    return (
+        "its polylines are cut to the picture; the protocol procc measures to where elements go on"
+        " beyond it (convert --to polylines and project_field(clipped=False) give these)"
+    )
+
+
 def project_paint(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:
     """The borders of all painted bands in the picture, as true curves whatever the protocol.
 

@@ -9,8 +9,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 
-from procc_annotator.errors import SaveError, UsageError
-from procc_annotator.io.atomic import make_folder, write_atomic
+from procc_annotator.errors import UsageError
+from procc_annotator.io.atomic import make_folder, replacing, write_atomic
+from procc_annotator.io.source import read_if_there
+from procc_annotator.regular_file import open_regular
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.sheet import Column, Row, Sheet, whole
 from procc_annotator.session.runs.assignments import Assigned, StudyTerms
@@ -30,7 +32,9 @@ def write_assignments(
 ) -> None:
     """Write a dataset for each annotator, in a folder of that name, and the plan beside them.
 
-    A picture is linked where the file system can, else copied: a link costs no space.
+    A picture is linked where the file system can, else copied: a link costs no space. The plan is
+    written first: what a run that was stopped has given out is kept, and the rest is added, if the
+    same is asked for again.
 
     Args:
         pictures: frame -> its picture.
@@ -38,15 +42,19 @@ def write_assignments(
         out: a folder.
 
     Raises:
-        UsageError: a folder of an annotator is there already; an annotator who would get one of the
-            folders of a tree alone, so that frames would lose its name.
+        UsageError: a folder of an annotator is there already, without this very plan; an annotator
+            who would get one of the folders of a tree alone, so that frames would lose its name.
         SaveError: something cannot be written.
     """
     who = dict.fromkeys(one.annotator for one in assigned)
+    plan = csv_bytes(plan_sheet(assigned))
+    begun = read_if_there(out / PLAN_FILE) == plan
     for name in who:
-        if (out / name).exists():
+        if (out / name).exists() and not begun:
             raise UsageError(f"{out / name}: exists already, choose another folder")
         _check_folders(name, [one.frame for one in assigned if one.annotator == name])
+    make_folder(out)
+    write_atomic(out / PLAN_FILE, plan)
     for name in who:
         make_folder(out / name)
         for called, file in own_files.items():
@@ -56,7 +64,6 @@ def write_assignments(
         target = out / one.annotator / f"{one.frame}{picture.suffix}"
         make_folder(target.parent)
         _give(picture, target, link=True)
-    write_atomic(out / PLAN_FILE, csv_bytes(plan_sheet(assigned)))
 
 
 def plan_sheet(assigned: Sequence[Assigned]) -> Sheet:
@@ -106,12 +113,11 @@ def _check_folders(annotator: str, frames: Sequence[str]) -> None:
 
 
 def _give(source: Path, target: Path, *, link: bool) -> None:
+    if target.exists():
+        return
     if link:
         with suppress(OSError):  # another disk, or a file system without links
             os.link(os.path.realpath(source), target)  # never a link, which leads elsewhere there
             return
-    try:
-        shutil.copyfile(source, target)
-    except OSError as error:
-        reason = error.strerror or error
-        raise SaveError(f"{target}: cannot be written: {reason}") from error
+    with replacing(target) as stream, open_regular(source) as content:
+        shutil.copyfileobj(content, stream)

@@ -280,6 +280,8 @@ def _into_folder(
         if os.path.realpath(path) in inputs:
             raise UsageError(f"{path}: is one of the files that are read, write to another place")
         if not overwrite and path.exists():
+            if path.stat().st_size == len(data) and read_file(path) == data:
+                return True  # as a run that was stopped has left it
             writing.problems.append(
                 f"{path}: exists already and was not overwritten (choose another folder, or ask to"
                 " overwrite)"

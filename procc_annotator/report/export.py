@@ -32,6 +32,7 @@ from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.clicked import clicked
 from procc_annotator.metric.measure import measure
+from procc_annotator.metric.project import why_clipped
 from procc_annotator.metric.score import score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
@@ -322,6 +323,8 @@ class _Totals:
             problem = str(error)
         if loaded is not None and (why := of_another_field(loaded.assumed_field, setup.field)):
             problem = f"{name}: {why} ({NAME_THE_FORMAT})"
+        elif loaded is not None and (why := why_clipped(loaded.camera, setup)):
+            problem = f"{name}: {why}"
         if loaded is None or problem is not None:
             self._exported.problems += [problem] if problem else []
             self._sums.add_missing_camera(name)

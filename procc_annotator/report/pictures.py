@@ -23,12 +23,14 @@ from procc_annotator.session.dataset.workspace import Workspace
 
 @dataclass
 class Rendered:
-    """What was written, and what could not be read (one line each)."""
+    """What was written, what could not be read (one line each), and frames without anything to
+    draw."""
 
     folder: Path
     pictures: list[Path] = field(default_factory=list)
     problems: list[str] = field(default_factory=list)
     notices: Counter[str] = field(default_factory=Counter)
+    bare: list[str] = field(default_factory=list)
 
 
 def render_pictures(
@@ -62,6 +64,8 @@ def render_pictures(
         scene = _scene(
             workspace, index, frame, setup, threshold, cameras, rendered, painted=painted_width
         )
+        if scene.measurement is None and not scene.annotation.annotated:
+            rendered.bare.append(frame.name)
         try:
             data = paint(scene)
         except ImageError as error:

@@ -5,10 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from pathlib import Path
 
-import numpy as np
-
-from procc_annotator.camera.base import FloatArray
-from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -23,7 +19,7 @@ from procc_annotator.io.camera_files.polyline_submission import (
     names_sha256,
 )
 from procc_annotator.io.collections import MANIFEST_FILE
-from procc_annotator.metric.project import project_field, unclipped
+from procc_annotator.metric.project import measured_pieces
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.targets import is_archive, open_target
 from procc_annotator.version import __version__
@@ -74,25 +70,9 @@ def export_polylines(
                 done.problems.append(str(error))
                 continue
             done.losses.update([*loaded.notices, *([notice] if notice else [])])
-            pieces = projected_pieces(camera, setup.of_frame(frame))
+            pieces = measured_pieces(camera, setup.of_frame(frame))
             archive.write(f"{frame}.json", encode_polylines(pieces, setup.size))
             if loaded.fitted_on is not None:
                 archive.write(f"{frame}{BESIDE}", beside_content(loaded.fitted_on))
             done.written += 1
     return done
-
-
-def projected_pieces(
-    camera: CameraOrProjections, setup: EvaluationSetup
-) -> dict[str, tuple[FloatArray, ...]]:
-    """Where a camera shows the elements: all that the protocol measures distances to.
-
-    ``soccernet`` ends at the border of the picture. ``procc`` goes on beyond it, for elements that
-    are in sight.
-    """
-    shown = project_field(camera, setup)
-    if setup.is_official:
-        return shown.pieces
-    names = np.array(shown.names)
-    whole = unclipped(camera, setup, shown.polylines.detected)
-    return {str(names[row]): whole.pieces_of(row) for row in whole.detected.nonzero()[0].tolist()}

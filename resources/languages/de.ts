@@ -74,14 +74,19 @@
    <translation>Koordinaten sehen nach Pixeln aus, erwartet ist 0 bis 1 (x = {x:g}, y = {y:g})</translation>
   </message>
   <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>eine andere Kamera, die andere Linien zeigt, passt fast ebenso gut zum Bild</translation>
+  </message>
+  <message>
    <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
    <translation>{lines:.0f} % der sichtbaren Linien liegen auf Farbe, was {paint:.0f} % der Farbe am Boden erklärt</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>eine andere Kamera, die andere Linien zeigt, passt fast ebenso gut zum Bild</translation>
+   <translation>das Bild ist fast quadratisch wie ein gestauchtes: seine Pixel sind vielleicht nicht quadratisch</translation>
   </message>
   <message>
    <source>lines are missing that should be in sight</source>
@@ -112,6 +117,11 @@
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
    <translation>keine Kamera passt zur Farbe in diesem Bild: bei der besten {shares}</translation>
+  </message>
+  <message>
+   <source>is this {field}, and no other sport? {why}</source>
+   <extracomment>[procc_annotator/fit/from_picture/proposing.py]</extracomment>
+   <translation>ist dies {field} und keine andere Sportart? {why}</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -972,6 +982,11 @@
    <source>Save again</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Noch einmal speichern</translation>
+  </message>
+  <message>
+   <source>Copy details</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Einzelheiten kopieren</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -3196,6 +3211,11 @@ Open a folder of pictures first.</source>
    <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
    <translation>{title} hat in diesem Bild keine Punkte: wählen Sie das zu löschende Element</translation>
   </message>
+  <message>
+   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
+   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation>1 Klick von {title} auf {frame} ist unbestätigt aufgehoben: das Element dort wählen, um fortzufahren</translation>
+  </message>
   <message numerus="yes">
    <source>finished {title} with {n} points on {frame}</source>
    <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
@@ -4850,6 +4870,16 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>Welche Linie ist das?</translation>
   </message>
   <message>
+   <source>{element} is a curve, which two points do not show: click on</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>{element} ist eine Kurve, die zwei Punkte nicht zeigen: weiterklicken</translation>
+  </message>
+  <message>
+   <source>{element} is annotated already</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>{element} ist bereits annotiert</translation>
+  </message>
+  <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
    <translation>Unbenannt lassen</translation>
@@ -5799,6 +5829,11 @@ Verliert {loses}.</translation>
    <translation>Sucht im ganzen Video nach Schnitten; das dauert eine Weile</translation>
   </message>
   <message>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py, the field american_football, the menus]</extracomment>
+   <translation>Feld</translation>
+  </message>
+  <message>
    <source>Reading {file}</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
    <translation>{file} wird gelesen</translation>
@@ -6682,6 +6717,21 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Diagramme schließen</translation>
   </message>
   <message>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>unerwarteter Fehler ({what}); es wird weiter gespeichert, Einzelheiten stehen in {path}</translation>
+  </message>
+  <message>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>die Einzelheiten sind kopiert; sie stehen auch in {path}</translation>
+  </message>
+  <message>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>es gab keinen unerwarteten Fehler; protokolliert werden sie in {path}</translation>
+  </message>
+  <message>
    <source>Find words in this page</source>
    <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
    <translation>Wörter auf dieser Seite suchen</translation>
@@ -7106,9 +7156,9 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Noch nichts geöffnet</translation>
   </message>
   <message>
-   <source>unexpected error ({what}); the terminal says more</source>
+   <source>unexpected error ({what})</source>
    <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>unerwarteter Fehler ({what}); im Terminal steht mehr</translation>
+   <translation>unerwarteter Fehler ({what})</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7182,6 +7232,11 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>click, Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>Klick, Eingabe und Esc tun noch nichts</translation>
+  </message>
+  <message>
+   <source>click begins a line that is named after</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>Klick beginnt eine Linie, die danach benannt wird</translation>
   </message>
   <message>
    <source>choose an element: field map, list, its key or /</source>
@@ -7350,6 +7405,11 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>Eingabe bestätigt es</translation>
   </message>
+  <message>
+   <source>choose it again, then clicks continue it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>erneut wählen, dann setzen Klicks es fort</translation>
+  </message>
   <message numerus="yes">
    <source>click continues it after its {n} points</source>
    <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
@@ -7458,9 +7518,9 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Eingabe tut nichts: keine Linie wird darauf gefunden</translation>
   </message>
   <message>
-   <source>click begins a line that is named after</source>
+   <source>Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>Klick beginnt eine Linie, die danach benannt wird</translation>
+   <translation>Eingabe und Esc tun noch nichts</translation>
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7524,11 +7584,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>NUR LESEN</translation>
-  </message>
-  <message>
-   <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>Eingabe und Esc tun noch nichts</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
@@ -7653,6 +7708,16 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>fitted on these clicks</source>
    <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
    <translation>an diese Klicks angepasst</translation>
+  </message>
+  <message>
+   <source>fitted to another version of these annotations</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>an eine andere Fassung dieser Annotationen angepasst</translation>
+  </message>
+  <message>
+   <source>fitted on these clicks, or to another version of these annotations</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>an diese Klicks oder an eine andere Fassung dieser Annotationen angepasst</translation>
   </message>
   <message>
    <source>by file type and content</source>
@@ -7958,11 +8023,6 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>Show only the annotations of this dataset again</source>
    <extracomment>[the action close_second]</extracomment>
    <translation>Wieder nur die Annotationen dieses Datensatzes zeigen</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[the field american_football, the menus]</extracomment>
-   <translation>Feld</translation>
   </message>
   <message>
    <source>From a file…</source>
@@ -9508,6 +9568,16 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
    <translation>Das mitgelieferte Handbuch; es braucht kein Netz</translation>
+  </message>
+  <message>
+   <source>Copy details of the last error</source>
+   <extracomment>[the action copy_error]</extracomment>
+   <translation>Einzelheiten des letzten Fehlers kopieren</translation>
+  </message>
+  <message>
+   <source>What an unexpected error left in the log, for a report to the maintainers</source>
+   <extracomment>[the action copy_error]</extracomment>
+   <translation>Was ein unerwarteter Fehler im Protokoll hinterließ, für eine Meldung an die Entwickler</translation>
   </message>
   <message>
    <source>Version</source>

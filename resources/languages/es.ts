@@ -74,14 +74,19 @@
    <translation>las coordenadas parecen píxeles, se esperaba de 0 a 1 (x = {x:g}, y = {y:g})</translation>
   </message>
   <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>otra cámara que muestra otras líneas encaja casi igual de bien con la imagen</translation>
+  </message>
+  <message>
    <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
    <translation>el {lines:.0f} % de las líneas a la vista está sobre pintura, lo que explica el {paint:.0f} % de la pintura del suelo</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>otra cámara que muestra otras líneas encaja casi igual de bien con la imagen</translation>
+   <translation>la imagen es casi cuadrada, como una comprimida: sus píxeles quizá no sean cuadrados</translation>
   </message>
   <message>
    <source>lines are missing that should be in sight</source>
@@ -112,6 +117,11 @@
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
    <translation>ninguna cámara encaja con la pintura de esta imagen: en la mejor {shares}</translation>
+  </message>
+  <message>
+   <source>is this {field}, and no other sport? {why}</source>
+   <extracomment>[procc_annotator/fit/from_picture/proposing.py]</extracomment>
+   <translation>¿es esto {field} y no otro deporte? {why}</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -972,6 +982,11 @@
    <source>Save again</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Guardar de nuevo</translation>
+  </message>
+  <message>
+   <source>Copy details</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Copiar detalles</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -3196,6 +3211,11 @@ Abra primero una carpeta de imágenes.</translation>
    <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
    <translation>{title} no tiene puntos en esta imagen: elija el elemento que borrar</translation>
   </message>
+  <message>
+   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
+   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation>se conserva 1 clic de {title} en {frame}, sin confirmar: elija allí el elemento para continuar</translation>
+  </message>
   <message numerus="yes">
    <source>finished {title} with {n} points on {frame}</source>
    <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
@@ -4850,6 +4870,16 @@ Cargue o muestre otra.</translation>
    <translation>¿Qué línea es esta?</translation>
   </message>
   <message>
+   <source>{element} is a curve, which two points do not show: click on</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>{element} es una curva, que dos puntos no muestran: siga haciendo clic</translation>
+  </message>
+  <message>
+   <source>{element} is annotated already</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>{element} ya está anotado</translation>
+  </message>
+  <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
    <translation>Dejarla sin nombre</translation>
@@ -5799,6 +5829,11 @@ Pierde {loses}.</translation>
    <translation>Busca cortes en todo el vídeo; tarda un rato</translation>
   </message>
   <message>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py, the field american_football, the menus]</extracomment>
+   <translation>Campo</translation>
+  </message>
+  <message>
    <source>Reading {file}</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
    <translation>Leyendo {file}</translation>
@@ -6682,6 +6717,21 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>Cerrar los gráficos</translation>
   </message>
   <message>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>error inesperado ({what}); se sigue guardando, los detalles están en {path}</translation>
+  </message>
+  <message>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>los detalles están copiados; también están en {path}</translation>
+  </message>
+  <message>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>no hubo ningún error inesperado; se registran en {path}</translation>
+  </message>
+  <message>
    <source>Find words in this page</source>
    <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
    <translation>Buscar palabras en esta página</translation>
@@ -7106,9 +7156,9 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>Aún no se ha abierto nada</translation>
   </message>
   <message>
-   <source>unexpected error ({what}); the terminal says more</source>
+   <source>unexpected error ({what})</source>
    <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>error inesperado ({what}); el terminal dice más</translation>
+   <translation>error inesperado ({what})</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7182,6 +7232,11 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>click, Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>clic, Intro y Esc aún no hacen nada</translation>
+  </message>
+  <message>
+   <source>click begins a line that is named after</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>un clic empieza una línea que se nombra después</translation>
   </message>
   <message>
    <source>choose an element: field map, list, its key or /</source>
@@ -7350,6 +7405,11 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>Intro lo confirma</translation>
   </message>
+  <message>
+   <source>choose it again, then clicks continue it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>elíjalo de nuevo y los clics lo continúan</translation>
+  </message>
   <message numerus="yes">
    <source>click continues it after its {n} points</source>
    <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
@@ -7458,9 +7518,9 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>Intro no hace nada: no se halla ninguna línea en él</translation>
   </message>
   <message>
-   <source>click begins a line that is named after</source>
+   <source>Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>un clic empieza una línea que se nombra después</translation>
+   <translation>Intro y Esc aún no hacen nada</translation>
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7524,11 +7584,6 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>SOLO LECTURA</translation>
-  </message>
-  <message>
-   <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>Intro y Esc aún no hacen nada</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
@@ -7653,6 +7708,16 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>fitted on these clicks</source>
    <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
    <translation>ajustada a estos clics</translation>
+  </message>
+  <message>
+   <source>fitted to another version of these annotations</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>ajustada a otra versión de estas anotaciones</translation>
+  </message>
+  <message>
+   <source>fitted on these clicks, or to another version of these annotations</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>ajustada a estos clics o a otra versión de estas anotaciones</translation>
   </message>
   <message>
    <source>by file type and content</source>
@@ -7958,11 +8023,6 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>Show only the annotations of this dataset again</source>
    <extracomment>[the action close_second]</extracomment>
    <translation>Mostrar de nuevo solo las anotaciones de este conjunto</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[the field american_football, the menus]</extracomment>
-   <translation>Campo</translation>
   </message>
   <message>
    <source>From a file…</source>
@@ -9508,6 +9568,16 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
    <translation>La guía que trae el programa; no necesita red</translation>
+  </message>
+  <message>
+   <source>Copy details of the last error</source>
+   <extracomment>[the action copy_error]</extracomment>
+   <translation>Copiar detalles del último error</translation>
+  </message>
+  <message>
+   <source>What an unexpected error left in the log, for a report to the maintainers</source>
+   <extracomment>[the action copy_error]</extracomment>
+   <translation>Lo que un error inesperado dejó en el registro, para informar a los responsables</translation>
   </message>
   <message>
    <source>Version</source>

@@ -74,14 +74,19 @@
    <translation>les coordonnées semblent être des pixels, attendues de 0 à 1 (x = {x:g}, y = {y:g})</translation>
   </message>
   <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>une autre caméra qui montre d’autres lignes convient presque aussi bien à l’image</translation>
+  </message>
+  <message>
    <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
    <translation>{lines:.0f} % des lignes en vue sont sur de la peinture, ce qui explique {paint:.0f} % de la peinture au sol</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>une autre caméra qui montre d’autres lignes convient presque aussi bien à l’image</translation>
+   <translation>l’image est presque carrée, comme une image comprimée : ses pixels ne sont peut-être pas carrés</translation>
   </message>
   <message>
    <source>lines are missing that should be in sight</source>
@@ -112,6 +117,11 @@
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
    <translation>aucune caméra ne convient à la peinture de cette image : pour la meilleure {shares}</translation>
+  </message>
+  <message>
+   <source>is this {field}, and no other sport? {why}</source>
+   <extracomment>[procc_annotator/fit/from_picture/proposing.py]</extracomment>
+   <translation>est-ce bien {field}, et pas un autre sport ? {why}</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -972,6 +982,11 @@
    <source>Save again</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Enregistrer à nouveau</translation>
+  </message>
+  <message>
+   <source>Copy details</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Copier les détails</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -3196,6 +3211,11 @@ Ouvrez d’abord un dossier d’images.</translation>
    <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
    <translation>{title} n’a pas de points sur cette image : choisissez l’élément à supprimer</translation>
   </message>
+  <message>
+   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
+   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation>1 clic de {title} sur {frame} est conservé, non confirmé : y choisir l’élément pour continuer</translation>
+  </message>
   <message numerus="yes">
    <source>finished {title} with {n} points on {frame}</source>
    <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
@@ -4850,6 +4870,16 @@ Chargez-en ou affichez-en une autre.</translation>
    <translation>Quelle est cette ligne ?</translation>
   </message>
   <message>
+   <source>{element} is a curve, which two points do not show: click on</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>{element} est une courbe, que deux points ne montrent pas : continuer à cliquer</translation>
+  </message>
+  <message>
+   <source>{element} is annotated already</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>{element} est déjà annoté</translation>
+  </message>
+  <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
    <translation>La laisser sans nom</translation>
@@ -5799,6 +5829,11 @@ Perd {loses}.</translation>
    <translation>Cherche les coupes dans toute la vidéo ; cela prend un moment</translation>
   </message>
   <message>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py, the field american_football, the menus]</extracomment>
+   <translation>Terrain</translation>
+  </message>
+  <message>
    <source>Reading {file}</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
    <translation>Lecture de {file}</translation>
@@ -6682,6 +6717,21 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>Fermer les graphiques</translation>
   </message>
   <message>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>erreur inattendue ({what}) ; l’enregistrement continue, les détails sont dans {path}</translation>
+  </message>
+  <message>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>les détails sont copiés ; ils sont aussi dans {path}</translation>
+  </message>
+  <message>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>il n’y a pas eu d’erreur inattendue ; elles sont consignées dans {path}</translation>
+  </message>
+  <message>
    <source>Find words in this page</source>
    <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
    <translation>Chercher des mots dans cette page</translation>
@@ -7106,9 +7156,9 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Rien n’a encore été ouvert</translation>
   </message>
   <message>
-   <source>unexpected error ({what}); the terminal says more</source>
+   <source>unexpected error ({what})</source>
    <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>erreur inattendue ({what}) ; le terminal en dit plus</translation>
+   <translation>erreur inattendue ({what})</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7182,6 +7232,11 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>click, Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>clic, Entrée et Échap ne font encore rien</translation>
+  </message>
+  <message>
+   <source>click begins a line that is named after</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>un clic commence une ligne qui sera nommée ensuite</translation>
   </message>
   <message>
    <source>choose an element: field map, list, its key or /</source>
@@ -7350,6 +7405,11 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>Entrée le confirme</translation>
   </message>
+  <message>
+   <source>choose it again, then clicks continue it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>le choisir à nouveau, puis les clics le continuent</translation>
+  </message>
   <message numerus="yes">
    <source>click continues it after its {n} points</source>
    <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
@@ -7458,9 +7518,9 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>Entrée ne fait rien : aucune ligne n’est trouvée dessus</translation>
   </message>
   <message>
-   <source>click begins a line that is named after</source>
+   <source>Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>un clic commence une ligne qui sera nommée ensuite</translation>
+   <translation>Entrée et Échap ne font encore rien</translation>
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7524,11 +7584,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>LECTURE SEULE</translation>
-  </message>
-  <message>
-   <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>Entrée et Échap ne font encore rien</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
@@ -7653,6 +7708,16 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>fitted on these clicks</source>
    <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
    <translation>ajustée à ces clics</translation>
+  </message>
+  <message>
+   <source>fitted to another version of these annotations</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>ajustée à une autre version de ces annotations</translation>
+  </message>
+  <message>
+   <source>fitted on these clicks, or to another version of these annotations</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>ajustée à ces clics, ou à une autre version de ces annotations</translation>
   </message>
   <message>
    <source>by file type and content</source>
@@ -7958,11 +8023,6 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>Show only the annotations of this dataset again</source>
    <extracomment>[the action close_second]</extracomment>
    <translation>N’afficher à nouveau que les annotations de ce jeu de données</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[the field american_football, the menus]</extracomment>
-   <translation>Terrain</translation>
   </message>
   <message>
    <source>From a file…</source>
@@ -9508,6 +9568,16 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
    <translation>Le guide fourni avec le programme ; il n’a pas besoin du réseau</translation>
+  </message>
+  <message>
+   <source>Copy details of the last error</source>
+   <extracomment>[the action copy_error]</extracomment>
+   <translation>Copier les détails de la dernière erreur</translation>
+  </message>
+  <message>
+   <source>What an unexpected error left in the log, for a report to the maintainers</source>
+   <extracomment>[the action copy_error]</extracomment>
+   <translation>Ce qu’une erreur inattendue a laissé dans le journal, pour un rapport aux mainteneurs</translation>
   </message>
   <message>
    <source>Version</source>

@@ -74,14 +74,19 @@
    <translation>座標がピクセルのようです。0～1 が必要です（x = {x:g}、y = {y:g}）</translation>
   </message>
   <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>別の線を写す別のカメラも画像にほぼ同じくらい合います</translation>
+  </message>
+  <message>
    <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
    <translation>見える線の {lines:.0f} % が塗りの上にあり、地面の塗りの {paint:.0f} % を説明します</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>別の線を写す別のカメラも画像にほぼ同じくらい合います</translation>
+   <translation>画像がほぼ正方形で、押し縮められた可能性があります：画素が正方形でないかもしれません</translation>
   </message>
   <message>
    <source>lines are missing that should be in sight</source>
@@ -112,6 +117,11 @@
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
    <translation>この画像の塗りに合うカメラがありません：最良のものでも{shares}</translation>
+  </message>
+  <message>
+   <source>is this {field}, and no other sport? {why}</source>
+   <extracomment>[procc_annotator/fit/from_picture/proposing.py]</extracomment>
+   <translation>これは {field} で、ほかの競技ではありませんか？ {why}</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -963,6 +973,11 @@
    <source>Save again</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>もう一度保存</translation>
+  </message>
+  <message>
+   <source>Copy details</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>詳細をコピー</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -3149,6 +3164,11 @@ Open a folder of pictures first.</source>
    <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
    <translation>{title} の点はこのフレームにありません。削除する要素を選んでください</translation>
   </message>
+  <message>
+   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
+   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation>{frame} の {title} のクリック 1 つを未確認で保持しました：続けるにはそこで要素を選んでください</translation>
+  </message>
   <message numerus="yes">
    <source>finished {title} with {n} points on {frame}</source>
    <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
@@ -4781,6 +4801,16 @@ Load or show another one.</source>
    <translation>この線は何ですか？</translation>
   </message>
   <message>
+   <source>{element} is a curve, which two points do not show: click on</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>{element} は曲線で、2 点では表せません：クリックを続けてください</translation>
+  </message>
+  <message>
+   <source>{element} is annotated already</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>{element} はすでに注釈されています</translation>
+  </message>
+  <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
    <translation>名前を付けない</translation>
@@ -5709,6 +5739,11 @@ Loses {loses}.</source>
    <translation>動画全体からカットを探します。しばらくかかります</translation>
   </message>
   <message>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py, the field american_football, the menus]</extracomment>
+   <translation>フィールド</translation>
+  </message>
+  <message>
    <source>Reading {file}</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
    <translation>{file} を読み込み中</translation>
@@ -6581,6 +6616,21 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>グラフを閉じる</translation>
   </message>
   <message>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>予期しないエラー ({what})。保存は続きます。詳細は {path} にあります</translation>
+  </message>
+  <message>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>詳細をコピーしました。{path} にもあります</translation>
+  </message>
+  <message>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>予期しないエラーはありませんでした。記録先は {path} です</translation>
+  </message>
+  <message>
    <source>Find words in this page</source>
    <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
    <translation>このページ内を検索</translation>
@@ -7004,9 +7054,9 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>まだ何も開いていません</translation>
   </message>
   <message>
-   <source>unexpected error ({what}); the terminal says more</source>
+   <source>unexpected error ({what})</source>
    <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>予期しないエラー（{what}）。詳しくは端末を見てください</translation>
+   <translation>予期しないエラー ({what})</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7079,6 +7129,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>click, Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>クリック、Enter、Esc はまだ働きません</translation>
+  </message>
+  <message>
+   <source>click begins a line that is named after</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>クリックで線を描き始め、後で名付ける</translation>
   </message>
   <message>
    <source>choose an element: field map, list, its key or /</source>
@@ -7243,6 +7298,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>Enter で確定</translation>
   </message>
+  <message>
+   <source>choose it again, then clicks continue it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>もう一度選ぶと、クリックで続けられます</translation>
+  </message>
   <message numerus="yes">
    <source>click continues it after its {n} points</source>
    <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
@@ -7347,9 +7407,9 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>Enter は何もしません：沿った線が見つかりません</translation>
   </message>
   <message>
-   <source>click begins a line that is named after</source>
+   <source>Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>クリックで線を描き始め、後で名付ける</translation>
+   <translation>Enter と Esc はまだ働きません</translation>
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7412,11 +7472,6 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>読み取り専用</translation>
-  </message>
-  <message>
-   <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>Enter と Esc はまだ働きません</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
@@ -7538,6 +7593,16 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>fitted on these clicks</source>
    <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
    <translation>これらのクリックへの当てはめ</translation>
+  </message>
+  <message>
+   <source>fitted to another version of these annotations</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>これらの注釈の別の版に当てはめたもの</translation>
+  </message>
+  <message>
+   <source>fitted on these clicks, or to another version of these annotations</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>これらのクリック、またはこれらの注釈の別の版に当てはめたもの</translation>
   </message>
   <message>
    <source>by file type and content</source>
@@ -7843,11 +7908,6 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Show only the annotations of this dataset again</source>
    <extracomment>[the action close_second]</extracomment>
    <translation>このデータセットの注釈だけの表示に戻します</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[the field american_football, the menus]</extracomment>
-   <translation>フィールド</translation>
   </message>
   <message>
    <source>From a file…</source>
@@ -9393,6 +9453,16 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
    <translation>プログラム付属のガイド。ネットワークは不要です</translation>
+  </message>
+  <message>
+   <source>Copy details of the last error</source>
+   <extracomment>[the action copy_error]</extracomment>
+   <translation>最後のエラーの詳細をコピー</translation>
+  </message>
+  <message>
+   <source>What an unexpected error left in the log, for a report to the maintainers</source>
+   <extracomment>[the action copy_error]</extracomment>
+   <translation>予期しないエラーがログに残した内容。開発者への報告用</translation>
   </message>
   <message>
    <source>Version</source>

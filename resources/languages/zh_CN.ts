@@ -74,14 +74,19 @@
    <translation>坐标看起来像像素，应为 0 到 1（x = {x:g}，y = {y:g}）</translation>
   </message>
   <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
+   <translation>另一个显示其他线的相机与图片几乎同样吻合</translation>
+  </message>
+  <message>
    <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
    <translation>可见线的 {lines:.0f} % 落在画线上，解释了地面画线的 {paint:.0f} %</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>另一个显示其他线的相机与图片几乎同样吻合</translation>
+   <translation>画面接近正方形，可能被压缩过：其像素可能不是正方形</translation>
   </message>
   <message>
    <source>lines are missing that should be in sight</source>
@@ -112,6 +117,11 @@
    <source>no camera suits the paint in this picture: of the best one {shares}</source>
    <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
    <translation>没有相机与此图片的画线吻合：最好的为{shares}</translation>
+  </message>
+  <message>
+   <source>is this {field}, and no other sport? {why}</source>
+   <extracomment>[procc_annotator/fit/from_picture/proposing.py]</extracomment>
+   <translation>这是 {field}，而不是其他运动吗？{why}</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -963,6 +973,11 @@
    <source>Save again</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>再次保存</translation>
+  </message>
+  <message>
+   <source>Copy details</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>复制详细信息</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -3149,6 +3164,11 @@ Open a folder of pictures first.</source>
    <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
    <translation>{title} 在本帧没有点：请选择要删除的元素</translation>
   </message>
+  <message>
+   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
+   <extracomment>[procc_annotator/gui/picture/editor_words.py]</extracomment>
+   <translation>已保留 {frame} 上 {title} 的 1 次点击（未确认）：在该帧选择该元素即可继续</translation>
+  </message>
   <message numerus="yes">
    <source>finished {title} with {n} points on {frame}</source>
    <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/picture/editor_words.py]</extracomment>
@@ -4781,6 +4801,16 @@ Load or show another one.</source>
    <translation>这是哪条线？</translation>
   </message>
   <message>
+   <source>{element} is a curve, which two points do not show: click on</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>{element} 是曲线，两个点无法表示：请继续点击</translation>
+  </message>
+  <message>
+   <source>{element} is annotated already</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
+   <translation>{element} 已经标注</translation>
+  </message>
+  <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/tasks/elements/naming.py]</extracomment>
    <translation>不命名</translation>
@@ -5709,6 +5739,11 @@ Loses {loses}.</source>
    <translation>在整个视频中寻找剪切点；需要一些时间</translation>
   </message>
   <message>
+   <source>Field</source>
+   <extracomment>[procc_annotator/gui/tasks/files/video_opening.py, the field american_football, the menus]</extracomment>
+   <translation>场地</translation>
+  </message>
+  <message>
    <source>Reading {file}</source>
    <extracomment>[procc_annotator/gui/tasks/files/video_opening.py]</extracomment>
    <translation>正在读取 {file}</translation>
@@ -6581,6 +6616,21 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>关闭图表</translation>
   </message>
   <message>
+   <source>unexpected error ({what}); saving goes on, the details are in {path}</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>意外错误（{what}）；保存照常进行，详细信息在 {path}</translation>
+  </message>
+  <message>
+   <source>the details are copied; they are in {path}, too</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>详细信息已复制；也在 {path}</translation>
+  </message>
+  <message>
+   <source>there was no unexpected error; they are logged in {path}</source>
+   <extracomment>[procc_annotator/gui/window/error_reports.py]</extracomment>
+   <translation>没有发生意外错误；错误记录在 {path}</translation>
+  </message>
+  <message>
    <source>Find words in this page</source>
    <extracomment>[procc_annotator/gui/window/guide.py]</extracomment>
    <translation>在本页查找</translation>
@@ -7004,9 +7054,9 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>尚未打开任何内容</translation>
   </message>
   <message>
-   <source>unexpected error ({what}); the terminal says more</source>
+   <source>unexpected error ({what})</source>
    <extracomment>[procc_annotator/gui/worker.py]</extracomment>
-   <translation>意外错误（{what}）；详情见终端</translation>
+   <translation>意外错误（{what}）</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7079,6 +7129,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>click, Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>点击、回车和 Esc 尚不起作用</translation>
+  </message>
+  <message>
+   <source>click begins a line that is named after</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>点击开始一条线，之后命名</translation>
   </message>
   <message>
    <source>choose an element: field map, list, its key or /</source>
@@ -7243,6 +7298,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>回车确认</translation>
   </message>
+  <message>
+   <source>choose it again, then clicks continue it</source>
+   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <translation>再次选择它，点击就会继续它</translation>
+  </message>
   <message numerus="yes">
    <source>click continues it after its {n} points</source>
    <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
@@ -7347,9 +7407,9 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>回车不起作用：沿线未找到线</translation>
   </message>
   <message>
-   <source>click begins a line that is named after</source>
+   <source>Enter and Esc do nothing yet</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>点击开始一条线，之后命名</translation>
+   <translation>回车和 Esc 尚不起作用</translation>
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7412,11 +7472,6 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interact/hints.py]</extracomment>
    <translation>只读</translation>
-  </message>
-  <message>
-   <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
-   <translation>回车和 Esc 尚不起作用</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
@@ -7538,6 +7593,16 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>fitted on these clicks</source>
    <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
    <translation>根据这些点击拟合</translation>
+  </message>
+  <message>
+   <source>fitted to another version of these annotations</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>由这些标注的另一版本拟合</translation>
+  </message>
+  <message>
+   <source>fitted on these clicks, or to another version of these annotations</source>
+   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
+   <translation>由这些点击或这些标注的另一版本拟合</translation>
   </message>
   <message>
    <source>by file type and content</source>
@@ -7843,11 +7908,6 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>Show only the annotations of this dataset again</source>
    <extracomment>[the action close_second]</extracomment>
    <translation>恢复为只显示本数据集的标注</translation>
-  </message>
-  <message>
-   <source>Field</source>
-   <extracomment>[the field american_football, the menus]</extracomment>
-   <translation>场地</translation>
   </message>
   <message>
    <source>From a file…</source>
@@ -9393,6 +9453,16 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>The guide that comes with the program; it needs no network</source>
    <extracomment>[the action guide]</extracomment>
    <translation>随程序附带的指南；无需网络</translation>
+  </message>
+  <message>
+   <source>Copy details of the last error</source>
+   <extracomment>[the action copy_error]</extracomment>
+   <translation>复制最近一次错误的详细信息</translation>
+  </message>
+  <message>
+   <source>What an unexpected error left in the log, for a report to the maintainers</source>
+   <extracomment>[the action copy_error]</extracomment>
+   <translation>意外错误在日志中留下的内容，用于向维护者报告</translation>
   </message>
   <message>
    <source>Version</source>

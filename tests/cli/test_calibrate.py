@@ -417,8 +417,9 @@ def test_resume_says_what_it_cannot_go_on_with(cli, dataset, tmp_path) -> None:
     asked = ("calibrate", dataset.root, out, "--resume")
     assert "give one of them" in cli(*asked, "--overwrite").stderr
     assert cli(*asked).exit_code == 0  # nothing is there: it begins
-    again = cli(*asked).stderr
-    assert "holds cameras or their tables already; no run was stopped here" in again
+    again = cli(*asked)
+    assert again.exit_code == 0
+    assert "already complete: calibration.csv is there and no run was stopped here" in again.stdout
     (out / ".calibrate.unfinished").write_text("[]\n")
     damaged = cli(*asked)
     assert damaged.exit_code == 2

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import zipfile
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -217,3 +218,43 @@ def test_a_folder_that_cannot_be_made_is_one_line(cli, dataset, tmp_path, out) -
     done = cli("annotate", dataset.root, tmp_path / out, "--cameras", dataset.cameras)
     assert done.exit_code == 2
     assert done.stderr.splitlines()[-1].startswith(f"procc-annotator: {tmp_path / out}: ")
+
+
+@pytest.mark.parametrize(
+    "more", [("assign", "--annotators", "anna,ben"), ("convert", "--to", "yolo-pose", "--pictures")]
+)
+def test_a_stopped_run_goes_on_by_being_run_again(
+    cli, dataset, tmp_path, monkeypatch, more
+) -> None:
+    """Stopped after every file that it puts into its place, in turn."""
+    command, *options = more
+
+    def files(out: Path) -> dict[str, bytes]:
+        return {
+            str(path.relative_to(out)): path.read_bytes()
+            for path in sorted(out.rglob("*"))
+            if path.is_file() and ".procc" not in path.parts
+        }
+
+    assert cli(command, dataset.root, tmp_path / "whole", *options).exit_code == 0
+    whole = files(tmp_path / "whole")
+    assert len(whole) > 4
+    real = os.link, os.replace
+    for stopped_at in range(1, len(whole)):
+        left = stopped_at
+        out = tmp_path / f"{stopped_at}"
+
+        def stop(*names: object, call: int, **options: object) -> None:
+            nonlocal left
+            real[call](*names, **options)  # type: ignore[operator]
+            left -= 1
+            if not left:
+                raise KeyboardInterrupt
+
+        with monkeypatch.context() as patch:
+            patch.setattr(os, "link", partial(stop, call=0))
+            patch.setattr(os, "replace", partial(stop, call=1))
+            assert cli(command, dataset.root, out, *options).exit_code == 130
+        assert files(out).items() <= whole.items()
+        assert cli(command, dataset.root, out, *options).exit_code == 0
+        assert files(out) == whole

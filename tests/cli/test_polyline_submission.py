@@ -9,6 +9,15 @@ from pathlib import Path
 
 import pytest
 
+from procc_annotator import (
+    ElementProjections,
+    UsageError,
+    evaluate_set,
+    load_annotations,
+    load_cameras,
+    project_field,
+)
+
 SOURCES = ("true", "bad", "homography", "pinhole")
 
 
@@ -68,6 +77,36 @@ def test_polylines_score_as_their_cameras_do(
     assert json.loads(theirs.read_text())["evaluations"][0]["method"] == "mine"
     for key in ("mean_jac", "completeness", "mean_reprojection_error"):
         assert summary(theirs)[key] == pytest.approx(summary(own)[key], abs=2e-3), key
+
+
+def test_polylines_cut_to_the_picture_are_no_method_of_procc(
+    cli, data: Path, tmp_path: Path
+) -> None:
+    """Their distances are not the camera's."""
+    annotations, size = load_annotations(data), (960, 540)
+    cameras = load_cameras(data / "cameras" / "true")
+    own = evaluate_set(annotations, cameras, protocol="procc").summaries[5.0].mean_jac
+    whole = {n: project_field(c, size=size, clipped=False) for n, c in cameras.items()}
+    given = {name: ElementProjections(pieces) for name, pieces in whole.items()}
+    assert evaluate_set(annotations, given, protocol="procc").summaries[5.0].mean_jac == own
+    for protocol in ("procc", "soccernet"):
+        cut = {n: project_field(c, size=size, protocol=protocol) for n, c in cameras.items()}
+        with pytest.raises(UsageError, match="cut to the picture"):
+            evaluate_set(
+                annotations, {n: ElementProjections(p) for n, p in cut.items()}, protocol="procc"
+            )
+        (out := tmp_path / protocol).mkdir()
+        for name, pieces in cut.items():
+            lines = {
+                key: [
+                    [{"x": round(x / 959, 9), "y": round(y / 539, 9)} for x, y in p] for p in parts
+                ]
+                for key, parts in pieces.items()
+            }
+            (out / f"{name}.json").write_text(json.dumps(lines))
+        done = cli("evaluate", data, out, "--camera-format", "polylines", "--protocol", "procc")
+        assert done.exit_code == 1
+        assert "its polylines are cut to the picture" in " ".join(done.stderr.split())
 
 
 def test_cameras_that_hardly_belong_to_the_size_are_told(cli, data: Path, tmp_path: Path) -> None:

@@ -22,6 +22,12 @@ def test_the_same_problem_of_many_places_is_one_line() -> None:
     assert folded(same) == ["/a.mat: annotation(1) and 7 more: is of another sport"]
 
 
+def test_frames_of_a_video_with_the_same_problem_are_counted_and_named_in_one_line() -> None:
+    some = [f"/a.mp4: frame {n}: damaged" for n in (20, 21, 22, 40)]
+    other = ["/a.mp4: frame 7: its size changes", "/b.mp4: frame 1: damaged"]
+    assert folded([*some, *other]) == ["/a.mp4: 4 frames (20 to 22, 40): damaged", *other]
+
+
 def test_different_problems_and_few_of_them_stay_as_they_are() -> None:
     few = [f"/a/{i}.npy: is empty" for i in range(5)]
     different = [f"/a.json: holds {i} numbers (expected: 9)" for i in range(9)]

@@ -277,6 +277,9 @@ def test_an_interrupted_run_says_what_is_there_and_goes_on(
     done = cli("propose", bare.root, tmp_path / "out", "--resume")
     assert done.exit_code == 0, done.output
     assert len(calls) == 3 + 3  # two were kept
+    again = cli("propose", bare.root, tmp_path / "out", "--resume")
+    assert again.exit_code == 0
+    assert "already complete: proposals.csv is there" in again.stdout
     assert cli("propose", bare.root, tmp_path / "one").exit_code == 0
     assert files(tmp_path / "out") == files(tmp_path / "one")
     for file in (tmp_path / "one").glob("camera_*"):

@@ -57,6 +57,24 @@ def test_without_cameras_the_annotation_is_drawn(cli, dataset, tmp_path: Path) -
     assert (np.abs(drawn - grey).max(axis=2) > 40).sum() > 300
 
 
+def test_a_camera_without_an_annotation_is_drawn(cli, dataset, tmp_path: Path) -> None:
+    (dataset.annotations / "1.json").unlink()
+    (dataset.annotations / "2.json").unlink()
+    next(dataset.cameras.glob("camera_2.*")).unlink()
+    out = tmp_path / "out"
+    done = cli("render", dataset.root, out, "--cameras", dataset.cameras)
+    assert "nothing is drawn: 1 frame (2)" in done.stderr
+    changed = {}
+    for name in ("1", "2"):
+        before, after = (
+            cv2.imread(str(dataset.root / f"{name}.jpg")),
+            cv2.imread(str(out / f"{name}.png")),
+        )
+        changed[name] = int((np.abs(after.astype(int) - before).max(axis=2) > 40).sum())
+    assert changed["1"] > 300
+    assert changed["2"] == 0
+
+
 def test_svg_at_a_scale_with_a_legend(cli, dataset, tmp_path: Path) -> None:
     out = tmp_path / "out"
     done = cli(

@@ -181,23 +181,40 @@ def test_landmarks_are_told_apart_where_one_moves(cli, dataset, tmp_path: Path) 
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_annotations_in_pixels_are_told(cli, few, tmp_path: Path) -> None:
-    for path in few.annotations.iterdir():
-        if path.stem not in ("3", "10"):
-            path.unlink()
-            continue
-        entries = {
-            key: [{"x": 959 * p["x"], "y": 539 * p["y"]} for p in points]
-            for key, points in json.loads(path.read_text()).items()
-        }
-        path.write_text(json.dumps(entries))
-    told = "coordinates look like pixels, expected 0 to 1, in 2 frames (3, 10)"
-    done = cli("evaluate", *few.set_arguments)
-    assert done.stderr.count(told) == 1
+def test_of_many_sources_those_that_lead_are_drawn(cli, two_sources, tmp_path: Path) -> None:
+    dataset, poor = two_sources
+    sources = {"poor": poor, **{f"good{n}": dataset.cameras for n in range(12)}}
     out = tmp_path / "r.html"
-    done = run(cli, few, out, {"a": few.cameras})
-    assert done.stderr.count(told) == 1
-    assert told in Page(out.read_text()).text
+    run(cli, dataset, out, sources)
+    page = Page(out.read_text()).text
+    assert "the 12 sources of 13 with the highest JaC" in page
+    alternatives = out.read_text()
+    assert "projection of good11" in alternatives
+    assert "projection of poor" not in alternatives
+    assert "poor" in page  # in the tables
+
+
+@pytest.mark.usefixtures("no_charts")
+def test_what_lowers_every_score_is_told(cli, few, tmp_path: Path) -> None:
+    for path in few.annotations.iterdir():
+        entries = json.loads(path.read_text())
+        if path.stem in ("3", "10"):
+            entries = {
+                key: [{"x": 959 * p["x"], "y": 539 * p["y"]} for p in points]
+                for key, points in entries.items()
+            }
+        entries |= {"Line unknown": [{"x": 0.5, "y": 0.5}]} if path.stem == "1" else {}
+        path.write_text(json.dumps({} if path.stem == "2" else entries))
+    told = (
+        "coordinates look like pixels, expected 0 to 1, in 2 frames (3, 10)",
+        "no element is annotated in 1 frame (2): whatever a camera shows is wrong",
+        "classes of no element of the field always count as missed: Line unknown, in 1 frame (1)",
+    )
+    out = tmp_path / "r.html"
+    both = cli("evaluate", *few.set_arguments).stderr, run(cli, few, out, {"a": few.cameras}).stderr
+    for line in told:
+        assert [stderr.count(line) for stderr in both] == [1, 1]
+        assert line in Page(out.read_text()).text
 
 
 def test_figures_are_those_of_evaluate(cli, two_sources, tmp_path: Path) -> None:

@@ -288,6 +288,19 @@ def test_lost_frames_are_gaps_without_a_camera(cli, video, monkeypatch, tmp_path
     assert {row["camera"] for row in table(out)} == {""}
 
 
+def test_the_end_of_a_video_that_is_missing_is_a_problem(
+    cli, pictures, monkeypatch, tmp_path
+) -> None:
+    follow_by(monkeypatch, nothing_found)
+    frames = (decode_bgra(picture) for picture in sorted(pictures.iterdir()))
+    cut = write_video(tmp_path / "cut.mkv", frames)
+    cut.write_bytes(cut.read_bytes()[: cut.stat().st_size * 6 // 10])
+    for name in ("track", "propose"):
+        done = cli(name, cut, tmp_path / name)
+        assert done.exit_code == 1
+        assert f"unreadable: {cut}: the file is cut off: it ends after" in done.stderr
+
+
 def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_path) -> None:
     follow_by(monkeypatch, nothing_found)
     match = tmp_path / "match"

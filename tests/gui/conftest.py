@@ -35,6 +35,7 @@ from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import check_queue, live_fit, paint_watch, proposals, review_state
 from procc_annotator.gui.state.paint_watch import Evidence
 from procc_annotator.gui.tasks.field import field_dimensions, view_grouping
+from procc_annotator.gui.theme import PlainTextStyle
 from procc_annotator.session.strokes.paint_evidence import paint_evidence
 from tests.gui.known_already import hand_out
 from tests.gui.one_window import OneWindow
@@ -128,8 +129,9 @@ def no_settings(settings_of_tests: None) -> None:
 
 @pytest.fixture(scope="session", autouse=True)
 def lean(qapp: QApplication) -> None:
-    """Memory of pictures goes back to the system, and nobody looks for garbage in what was there
-    before the tests."""
+    """The style of the program; memory of pictures goes back to the system, and nobody looks for
+    garbage in what was there before the tests."""
+    qapp.setStyle(PlainTextStyle("Fusion"))
     start_lean()
     gc.collect()
     gc.freeze()

@@ -373,7 +373,7 @@ def test_ctrl_delete_removes_the_element_while_drawing_too(
     window.document.message.connect(lambda text, level: told.append(text))
     hand.draw("Middle line", (300, 60), (310, 300))
     hand.draw("Side line top", (100, 60), (500, 60))
-    window.document.select_class("Middle line")
+    window.document.select_class("Middle line", continues=True)
     hand.click(320, 340)  # one more point is on its way
     assert window.canvas.editor.drawing
     hand.key(Qt.Key.Key_Delete, CTRL)

@@ -128,7 +128,7 @@ _NAMES = re.compile(rf"{_CLASSES}|{_FILES}|\b(?:{_KEYS}|{_UNITS}|{_SOURCES})\b")
 
 # What Qt says by itself, in its own translations, and the pages of the guide, which are English.
 _OF_QT = ("qt_", "Scroll", "guide")
-_EXAMPLE = re.compile("<td><b>.*?</b>&nbsp;</td>")  # of what is typed into the filter of frames
+_EXAMPLE = re.compile(r"^.*?   ", re.MULTILINE)  # of what is typed into the filter of frames
 _BUTTONS = {"OK", "Cancel", "Close", "Save", "Press shortcut"}
 _BUTTONS |= {"Export", "Export..."}  # of the plots' library; its menus are not shown
 # They would leave the dataset, or the test.

@@ -18,9 +18,12 @@ from procc_annotator.fit.labels.finding import (
     surely_wrong,
 )
 from procc_annotator.fit.labels.lens import beside_line, least_bend
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, spread_places
 from procc_annotator.language import said, said_count
 
+# So many points of an element, more than anybody clicks, are looked at if all are compared with
+# all.
+_MOST_POINTS = 1000
 # A conic has five unknowns; three points say next to nothing about a circle seen in perspective.
 _POINTS_OF_AN_ELLIPSE = 5
 _FEWEST_OF_A_CIRCLE = 4
@@ -72,14 +75,17 @@ def _one_bad_point(points: FloatArray, frame: PictureFrame) -> int | None:
     """The point without which the others are straight; three points leave open which it is."""
     if len(points) < 4:
         return None
-    without = [least_bend(np.delete(points, i, axis=0), frame) for i in range(len(points))]
+    places = [*range(len(points))]
+    if len(points) > _MOST_POINTS:
+        places = [int(np.abs(beside_line(points)).argmax())]
+    without = [least_bend(np.delete(points, i, axis=0), frame) for i in places]
     best = int(np.argmin(without))
-    return best if without[best] <= BENT_PX else None
+    return places[best] if without[best] <= BENT_PX else None
 
 
 def few_points(clicked: Clicked) -> Finding | None:
     """Fewer points than tell where the element runs."""
-    count = len(_distinct(clicked.points))
+    count = _count_places(clicked.points)
     shape = clicked.element.geometry
     if clicked.element.is_spot:
         return None
@@ -145,7 +151,8 @@ def repeated(clicked: Clicked) -> Finding | None:
 
     Nothing is said of chains: round three sides of a rectangle the way is long and a net short.
     """
-    points = _distinct_neighbours(clicked.points)
+    points = clicked.points[spread_places(len(clicked.points), _MOST_POINTS)]
+    points = _distinct_neighbours(points)
     if len(points) < 3 or clicked.element.is_spot or isinstance(clicked.element.geometry, Chain):
         return None
     if not isinstance(clicked.element.geometry, Line):
@@ -196,10 +203,16 @@ def _distinct_neighbours(points: FloatArray) -> FloatArray:
     return np.asarray(points[np.r_[True, steps > _SAME_PLACE_PX]])
 
 
-def _distinct(points: FloatArray) -> FloatArray:
-    apart = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
-    again = np.tril(apart < _SAME_PLACE_PX, -1).any(axis=1)
-    return np.asarray(points[~again])
+def _count_places(points: FloatArray) -> int:
+    """How many of (n, 2) points are apart from all before them; of very many as far as it takes."""
+    if len(points) <= _MOST_POINTS:
+        apart = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
+        return int((~np.tril(apart < _SAME_PLACE_PX, -1).any(axis=1)).sum())
+    count = 0
+    while len(points) and count < _POINTS_OF_AN_ELLIPSE:
+        points = points[np.hypot(*(points - points[0]).T) >= _SAME_PLACE_PX]
+        count += 1
+    return count
 
 
 def _shortest_net(points: FloatArray) -> float:

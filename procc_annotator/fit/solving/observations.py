@@ -153,7 +153,7 @@ class Observations:
         """At most so many points an element, evenly chosen, for a quick look."""
         keep = np.concatenate(
             [
-                start + _spread(count, most)
+                start + spread_places(count, most)
                 for start, count in zip(self.starts, self.counts, strict=True)
             ]
         )
@@ -252,7 +252,7 @@ def _used(px: FloatArray) -> IntArray:
     finite = np.flatnonzero(np.isfinite(px).all(axis=1))
     if not len(finite):
         return finite
-    chosen = finite[_spread(len(finite), MOST_POINTS)]
+    chosen = finite[spread_places(len(finite), MOST_POINTS)]
     return chosen[_distinct(px[chosen].clip(-_FARTHEST_PX, _FARTHEST_PX))]
 
 
@@ -278,7 +278,7 @@ def _weights(element_of_point: IntArray, elements: int) -> FloatArray:
     return np.asarray(1.0 / np.sqrt(counts[element_of_point]))
 
 
-def _spread(count: int, most: int) -> IntArray:
+def spread_places(count: int, most: int) -> IntArray:
     """Evenly spread places among so many, the first and the last among them; all if not many."""
     if count <= most:
         return np.arange(count)

@@ -15,6 +15,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.fit.on_paint.belief import Belief
+from procc_annotator.fit.on_paint.beside import beside_words
 from procc_annotator.fit.on_paint.painted import Painted, painted_of
 from procc_annotator.fit.on_paint.result import fit_result
 from procc_annotator.fit.result import FitResult
@@ -234,12 +235,28 @@ class _Work:
             if moving is not None and _missing(moving, asked) < _LEFT * _missing(found, asked):
                 found = moving
         chain = found.chain
+        if self._left(chain, given):  # all together they are worse where the camera is known
+            chain = chain_of(runs, given)
+        left = self._left(chain, given)
         places = np.array(list(given))
         for number, step in zip(chain.numbers, chain.steps, strict=True):
             distance = int(np.abs(places - number).min())
-            self.found[number] = self._tracked(number, step, distance)
+            own = replace(step, belief=given[number]) if number in left else step
+            self.found[number] = self._tracked(number, own, distance)
         # What looked like a cut and could be followed across is none: a banner that slid in.
         self.begins -= set(chain.numbers[1:])
+
+    def _left(self, chain: FrameChain, given: Mapping[int, Belief]) -> set[int]:
+        """Frames whose known camera shows an element on its paint, and that of the chain does
+        not."""
+        left = set()
+        for number, step in zip(chain.numbers, chain.steps, strict=True):
+            if number in given:
+                known = step.beside(given[number].vector, self.picture)
+                beside = step.beside(step.belief.vector, self.picture)
+                if any(px > _ARRIVED_PX and own not in known for own, px in beside.items()):
+                    left.add(number)
+        return left
 
     def _moving(
         self,
@@ -365,7 +382,7 @@ def tracked(
     fit = fit_result(belief.vector, belief.covariance, frame, step.worth.error_px)
     residual = None if step.residual_px is None else step.residual_px / frame.scale
     state: FrameState = "bridged" if step.marks is None else "followed"
-    reason = step.reason or step.beside(painted, frame)
+    reason = step.reason or beside_words(step.beside(belief.vector, frame), painted, frame)
     return TrackedFrame(number, state, reason, fit, step.coverage, residual, distance)
 
 

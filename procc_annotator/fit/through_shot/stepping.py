@@ -15,7 +15,6 @@ import numpy as np
 from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve_believed, weights_of
 from procc_annotator.fit.on_paint.beside import (
     FoundAround,
-    beside_words,
     elements_beside,
     look_beside,
     marks_off_px,
@@ -82,13 +81,13 @@ class Stepped:
     standing_for: float = 1.0
     around: FoundAround | None = None
 
-    def beside(self, painted: Painted, frame: PictureFrame) -> str:
-        """Which elements its camera shows beside their paint, in words; "" for none."""
+    def beside(self, vector: FloatArray, frame: PictureFrame) -> dict[int, float]:
+        """Elements that a camera (11,) shows beside their paint in this frame, see
+        `elements_beside`."""
         if self.marks is None:
-            return ""
+            return {}
         length = np.full(len(self.marks), self.standing_for * _THIN * SPACING_PX)
-        found = elements_beside(self.belief.vector, self.marks, length, self.around, frame)
-        return beside_words(found, painted, frame)
+        return elements_beside(vector, self.marks, length, self.around, frame)
 
 
 def foretold(

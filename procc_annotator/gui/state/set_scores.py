@@ -19,7 +19,7 @@ from procc_annotator.gui.worker import JobControl
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
 from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.metric.measure import Measurement, measure_projected
-from procc_annotator.metric.project import project_field
+from procc_annotator.metric.project import project_field, why_clipped
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit, audit_frame
@@ -262,6 +262,8 @@ def _audit(
         return None, ""
     if problem := of_another_field(found.assumed_field, setup.field):
         return None, f"{frame}: {problem} ({NAME_THE_FORMAT})"
+    if problem := why_clipped(found.camera, setup):
+        return None, f"{frame}: {problem}"
     try:
         annotation = read()
     except InputError:  # told when somebody opens this frame; the rest of the set goes on

@@ -13,7 +13,7 @@ from procc_annotator.errors import CameraError
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
-from procc_annotator.metric.project import ProjectedField, project_field
+from procc_annotator.metric.project import ProjectedField, project_field, why_clipped
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import FrameCameras
 
@@ -52,6 +52,8 @@ def look_up(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> Sou
         return SourceFrame(notice=camera_set.why_none(frame))
     if problem := of_another_field(found.assumed_field, setup.field):
         return SourceFrame(error=f"{frame}: {problem} ({NAME_THE_FORMAT})")
+    if problem := why_clipped(found.camera, setup):
+        return SourceFrame(error=f"{frame}: {problem}")
     projected = project_field(found.camera, setup.of_frame(frame))
     return SourceFrame(
         found.camera, found.model, projected, found.notice or "", fitted_on=found.fitted_on

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSignalBlocker
+from html import escape
+
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
 
 from procc_annotator.camera.base import projects_only_ground
@@ -33,6 +35,7 @@ class CameraBar(QWidget):
         self.cameras.setToolTip(tr("The camera set that is judged (C switches)"))
         self.cameras.activated.connect(lambda i: document.set_active_camera(i - 1))
         self.jac = SteadyLabel()
+        self.jac.setTextFormat(Qt.TextFormat.RichText)
         self.jac.setObjectName("judgedJac")
         self.jac.setFont(fixed_width(self.jac.font()))
         self.jac.setToolTip(tr(_JAC_TIP))
@@ -81,7 +84,7 @@ class CameraBar(QWidget):
         document = self._document
         score = document.score
         if score is not None and (why := document.why_not_judged):
-            self.jac.setText(tr("<b>JaC –</b> {why}", why=why))
+            self.jac.setText(tr("<b>JaC –</b> {why}", why=escape(why)))
         elif score is not None:
             own = document.active_source is document.fit_source.source
             said = tr("<b>JaC {jac:.3f}</b> of the fit") if own else "<b>JaC {jac:.3f}</b>"

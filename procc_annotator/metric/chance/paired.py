@@ -25,7 +25,8 @@ class PairedDifference:
         interval: of it; None with fewer than two clusters.
         deviation: its standard deviation; None where there is no interval.
         p: the share of exchanges of the two sources that differ as much (permutation test).
-        corrected: the same, of the worst of several comparisons (Holm); `p` where there is one.
+        corrected: the same for as many comparisons as were corrected together (Holm); equals `p`
+            for one.
         frames, clusters: how many it rests on; effective: as many clusters of equal size.
     """
 
@@ -95,7 +96,18 @@ def fewest_clusters(level: float) -> int:
 
 
 def corrected_for(several: Sequence[PairedDifference]) -> list[PairedDifference]:
-    """The same with `PairedDifference.corrected` for as many comparisons as these are."""
+    """The same differences with ``corrected``, and with that ``beyond_chance``, for as many
+    comparisons as these are (Holm).
+
+    Args:
+        several: of one figure at one threshold, one a pair of methods.
+
+    Returns:
+        In the same order; those without a test unchanged.
+
+    Raises:
+        AttributeError: one is no difference.
+    """
     shares = holm([1.0 if one.p is None else one.p for one in several])
     return [
         one if one.p is None else replace(one, corrected=share)

@@ -25,13 +25,15 @@ from procc_annotator.session.runs.certainty import Certainty
 from procc_annotator.session.runs.evaluation_run import (
     Evaluated,
     EvaluationRun,
-    in_pixels_words,
     run_digested,
 )
 from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
 from procc_annotator.session.runs.held_out import HeldOutFigures
 from procc_annotator.session.runs.moved_clicks import ClickNoise
+
+# Colours, dashes and markers tell so many lines apart, and a page holds as many pictures.
+MOST_DETAILED = 12
 
 
 @dataclass(frozen=True)
@@ -106,7 +108,7 @@ class ReportedSource:
         ground_only: whether one of its cameras knows only the ground.
         frames: in natural order, all annotated ones.
         notices: remark -> number of cameras it is about; 0 where it is about annotations.
-        in_pixels: frames whose annotations look like pixels.
+        annotation_notes: as of `EvaluationRun`.
         failure: why nothing could be evaluated; empty when something was.
         fitted: its cameras that were fitted to the annotations they are judged by.
         held_out: what is known of elements left out of these fits.
@@ -122,7 +124,7 @@ class ReportedSource:
     notices: Mapping[str, int] = field(default_factory=dict)
     unmatched: tuple[str, ...] = ()
     failure: str = ""
-    in_pixels: tuple[str, ...] = ()
+    annotation_notes: tuple[str, ...] = ()
     fitted: Fitted = NOT_FITTED
     held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
 
@@ -203,6 +205,13 @@ class AuditReport:
                 for s in self.evaluated
             ],
         )
+
+    @cached_property
+    def detailed(self) -> tuple[ReportedSource, ...]:
+        """The sources in charts and pictures: all, or of many those with the highest JaC."""
+        if len(self.evaluated) <= MOST_DETAILED:
+            return self.evaluated
+        return tuple(self.evaluated[at] for at in self.certainty.highest(MOST_DETAILED))
 
     @cached_property
     def told(self) -> ToldOfSet:
@@ -343,8 +352,7 @@ def _gather(
     notices = Counter(run.notices)
     for frame in frames:
         notices.update(frame.notices)
-    if run.in_pixels:
-        notices[in_pixels_words(run.in_pixels)] = 0
+    notices.update(dict.fromkeys(run.annotation_notes, 0))
     if run.counted == 0:
         why = f"none of the {run.total} annotations can be read; the first: {frames[0].error}"
         return ReportedSource(source.name, folder, fmt, {}, setup.describe(), failure=why)
@@ -358,7 +366,7 @@ def _gather(
         frames,
         notices,
         run.unmatched_cameras,
-        in_pixels=run.in_pixels,
+        annotation_notes=run.annotation_notes,
         fitted=run.fitted,
         held_out=run.held_out,
     )

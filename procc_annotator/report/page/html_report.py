@@ -10,6 +10,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from procc_annotator.errors import printable
 from procc_annotator.regular_file import read_head
 from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_svg import Chart
@@ -133,6 +134,7 @@ def _template() -> Template:
         loader=FileSystemLoader(resources_dir() / "report"),
         autoescape=True,
         undefined=StrictUndefined,
+        finalize=lambda value: printable(value, keep="\n") if type(value) is str else value,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,

@@ -90,7 +90,10 @@ def _rests_on(report: AuditReport) -> str:
         own = f"{next(iter(counts.values()))}"
     else:
         own = ", ".join(f"{name} {count}" for name, count in counts.items())
-    rests = f"JaC and mean error are means over the frames with a camera ({own} of {first.images})."
+    rests = (
+        f"JaC is the mean over the frames with a camera ({own} of {first.images}), mean error that"
+        f" over all their points, with the labels that count at {max(report.thresholds):g} px."
+    )
     if len(counts) < 2:
         return rests
     if any(source.fitted for source in report.evaluated):

@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Iterable
 
+from procc_annotator.errors import printable
 from procc_annotator.report.recipe import CITATION
 from procc_annotator.report.release.released import (
     AGREEMENT_FILE,
@@ -28,13 +29,17 @@ _SIZES = ((1_000, "n<1K"), (10_000, "1K<n<10K"), (100_000, "10K<n<100K"), (10**6
 _HUB_LICENCE = re.compile(r"[a-z0-9][a-z0-9.\-]*")
 
 
-def dataset_card(release: Release) -> str:
+def markdown_bytes(text: str) -> bytes:
+    """Markdown as a file; names and texts in it stay text: no HTML, nothing a terminal obeys."""
+    return printable(text, keep="\n").replace("<", "&lt;").encode()
+
+
+def dataset_card(release: Release) -> bytes:
     """The whole README."""
     terms = release.terms
     parts = [
-        _header(release),
-        f"# {_text(_one_line(terms.title))}",
-        _text(terms.description),
+        f"# {_one_line(terms.title)}",
+        terms.description.strip(),
         _facts(release),
         "## Splits",
         _table(("split", "frames"), ((_cell(s), len(f)) for s, f in release.splits.items())),
@@ -54,7 +59,8 @@ def dataset_card(release: Release) -> str:
         ),
         f"Made by ProCC Annotator {__version__}.",
     ]
-    return "\n\n".join(part for part in parts if part) + "\n"
+    text = "\n\n".join(part for part in parts if part) + "\n"
+    return f"{_header(release)}\n\n".encode() + markdown_bytes(text)
 
 
 def _header(release: Release) -> str:
@@ -64,14 +70,14 @@ def _header(release: Release) -> str:
     size = next((name for most, name in _SIZES if count < most), "n>1M")
     lines = [
         "---",
-        f"pretty_name: {json.dumps(_one_line(terms.title))}",
+        f"pretty_name: {_quoted(terms.title)}",
         f"license: {licence}",
-        *([f"license_name: {json.dumps(_one_line(terms.licence))}"] if licence == "other" else []),
+        *([f"license_name: {_quoted(terms.licence)}"] if licence == "other" else []),
         "task_categories:",
         "- keypoint-detection",
         "tags:",
         *(f"- {tag}" for tag in ("camera-calibration", "sports", "sports-field-registration")),
-        f"- {json.dumps(_one_line(release.field.name))}",
+        f"- {_quoted(release.field.name)}",
         "size_categories:",
         f"- {size}",
         "configs:",
@@ -152,9 +158,9 @@ def _one_line(text: str) -> str:
     return " ".join(text.split())
 
 
+def _quoted(text: str) -> str:
+    return json.dumps(_one_line(text)).replace("<", "\\u003c")
+
+
 def _cell(text: str) -> str:
-    return _one_line(text).replace("\\", "\\\\").replace("|", "\\|").replace("<", "&lt;")
-
-
-def _text(text: str) -> str:
-    return text.strip().replace("<", "&lt;")
+    return _one_line(text).replace("\\", "\\\\").replace("|", "\\|")

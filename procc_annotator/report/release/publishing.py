@@ -21,7 +21,7 @@ from procc_annotator.io.csv_text import csv_cells, formula_text
 from procc_annotator.io.frame_names import FrameTable, leads_out
 from procc_annotator.io.json_text import decode_as, is_unicode, printable
 from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
-from procc_annotator.report.release.card import dataset_card
+from procc_annotator.report.release.card import dataset_card, markdown_bytes
 from procc_annotator.report.release.changes import Changes, changed_frame, changelog
 from procc_annotator.report.release.croissant import croissant_bytes
 from procc_annotator.report.release.released import (
@@ -161,9 +161,9 @@ def write_release(
         target.write(INDEX_FILE, index)
         target.write(CROISSANT_FILE, croissant_bytes(release, index, _sha256(index)))
         text = changelog(terms.version, terms.date, changes, earlier)
-        target.write(CHANGES_FILE, text.encode())
+        target.write(CHANGES_FILE, markdown_bytes(text))
         target.write(RELEASE_FILE, _release_bytes(release))
-        target.write(CARD_FILE, dataset_card(release).encode())
+        target.write(CARD_FILE, dataset_card(release))
     _remove(out, set(older) - _own_files(release))
     return changes
 

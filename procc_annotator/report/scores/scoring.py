@@ -109,7 +109,7 @@ class Scored:
     method: str = ""
     groups: tuple[GroupSummary, ...] = ()
     rows: list[Row] = field(default_factory=list)
-    in_pixels: tuple[str, ...] = ()
+    annotation_notes: tuple[str, ...] = ()
     sums: SourceSums | None = None
     fitted: Fitted = NOT_FITTED
     held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
@@ -366,7 +366,7 @@ class _Scoring:
             self._asked.method,
             run.group_summaries(),
             self._rows,
-            run.in_pixels,
+            run.annotation_notes,
             SourceSums.of(self._asked.method, self._thresholds, self._sums),
             run.fitted,
             run.held_out,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import takewhile
 
+from procc_annotator.errors import printable
 from procc_annotator.report.sheet.figure import Better
 from procc_annotator.report.sheet.sheet import Sheet
 
@@ -82,7 +83,7 @@ def _cells(sheet: Sheet, at: int) -> tuple[Cell, ...]:
     cells: list[Cell] = []
     figure = sheet.of_rows[at] if sheet.of_rows else None
     for place, (column, value) in enumerate(zip(sheet.columns, sheet.rows[at], strict=True)):
-        text = column.text(value, figure)
+        text = printable(column.text(value, figure), keep="\n")
         if not column.joined:
             cells.append(Cell(text, (at, place) in sheet.bold))
         elif value is not None:

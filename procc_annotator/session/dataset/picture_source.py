@@ -28,6 +28,7 @@ class PictureSource:
             worker finds them.
         is_video: whether they are the frames of one.
         notices: what the user should know of it.
+        problems: of the whole source, so that results of it are incomplete, one line each.
     """
 
     path: Path
@@ -35,6 +36,7 @@ class PictureSource:
     frames: tuple[Frame, ...]
     is_video: bool = False
     notices: tuple[str, ...] = ()
+    problems: tuple[str, ...] = ()
 
     def annotated(
         self, annotations: Path | None, field: Field, names: LabelMap | None = None
@@ -71,11 +73,13 @@ def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
     if not path.exists():
         raise UsageError(f"{path}: does not exist")
     if path.is_file() and path.suffix.lower() in VIDEO_SUFFIXES:
-        count = open_shared(path).frame_count
-        frames = tuple(video_frame(whole, number) for number in range(count))
+        video = open_shared(path)
+        frames = tuple(video_frame(whole, number) for number in range(video.frame_count))
         if annotations is not None:
             frames = tuple(_annotated_in(frame, annotations) for frame in frames)
-        return PictureSource(path, frames_folder(path), frames, is_video=True)
+        words = (video.squeezed, video.cut_off)
+        known, missing = (tuple(f"{path}: {word}" for word in [one] if word) for one in words)
+        return PictureSource(path, frames_folder(path), frames, True, known, missing)
     root, frames, notices = list_frames(path, annotations)
     if not frames:
         raise UsageError(f"nothing to do: no picture in {path}")

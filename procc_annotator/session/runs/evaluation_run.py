@@ -34,7 +34,6 @@ from procc_annotator.session.runs.set_run import (
     source_kept_open,
 )
 from procc_annotator.session.runs.tags import Grouping
-from procc_annotator.words import listed
 
 __all__ = [
     "CHUNK",
@@ -43,7 +42,6 @@ __all__ = [
     "FrameResult",
     "GroupSummary",
     "check_thresholds",
-    "in_pixels_words",
     "run_digested",
     "run_evaluation",
 ]
@@ -155,10 +153,9 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         return self._sums.held_out.at(self.setup)
 
     @property
-    def in_pixels(self) -> tuple[str, ...]:
-        """The frames so far whose annotations look like pixels, where shares of the picture are
-        expected."""
-        return tuple(self._sums.in_pixels)
+    def annotation_notes(self) -> tuple[str, ...]:
+        """What the annotations so far have that lowers every score, see `AnnotationNotes`."""
+        return self._sums.notes.lines()
 
     def summary(self) -> dict[float, SetSummary]:
         """Figures of the frames seen so far, by threshold."""
@@ -177,11 +174,6 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         described = self.setup.describe(self.ground_only)
         mark = self.fitted.among(self.with_camera)
         return f"{described}, {mark}" if mark else described
-
-
-def in_pixels_words(frames: Sequence[str]) -> str:
-    """What is wrong with annotations in pixels, and which are."""
-    return f"coordinates look like pixels, expected 0 to 1, in {listed(frames, 'frame')}"
 
 
 def run_evaluation(

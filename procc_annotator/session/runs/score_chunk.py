@@ -8,7 +8,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
 
-from procc_annotator.annotation import FrameAnnotation, pixel_like
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.model_name import model_name
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
@@ -18,9 +18,11 @@ from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.io.camera_files.held_out_table import HeldOut
 from procc_annotator.metric.clicked import AnnotatedExtent, clicked
 from procc_annotator.metric.measure import Measurement, measure_frames
+from procc_annotator.metric.project import why_clipped
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.runs.annotation_notes import AnnotationNotes
 from procc_annotator.session.runs.held_out import HeldOutTally
 from procc_annotator.session.runs.set_run import AnnotationTask, KeptOpen
 from procc_annotator.session.runs.tags import MODEL
@@ -91,7 +93,7 @@ class Tally:
     ground_only: bool = False
     fitted: Fitted = NOT_FITTED
     held_out: HeldOutTally = field(default_factory=HeldOutTally)
-    in_pixels: list[str] = field(default_factory=list)  # frames whose coordinates look like that
+    notes: AnnotationNotes = field(default_factory=AnnotationNotes)
 
     def of_frame(self, by: tuple[str, ...], groups: tuple[str | None, ...]) -> list[SetAccumulator]:
         """Every sum a frame belongs to."""
@@ -101,7 +103,7 @@ class Tally:
         """Add the sums of the frames that follow."""
         self.sums.merge(other.sums)
         self.held_out.merge(other.held_out)
-        self.in_pixels += other.in_pixels
+        self.notes.merge(other.notes)
         for key, sums in other.groups.items():
             self._group(key).merge(sums)
 
@@ -184,8 +186,7 @@ def _evaluated(frames: Sequence[_Read], task: ScoreChunk[Any], tally: Tally) -> 
             yield Evaluated(unread)
             continue
         tally.counted += 1
-        if pixel_like(read.annotation) is not None:
-            tally.in_pixels.append(name)
+        tally.notes.add(name, read.annotation, task.setup.of_frame(name).field)
         if read.camera is None:
             for sums in tally.of_frame(task.by, groups):
                 sums.add_missing_camera(name)
@@ -252,6 +253,8 @@ def _load_camera(
     loaded = cameras.read(name, task.setup.field)
     setup = task.setup
     camera, scaled = fit_to_size(loaded, setup.size, task.camera_size, setup.unsized)
+    if problem := why_clipped(camera, setup):
+        raise CameraError(cameras.display(name), problem)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
     model = model_name(camera, loaded.model, setup.size)
     fitted = Fitted.of(loaded.fitted_on, annotation)

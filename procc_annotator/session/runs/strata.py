@@ -88,7 +88,8 @@ def values_of_frames(
     Args:
         by: a tag, one of `DERIVED`, or `MODEL`. A tag that is called as one of `DERIVED` counts:
             whoever gives it means it.
-        sources: over the same frames; poses are the median of theirs.
+        sources: over the same frames; poses are the median of theirs, so that zoom and side depend
+            on which sources these are.
         field: its size tells the sides.
         tags: of the tag, by frame; empty where `by` is none.
         order: the dataset's table of frames; without it names tell the shots.
@@ -97,12 +98,13 @@ def values_of_frames(
         UsageError: nothing is known of any frame.
     """
     names = sources[0].names
+    of_all = f", median of {len(sources)} methods" if len(sources) > 1 else ""
     found: list[str | None]
     if tags:
         found = [tags.get(name) for name in names]
     elif by == ZOOM:
         focal = [_median(p.focal_px for p in poses) for poses in _poses(sources)]
-        found = _thirds(focal, "focal {} to {} px")
+        found = _thirds(focal, f"focal {{}} to {{}} px{of_all}")
     elif by == ELEMENTS:
         counts = [frame.elements or None for frame in sources[0].frames]
         found = _thirds(counts, "{} to {} elements")
@@ -110,7 +112,8 @@ def values_of_frames(
         shares = [None if f.spread is None else 100 * f.spread for f in sources[0].frames]
         found = _thirds(shares, "{} to {} % of the picture")
     elif by == SIDE:
-        found = [_side(poses, field) for poses in _poses(sources)]
+        sides = [_side(poses, field) for poses in _poses(sources)]
+        found = [None if side is None else side + of_all for side in sides]
     elif by == MODEL:
         found = [_models(frames) for frames in _frames(sources)]
     elif by == SHOT:
@@ -131,7 +134,7 @@ def _within(certainty: Certainty, chosen: Sequence[bool]) -> Certainty:
         SourceSums(s.name, s.thresholds, tuple(s.frames[i] for i in kept))
         for s in certainty.sources
     )
-    return Certainty(sources, clusters, certainty.draws, certainty.method)
+    return Certainty(sources, clusters, certainty.draws, certainty.method, certainty.compared)
 
 
 def _frames(sources: Sequence[SourceSums]) -> Iterator[tuple[FrameSums, ...]]:

@@ -12,6 +12,7 @@ import pytest
 from procc_annotator import (
     FrameAnnotation,
     UsageError,
+    corrected_for,
     evaluate,
     evaluate_set,
     fit_camera,
@@ -155,6 +156,8 @@ def test_intervals_and_differences(sample_data: Path) -> None:
         assert interval.low <= bad.summaries[5.0].mean_jac <= interval.high
     assert set(bad.intervals(match, method="bca", draws=500)[5.0]) >= {"mean_jac", "mean_error"}
     found = good.differences(bad, match)[5.0]["mean_jac"]
+    assert found.corrected == found.p
+    assert corrected_for([found] * 3)[0].corrected == min(1.0, 3 * found.p)
     assert found.value > 0
     assert found.interval.low <= found.value <= found.interval.high
     for wrong in ({"cluster": "matches"}, {"method": "normal"}, {"draws": 0}, {"level": 95}):
@@ -190,7 +193,8 @@ def test_the_path_of_a_dataset_tells_its_field_as_well(sample_data: Path) -> Non
     )
     assert "basketball_fiba" in by_path.described
     assert by_path.summaries[5.0].mean_jac > 0.1
-    nominal = evaluate_set(place, place / "cameras" / "bad", field="soccer")
+    with pytest.warns(UserWarning, match="classes of no element of the field always count as"):
+        nominal = evaluate_set(place, place / "cameras" / "bad", field="soccer")
     assert nominal.described == "soccernet, 960x540"
 
 
@@ -209,6 +213,8 @@ def test_annotations_in_pixels_are_told(sample_data: Path) -> None:
     px = FrameAnnotation.from_dict(annotations[name].to_dict(size=(960, 540)))
     with pytest.warns(UserWarning, match=r"look like pixels, expected 0 to 1, in .*00002"):
         evaluate_set({name: px}, {name: fit_camera(annotations[name])})
+    with pytest.warns(UserWarning, match=r"no element is annotated in 1 frame \(00002\): whatever"):
+        evaluate_set({name: FrameAnnotation()}, {name: fit_camera(annotations[name])})
 
 
 def test_frames_are_found_however_cameras_call_them(sample_data: Path, tmp_path: Path) -> None:

@@ -18,12 +18,13 @@ from procc_annotator.fit.on_paint.painted import painted_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import vector_from_camera
 from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.through_shot import following_shot
 from procc_annotator.fit.through_shot.banded import Normal, solve_normal
 from procc_annotator.fit.through_shot.chain import FrameChain
 from procc_annotator.fit.through_shot.following import follow
 from procc_annotator.fit.through_shot.following_shot import track
 from procc_annotator.fit.through_shot.reading import glimpses
-from procc_annotator.fit.through_shot.smoothing import smoothed
+from procc_annotator.fit.through_shot.smoothing import Smoothed, smoothed
 from procc_annotator.fit.through_shot.starting import belief_at, pinhole_near
 from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
@@ -93,6 +94,30 @@ def test_an_anchor_keeps_its_camera_to_the_digit_and_the_track_passes_it() -> No
         assert found.frames[number].state == "anchor"
     assert max(_off(f) for f in found.frames) < 0.8
     assert found.frames[10].anchor_distance == 2
+
+
+def test_a_sure_camera_is_not_replaced_by_one_that_leaves_its_lines(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """All frames together suit a camera that is turned: then they stay as they were followed."""
+
+    def turned(chain: FrameChain, *given: object) -> Smoothed:
+        found = smoothed(chain, *given)  # type: ignore[arg-type]
+        by = 0.02 * (np.arange(11) == 0)  # 30 px
+        steps = [
+            replace(step, belief=replace(step.belief, vector=step.belief.vector + by))
+            for step in found.chain.steps
+        ]
+        return replace(found, chain=replace(found.chain, steps=steps))
+
+    def propose(*_: object) -> Proposal:
+        fit = FitResult("R", SIZE, CAMERAS[0], vector=vector_from_camera(CAMERAS[0], FRAME))
+        return Proposal("sure", "all is there", fit, 1.0, 1.0, 0.1, 0.9, None)
+
+    monkeypatch.setattr(following_shot, "smoothed", turned)
+    found = _followed(anchors={}, propose=propose)
+    assert max(_off(f) for f in found.frames) < 1.5
+    assert not any(f.reason for f in found.frames)
 
 
 def test_the_same_frames_give_the_same_cameras() -> None:

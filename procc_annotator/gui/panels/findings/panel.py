@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from html import escape
 
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, QTextBoundaryFinder, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
@@ -77,6 +78,7 @@ class FindingsPanel(QWidget):
         layout.setSpacing(4)
         layout.addLayout(self._make_head())
         self.note = note_label("findings_note")
+        self.note.setTextFormat(Qt.TextFormat.RichText)
         self.note.linkActivated.connect(lambda _: self.restoreWanted.emit())
         layout.addWidget(self.note)
         self.model = FindingsModel(self._document)
@@ -196,7 +198,7 @@ class FindingsPanel(QWidget):
 
     def _show_note(self, words: str, whole_set: bool) -> None:
         """What limits the list, and how to see what is ignored."""
-        notes = [words] if words else []
+        notes = [escape(words)] if words else []
         ignored = 0 if whole_set else self._check.known.ignored_here()
         if ignored:
             notes.append(

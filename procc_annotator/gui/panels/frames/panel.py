@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from html import escape
-
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
@@ -310,9 +308,5 @@ class FramesPanel(QWidget):
 
 
 def _help_table() -> str:
-    """What can be written into the filter, as a table for its tip."""
-    rows = (
-        f"<tr><td><b>{escape(query)}</b>&nbsp;</td><td>{escape(tr(words))}</td></tr>"  # not shown
-        for query, words in QUERY_HELP
-    )
-    return f"<table>{''.join(rows)}</table>"  # not shown
+    """What can be written into the filter, one line each, for its tip."""
+    return "\n".join(f"{query}   {tr(words)}" for query, words in QUERY_HELP)

@@ -100,6 +100,7 @@ class FitPanel(QWidget):
         inner.addWidget(self.counted)
         self.chosen = note_label("fit_chosen")
         self.weak = note_label("fit_weak")
+        self.weak.setTextFormat(Qt.TextFormat.RichText)
         self.weak.setToolTip(tr("Hardly determined: {limits}", limits=LIMITS))
         self.terms = note_label("fit_terms")
         inner.addWidget(self.weak)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from html import escape
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
     QComboBox,
@@ -72,6 +72,7 @@ class FieldDimensionsDialog(QDialog):
         self._refused: set[str] = set()  # numbers out of the rules that nobody has looked at yet
         self._make_estimate()
         self.broken = note_label("dimensions_broken")
+        self.broken.setTextFormat(Qt.TextFormat.RichText)
         self.note = note_label("dimensions_note")
         self.found = note_label("dimensions_found")
         estimating = QHBoxLayout()
@@ -100,6 +101,7 @@ class FieldDimensionsDialog(QDialog):
             row = QHBoxLayout()
             row.addWidget(box)
             rule = self.rules[dimension.name] = QLabel()
+            rule.setTextFormat(Qt.TextFormat.RichText)
             self._tell_rule(dimension)
             row.addWidget(rule)
             row.addStretch(1)

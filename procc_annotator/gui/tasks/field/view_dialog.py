@@ -150,7 +150,7 @@ class ViewDialog(QDialog):
         self.setObjectName("viewDialog")
         self.setWindowTitle(tr("Group views"))
         self.preview: Preview | None = None
-        asked = QLabel(tr(_ASKED), wordWrap=True)
+        asked = QLabel(tr(_ASKED), wordWrap=True, textFormat=Qt.TextFormat.RichText)
         self.pattern = QLineEdit(placeholderText="{instant}_{view}")
         self.pattern.setObjectName("viewPattern")
         self.pattern.setAccessibleName(tr("Pattern of the frames' names"))

@@ -111,6 +111,7 @@ class LabelDialog(QDialog):
         grid = QGridLayout(inside)
         for column, header in enumerate(_HEADERS):
             title = QLabel(f"<b>{tr(header)}</b>" if header else "")
+            title.setTextFormat(Qt.TextFormat.RichText)
             grid.addWidget(title, 0, column)
         names = [e.name for e in field.elements]
         titles = [tr(field.title_of(name)) for name in names]

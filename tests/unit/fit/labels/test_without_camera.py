@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
@@ -69,6 +71,23 @@ def test_one_bad_point_of_many_is_named_and_can_be_removed(field) -> None:
     assert (found.rule, found.point) == (Rule.BENT, 2)
     assert found.remedies[0].kind is RemedyKind.REMOVE_POINT
     assert "point 3" in found.remedies[0].text
+
+
+@pytest.mark.parametrize("bad", [None, 15_000])
+def test_memory_does_not_grow_with_the_square_of_the_points(field, bad) -> None:
+    """Nor are many points near each other taken for one."""
+    points = np.linspace((100.0, 250.0), (860.0, 290.0), 20_000)
+    if bad is not None:
+        points[bad, 1] += 60
+    tracemalloc.start()
+    found = check(field, line("Side line top", *points.tolist()))
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert [finding.point for finding in found if finding.rule is Rule.BENT] == (
+        [] if bad is None else [bad]
+    )
+    assert all(finding.rule is not Rule.FEW_POINTS for finding in found)
+    assert peak < 60e6
 
 
 # -------------------------------------------------------------------------------- number and order

@@ -17,7 +17,7 @@ from procc_annotator.report.scores.click_sheets import clicks_sheets
 from procc_annotator.report.scores.strata_sheet import figures_sheet
 from procc_annotator.report.sheet.sheet import records
 from procc_annotator.session.runs.audit import TAU_GRID, Pose
-from procc_annotator.session.runs.certainty import Certainty, same_frames
+from procc_annotator.session.runs.certainty import MOST_COMPARED, Certainty, same_frames
 from procc_annotator.session.runs.click_spreads import pairs_under_clicks, spread_of
 from procc_annotator.session.runs.clusters import NONE, SHOT, clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
@@ -258,6 +258,23 @@ def test_strata_are_corrected_together_and_say_where_sources_differ() -> None:
         values_of_frames("weather", sources, FIELD, {})
 
 
+def test_of_many_sources_those_that_lead_are_compared() -> None:
+    rng = np.random.default_rng(3)
+    jacs = rng.uniform(0.2, 0.9, (MOST_COMPARED + 5, 12))
+    sources = tuple(source(f"s{n}", own) for n, own in enumerate(jacs))
+    worst = set(np.argsort(jacs.mean(axis=1))[:5].tolist())
+    found = certain(sources)
+    assert set(range(len(sources))) - set(found.compared) == worst
+    assert len(found.pairs) == MOST_COMPARED * (MOST_COMPARED - 1) // 2
+    ranks = found.ranks("mean_jac", 5.0)
+    assert {at for at, rank in enumerate(ranks) if rank is None} == worst
+    assert "Of 35 sources the 30 with the highest JaC at" in " ".join(found.cautions)
+    halves = strata(found, "half", ["a", "b"] * 6)
+    assert {part.certainty.compared for part in halves} == {found.compared}
+    fits = replace(sources[0], frames=tuple(replace(f, fitted=ANOTHER) for f in sources[0].frames))
+    assert 0 not in certain((fits, *sources[1:])).compared
+
+
 def test_strata_by_what_cameras_and_annotations_are_like() -> None:
     def pose(focal: float, y: float, x: float = 0.0) -> Pose:
         return Pose(0, 80, 0, focal, (x, y, -15))
@@ -266,6 +283,8 @@ def test_strata_by_what_cameras_and_annotations_are_like() -> None:
     frames = [frame(str(n), 0.5, pose=p, elements=n + 3) for n, p in enumerate((*poses, None))]
     sources = (SourceSums("a", TAUS, tuple(frames)),)
     assert values_of_frames("zoom", sources, FIELD, {})[0] == "focal 1000 to 2000 px"
+    two = values_of_frames("zoom", sources * 2, FIELD, {})
+    assert two[0] == "focal 1000 to 2000 px, median of 2 methods"
     assert values_of_frames("zoom", sources, FIELD, {})[-1] is None
     main, opposite, behind = "main camera's side", "opposite side", "behind the end at x > 0"
     assert values_of_frames("side", sources, FIELD, {}) == [main, main, opposite, behind, None]
