@@ -17,12 +17,15 @@ from procc_annotator.image.sought import Sought
 from procc_annotator.metric.course import normals_of
 from procc_annotator.session.strokes.corners import Corner, reach_of, seen_corner
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.line_runs import is_bare
 from procc_annotator.session.strokes.visible_line import VisibleLine, continued, onwards
 
 FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
 
 _HIDDEN_PX, _JOINED_PX = 40, 24  # so far before its end a line, or a bar, need not be seen
 _EDGE_GAP = 8  # px before the picture's edge where a line need not be seen
+_LAST_PX = 3, 6  # before an end: there the line is seen, or it ended before; nearer, the other is
 _BACK_PX = 5  # so far before where its paint seems to end it is sure to be its own
 _AT_EDGE_PX = 6.0
 _AGAIN_PX, _AGAIN_REACH_PX = 4, 1.5
@@ -59,7 +62,7 @@ def ends_by_paint(
         ending: VisibleLine | None = None
         if end is None or (corner and not _is_inside(corner.place_px, picture)):
             ending = _to_edge(way, picture, sought)
-        elif corner:
+        elif corner and not (on_ground and is_bare(picture, *_before(way, corner))):
             ending = _ending_at(way, corner)
         if ending is None and end is not None:
             ending, unsure = _cut_back(way, end), unsure + 1
@@ -91,6 +94,18 @@ def _corners(
         at = way.expected[1]
         shifted = -float((corner.place_px - way.course_px[at]) @ way.directions[at])
     return found
+
+
+def _before(line: VisibleLine, corner: Corner) -> tuple[FloatArray, FloatArray, BoolArray]:
+    """Where a line was seen last, and what lies between it and its last end: (n, 2) px of both, and
+    (n,) whether they are of the second."""
+    course = continued(line.course_px, _HIDDEN_PX)
+    past = max(2, int(np.hypot(*(course - corner.place_px).T).argmin()))
+    begin, end = line.runs[-1]
+    seen = np.arange(max(begin, end - _HIDDEN_PX), end)
+    last = np.arange(max(0, past - _LAST_PX[1]), max(1, past - _LAST_PX[0] + 1))
+    rows = np.concatenate([seen[seen < last[0]], last])
+    return course[rows], normals_of(course, 3)[rows], rows >= last[0]
 
 
 def _ending_at(line: VisibleLine, corner: Corner) -> VisibleLine | None:

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.image.strip import Strip, Values
+from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.strip import Strip, Values, straighten
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
@@ -84,6 +85,22 @@ def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool, edge: bool = Fal
     runs = _steady_runs(in_colour & beside.all(axis=1))
     modest = contrast <= _END_SHARE * usual
     return _to_ends(runs, np.asarray((beside & modest).any(axis=1)))
+
+
+def is_bare(picture: PixelArray, course: FloatArray, across: FloatArray, asked: BoolArray) -> bool:
+    """Whether most of some places show neither a line, by what it is like at the others, nor
+    anything else that could hide it: across it all is alike. (n, 2) px of each and its normal."""
+    if not asked.any() or (~asked).sum() < _RUN_PX:
+        return False  # nobody can tell
+    look = _look(straighten(picture, course, across, BESIDE_PX), ~asked)
+    usual = [np.median(part[~asked], axis=0) for part in (look.centre, look.left, look.right)]
+    stroke = usual[0] - (usual[1] + usual[2]) / 2
+    contrast = max(float(np.linalg.norm(stroke)), 1e-6)
+    most = _CONTRAST_SHARES[0] * contrast
+    lightness = (look.centre - usual[0] + stroke) @ (stroke / contrast)
+    steps = [np.linalg.norm(step, axis=1) for step in look.steps(edge=False)]
+    bare = (np.maximum(*steps) < most) & (lightness < most)
+    return bool(bare[asked].mean() > 0.5)
 
 
 def _look(strip: Strip, at_hits: BoolArray) -> _Look:

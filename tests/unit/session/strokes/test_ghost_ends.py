@@ -104,6 +104,19 @@ def test_an_end_that_nothing_shows_is_cut_back_and_told(too_far_px: float) -> No
     assert -10.0 < (last - CORNER) @ ALONG < 1.0
 
 
+@pytest.mark.parametrize("before_px", [12.0, 30.0])
+def test_a_line_that_is_seen_to_end_before_the_other_one_does_not_go_on_to_it(
+    before_px: float,
+) -> None:
+    """What was taken for the other one is the edge of a board behind it."""
+    picture = pitch(np.array([START, CORNER - before_px * ALONG]), GOAL_LINE)
+    end = End(CORNER, 4.0, (Joint("Side line right", dense(GOAL_LINE)),))
+    found = found_on(picture, dense(np.array([START, CORNER])), end)
+    last = points_px(Polyline("", found.points), SIZE)[-1]
+    assert found.unsure_ends == 1
+    assert -before_px - 10.0 < (last - CORNER) @ ALONG < -before_px + 3.0
+
+
 def test_paint_that_goes_on_beyond_all_that_is_likely_says_nothing_of_the_end() -> None:
     """Another line may go on where this one ends."""
     picture = pitch(np.array([START, CORNER + 150.0 * ALONG]))
