@@ -139,12 +139,25 @@ def pixels_of(frame: VideoFrame) -> PixelArray:
     return bgra(np.asarray(pixels if turn is None else cv2.rotate(pixels, turn), dtype=np.uint8))
 
 
-def first_frames(path: Path) -> tuple[tuple[int, int], float, list[int | None]]:
-    """Decode the first frames.
+@dataclass(frozen=True, eq=False)
+class FirstFrames:
+    """What the first frames of a video are like.
 
-    Returns:
-        (width, height) px as shown; frames per second, 0 if unknown; and their presentation times
-        as they come out of the decoder, none if one of them is damaged.
+    Attributes:
+        size: (width, height) px as shown.
+        rate: frames per second; 0 if unknown.
+        pixel_aspect: width of a pixel by its height, as the metadata say; 1 if they say nothing.
+        times: presentation times as they come out of the decoder; none if one is damaged.
+    """
+
+    size: tuple[int, int]
+    rate: float
+    pixel_aspect: float
+    times: list[int | None]
+
+
+def first_frames(path: Path) -> FirstFrames:
+    """Decode the first frames.
 
     Raises:
         ImageError: no frame can be decoded.
@@ -152,7 +165,7 @@ def first_frames(path: Path) -> tuple[tuple[int, int], float, list[int | None]]:
     container, stream = open_container(path)
     size, times, intact = None, list[int | None](), True
     with container:
-        rate = float(stream.average_rate or 0)
+        rate, aspect = float(stream.average_rate or 0), float(stream.sample_aspect_ratio or 1)
         for packet in chain(islice(_packets(container, stream), _TRIED), (None,)):
             frames = decoded(stream, packet)
             intact &= frames is not None
@@ -166,7 +179,7 @@ def first_frames(path: Path) -> tuple[tuple[int, int], float, list[int | None]]:
                 break
     if size is None:
         raise ImageError(path, "none of its frames can be decoded", advice=_CONVERT)
-    return size, rate, times if intact else []
+    return FirstFrames(size, rate, aspect, times if intact else [])
 
 
 @dataclass(eq=False)

@@ -22,6 +22,8 @@ from procc_annotator.image.stream import (
 )
 from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 
+_SQUARE = 0.01  # as far as encoders round
+
 
 class Video:
     """A video file; safe to use from any thread, one frame is decoded at a time.
@@ -33,7 +35,7 @@ class Video:
     def __init__(self, path: Path) -> None:
         """Decode the first frames, as `open` does."""
         self._path = path
-        self._size, self._rate, self._first = first_frames(path)
+        self._first = first_frames(path)
         self._lock = threading.RLock()
         self._index: PacketIndex | None = None
         self._reader: FrameReader | None = None
@@ -63,7 +65,7 @@ class Video:
     @property
     def size(self) -> tuple[int, int]:
         """(width, height) px of the frames as shown, a rotation in the metadata applied."""
-        return self._size
+        return self._first.size
 
     @property
     def frame_count(self) -> int:
@@ -77,8 +79,8 @@ class Video:
     @property
     def fps(self) -> float:
         """Frames per second, the mean if the rate varies."""
-        if 0 < self._rate < 1000:
-            return self._rate
+        if 0 < self._first.rate < 1000:
+            return self._first.rate
         times = self.read_index().times_s
         return 25.0 if times is None or len(times) < 2 else float((len(times) - 1) / times[-1])
 
@@ -92,6 +94,17 @@ class Video:
     def cut_off(self) -> str:
         """What is missing at the end of the file; empty if nothing is known to be."""
         return self.read_index().cut_off
+
+    @property
+    def squeezed(self) -> str:
+        """That its pixels are not square, if its metadata say so; empty if not."""
+        if abs(self._first.pixel_aspect - 1) < _SQUARE:
+            return ""
+        return (
+            f"its pixels are {self._first.pixel_aspect:.3f} times as wide as high, cameras are for"
+            " square ones (convert it, for example with"
+            " ffmpeg -i old.mp4 -vf scale=iw*sar:ih,setsar=1 new.mp4)"
+        )
 
     def frame(self, number: int) -> PixelArray:
         """A frame as (H, W, 4) uint8 BGRA, C-contiguous, opaque and read-only.
@@ -115,7 +128,7 @@ class Video:
             raise self._error(number, problem)
         if pixels is None:
             raise self._error(number, "damaged, or predicted from a damaged frame")
-        if (pixels.shape[1], pixels.shape[0]) != self._size:
+        if (pixels.shape[1], pixels.shape[0]) != self.size:
             raise self._error(number, f"its size changes to {pixels.shape[1]} x {pixels.shape[0]}")
         return pixels
 
@@ -123,7 +136,7 @@ class Video:
         """Read the packets of the video now, so that nothing that needs them waits later."""
         with self._lock:
             if self._index is None:
-                self._index = read_index(self._path, self._first)
+                self._index = read_index(self._path, self._first.times)
             return self._index
 
     def close(self) -> None:

@@ -181,6 +181,20 @@ def test_landmarks_are_told_apart_where_one_moves(cli, dataset, tmp_path: Path) 
 
 
 @pytest.mark.usefixtures("no_charts")
+def test_of_many_sources_those_that_lead_are_drawn(cli, two_sources, tmp_path: Path) -> None:
+    dataset, poor = two_sources
+    sources = {"poor": poor, **{f"good{n}": dataset.cameras for n in range(12)}}
+    out = tmp_path / "r.html"
+    run(cli, dataset, out, sources)
+    page = Page(out.read_text()).text
+    assert "the 12 sources of 13 with the highest JaC" in page
+    alternatives = out.read_text()
+    assert "projection of good11" in alternatives
+    assert "projection of poor" not in alternatives
+    assert "poor" in page  # in the tables
+
+
+@pytest.mark.usefixtures("no_charts")
 def test_what_lowers_every_score_is_told(cli, few, tmp_path: Path) -> None:
     for path in few.annotations.iterdir():
         entries = json.loads(path.read_text())

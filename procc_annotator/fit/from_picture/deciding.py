@@ -15,8 +15,8 @@ _LEAST_BOTH = 0.4
 SURE_COVERAGE, SURE_EXPLAINED, _SURE_MARGIN = 0.65, 0.8, 0.18
 _WELL, MARGIN_WELL = 0.85, 0.1  # where more is found, less has to part it from others
 _MOST_UNLIKELY = 6.0
-# Width by height of the narrowest pictures that cameras make (5:4). In a squeezed picture another
-# position and zoom agree with the lines as well as the true ones do with square pixels.
+# Longer by shorter side of the narrowest pictures that cameras make (5:4). In a squeezed picture
+# another position and zoom agree with the lines as well as the true ones do with square pixels.
 _NARROWEST = 1.25
 # So many elements tell a camera; one less, such as a circle and two lines, where all is found.
 _SURE_ELEMENTS, _ALL_FOUND = 4, 0.9
@@ -69,8 +69,7 @@ def decide(seen: Evidence) -> tuple[State, str]:
 
 def _doubt(seen: Evidence) -> str:
     share = min(seen.coverage, seen.explained)
-    width, height = seen.fit.size
-    if width < _NARROWEST * height:
+    if max(seen.fit.size) < _NARROWEST * min(seen.fit.size):  # phones stand upright
         return said(
             "the picture is nearly square, as a squeezed one is: its pixels may not be square"
         )

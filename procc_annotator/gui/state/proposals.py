@@ -17,6 +17,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.runs.proposal_run import doubt_pixels
 
 _KEPT = 64
 _STAYED_MS = 150  # a frame that is left sooner was only passed
@@ -146,7 +147,8 @@ class Proposals(QObject):
         """In a thread."""
         go_on()
         field = field_of_frame(field, frame.name)
-        return propose_camera(self._cache.get(frame.image_path), field, go_on=go_on)
+        found = propose_camera(self._cache.get(frame.image_path), field, go_on=go_on)
+        return doubt_pixels(found, frame.image_path)
 
     def _take(self) -> None:
         self.changed.emit()

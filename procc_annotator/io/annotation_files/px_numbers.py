@@ -4,6 +4,7 @@ back to the last digit."""
 from __future__ import annotations
 
 import json
+import math
 import re
 from decimal import Context, Decimal
 from fractions import Fraction
@@ -87,6 +88,8 @@ def json_text(value: Any, open_levels: int = 2, indent: str = "") -> str:
     """
     if isinstance(value, WrittenNumber):
         return value.text
+    if type(value) is int or (type(value) is float and math.isfinite(value)):
+        return repr(value)  # as json.dumps does, ten times as fast
     if not value or type(value) not in (dict, list, tuple):
         return json.dumps(value, ensure_ascii=False)
     below = indent + "  "

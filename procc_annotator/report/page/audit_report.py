@@ -32,6 +32,9 @@ from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame
 from procc_annotator.session.runs.held_out import HeldOutFigures
 from procc_annotator.session.runs.moved_clicks import ClickNoise
 
+# Colours, dashes and markers tell so many lines apart, and a page holds as many pictures.
+MOST_DETAILED = 12
+
 
 @dataclass(frozen=True)
 class NamedCameras:
@@ -202,6 +205,13 @@ class AuditReport:
                 for s in self.evaluated
             ],
         )
+
+    @cached_property
+    def detailed(self) -> tuple[ReportedSource, ...]:
+        """The sources in charts and pictures: all, or of many those with the highest JaC."""
+        if len(self.evaluated) <= MOST_DETAILED:
+            return self.evaluated
+        return tuple(self.evaluated[at] for at in self.certainty.highest(MOST_DETAILED))
 
     @cached_property
     def told(self) -> ToldOfSet:

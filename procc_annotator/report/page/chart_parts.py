@@ -60,7 +60,7 @@ def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[Charted
             gather(list(source.audits.values())),
         )
         for i, source in enumerate(report.sources)
-        if source.audits
+        if source.audits and (source in report.detailed)
     ]
 
 

@@ -87,7 +87,7 @@ def choose_frames(report: AuditReport, worst: int, lot: int, seed: int) -> Chose
     scored = [name for name in report.frames if any(name in s.audits for s in report.evaluated)]
     drawn = set(random.Random(seed).sample(scored, min(lot, len(scored))))
     return Chosen(
-        {source.name: _worst(source, report.tau, worst) for source in report.evaluated},
+        {source.name: _worst(source, report.tau, worst) for source in report.detailed},
         tuple(name for name in scored if name in drawn),
     )
 

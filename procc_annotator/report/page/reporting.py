@@ -222,6 +222,9 @@ def heading(report: AuditReport, request: ReportRequest) -> Heading:
         ("Worst frames a source", str(request.worst)),
         ("Frames drawn by lot", f"{request.lot}, seed {request.seed}"),
     ]
+    if len(report.detailed) < len(report.evaluated):
+        few = f"the {len(report.detailed)} sources of {len(report.evaluated)} with the highest JaC"
+        settings.append(("Shown in charts and pictures", few))
     if request.reference:
         settings.append(("Reference of the metrics of earlier papers", request.reference))
     versions = [("procc-annotator", __version__), ("Python", platform.python_version())]
@@ -244,7 +247,7 @@ def _page(
     drawer = OverlayDrawer(
         report, material.annotations, material.cameras, material.pictures, drawing.overlays
     )
-    sources = [source.name for source in report.evaluated]
+    sources = [source.name for source in report.detailed]
     worst = [(source, frame) for source, frames in chosen.worst.items() for frame in frames]
     lot = [(source, frame) for frame in chosen.random for source in sources]
     drawn_now = (drawer.draw(*one) for one in [*worst, *lot])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
@@ -25,7 +25,7 @@ from procc_annotator.session.runs.clusters import clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.frame_sums import SourceSums
 from procc_annotator.session.runs.moved_clicks import ClickNoise
-from procc_annotator.session.runs.strata import strata, values_of_frames
+from procc_annotator.session.runs.strata import Stratum, strata, values_of_frames
 
 
 @dataclass(frozen=True)
@@ -90,12 +90,12 @@ class Judged(Protocol):
 @dataclass(frozen=True)
 class ToldOfSet:
     """What chance leaves of the sources of one set at one size; curves, and differences in parts of
-    it, are for files alone."""
+    it, are for files alone and take long."""
 
     set_name: str
     described: str
     sheets: tuple[Sheet, ...]
-    curves: tuple[Sheet, ...] = ()
+    curves: Callable[[], tuple[Sheet, ...]] = tuple
 
 
 def chance_told(scored: Sequence[Judged], terms: ChanceTerms) -> list[ToldOfSet]:
@@ -134,16 +134,21 @@ def told_of_set(
     if terms.noise is not None:
         sheets += clicks_sheets(certainty, terms.noise, described)
     tau = certainty.thresholds[0]
-    more: list[Sheet] = []
+    parted: list[list[Stratum]] = []
     for by in terms.by:
         known = terms.tag(of_set[0], by), terms.orders.get(of_set[0])
         values = values_of_frames(by, certainty.sources, of_set[1], *known)
         parts = strata(certainty, by, values)
         sheets.append(strata_sheet(parts, certainty, tau, described))
         sheets.append(figures_sheet(parts, certainty, described))
-        if certainty.pairs:
-            more.append(strata_differences_sheet(parts, certainty, described))
-    curves = (*more, curves_sheet(certainty, described)) if certainty.pairs else ()
+        parted.append(parts)
+
+    def curves() -> tuple[Sheet, ...]:
+        if not certainty.pairs:
+            return ()
+        more = (strata_differences_sheet(parts, certainty, described) for parts in parted)
+        return (*more, curves_sheet(certainty, described))
+
     return ToldOfSet(of_set[0], described, tuple(sheets), curves)
 
 
@@ -156,7 +161,7 @@ def chance_entries(told: Sequence[ToldOfSet]) -> dict[str, Any]:
             {
                 "set": one.set_name,
                 "described": one.described,
-                **{sheet.name: sheet_entry(sheet) for sheet in (*one.sheets, *one.curves)},
+                **{sheet.name: sheet_entry(sheet) for sheet in (*one.sheets, *one.curves())},
             }
             for one in told
         ]

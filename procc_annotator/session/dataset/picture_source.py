@@ -77,8 +77,9 @@ def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
         frames = tuple(video_frame(whole, number) for number in range(video.frame_count))
         if annotations is not None:
             frames = tuple(_annotated_in(frame, annotations) for frame in frames)
-        problems = (f"{path}: {video.cut_off}",) if video.cut_off else ()
-        return PictureSource(path, frames_folder(path), frames, is_video=True, problems=problems)
+        words = (video.squeezed, video.cut_off)
+        known, missing = (tuple(f"{path}: {word}" for word in [one] if word) for one in words)
+        return PictureSource(path, frames_folder(path), frames, True, known, missing)
     root, frames, notices = list_frames(path, annotations)
     if not frames:
         raise UsageError(f"nothing to do: no picture in {path}")

@@ -36,6 +36,8 @@ BETTER = {
 }
 # Those that sources are compared by; the others follow from them.
 COMPARED = ("mean_jac", "final_score", "mean_error", "completeness")
+# 435 pairs take some seconds to be tested; of 100 sources it would be 4,950.
+MOST_COMPARED = 30
 # Taken over all frames that count, with a camera or not.
 _OVER_ALL = ("completeness", "final_score")
 _FEW = 10  # clusters
@@ -69,12 +71,14 @@ class Certainty:
         sources: at least one, of the same frames and thresholds.
         clusters: of the frames.
         draws, method: how chance is asked, and how intervals are found.
+        among: places of the sources that are compared and ranked; None: as of `compared`.
     """
 
     sources: tuple[SourceSums, ...]
     clusters: Clusters
     draws: Draws = field(default_factory=Draws)
     method: Method = "t"
+    among: tuple[int, ...] | None = None
 
     def __post_init__(self) -> None:
         first = self.sources[0]
@@ -104,7 +108,13 @@ class Certainty:
         """What so few clusters cannot tell, a sentence each; figures as in docs/chance.md."""
         count, alike = self.clusters.count, self.clusters.thing
         said = [self.clusters.caution] if self.clusters.caution else []
-        if not said and self.method != "t" and count < _FEW:
+        few = bool(said)
+        if len(self.compared) < len(self.sources):
+            said.append(
+                f"Of {len(self.sources)} sources the {len(self.compared)} with the highest JaC at"
+                f" {self.thresholds[0]:g} px are compared with each other and ranked."
+            )
+        if not few and self.method != "t" and count < _FEW:
             said.append(
                 f"Of so few {alike}s ({count}) percentile and BCa intervals hold the truth in 88 to"
                 " 93 of 100 sets, t in 92 to 97."
@@ -129,8 +139,9 @@ class Certainty:
 
     @cached_property
     def pairs(self) -> tuple[SourcePair, ...]:
-        """Every two sources; what is tested is corrected for as many comparisons at a threshold."""
-        found = [self._pair(a, b) for a, b in combinations(range(len(self.sources)), 2)]
+        """Every two of the sources `compared`; what is tested is corrected for as many comparisons
+        at a threshold."""
+        found = [self._pair(a, b) for a, b in combinations(self.compared, 2)]
         if not found:
             return ()
         keys = list(found[0].differences)
@@ -147,10 +158,26 @@ class Certainty:
         """Of every two sources, by their places."""
         return {(pair.a, pair.b): pair.differences[key, tau] for pair in self.pairs}
 
+    def highest(self, count: int) -> tuple[int, ...]:
+        """The places of so many sources with the highest mean JaC at the first threshold; fits to
+        the clicks come last."""
+
+        def badness(at: int) -> tuple[bool, float]:
+            own = self.sources[at].ratios("mean_jac")
+            frames = own.wholes[:, 0].sum()
+            return bool(self.sources[at].fitted), -float(own.parts[:, 0].sum() / max(frames, 1.0))
+
+        return tuple(sorted(sorted(range(len(self.sources)), key=badness)[:count]))
+
+    @cached_property
+    def compared(self) -> tuple[int, ...]:
+        """The sources that are compared with each other: all, or of many those that lead."""
+        return self.highest(MOST_COMPARED) if self.among is None else self.among
+
     @cached_property
     def methods(self) -> list[int]:
         """The sources that are ranked: not those fitted to the clicks they are judged by."""
-        return [at for at, source in enumerate(self.sources) if not source.fitted]
+        return [at for at in self.compared if not self.sources[at].fitted]
 
     def ranks(self, key: str, tau: float) -> list[int | None]:
         """The place of each source; those that the data cannot tell apart share it."""

@@ -5,15 +5,17 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Protocol
 
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
 from procc_annotator.field.stadiums import field_of_frame
 from procc_annotator.fit.from_picture.agreed_positions import positions_of_fits
-from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Proposal
+from procc_annotator.fit.from_picture.proposal import SURE, UNSURE, KnownPosition, Proposal
 from procc_annotator.image.decode import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
+from procc_annotator.image.video import frame_of, open_shared
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.runs.kept_values import to_text
 from procc_annotator.session.runs.set_run import SetRun
@@ -76,8 +78,17 @@ class ProposeCameras:
         except InputError as error:
             return Proposed(frame.name, error=str(error))
         field = field_of_frame(self.field, frame.name)
-        proposal = self.propose(picture, field, known=self.known)
+        proposal = doubt_pixels(self.propose(picture, field, known=self.known), frame.image_path)
         return Proposed(frame.name, proposal, time.perf_counter() - began)
+
+
+def doubt_pixels(proposal: Proposal, picture: Path) -> Proposal:
+    """A camera is not sure if the picture is of a video whose pixels are not square."""
+    found = frame_of(picture)
+    squeezed = "" if found is None else open_shared(found[0]).squeezed
+    if proposal.state != SURE or not squeezed:
+        return proposal
+    return replace(proposal, state=UNSURE, reason=squeezed)
 
 
 class ProposalRun(SetRun[Frame, Proposed, None]):

@@ -134,7 +134,7 @@ def _within(certainty: Certainty, chosen: Sequence[bool]) -> Certainty:
         SourceSums(s.name, s.thresholds, tuple(s.frames[i] for i in kept))
         for s in certainty.sources
     )
-    return Certainty(sources, clusters, certainty.draws, certainty.method)
+    return Certainty(sources, clusters, certainty.draws, certainty.method, certainty.compared)
 
 
 def _frames(sources: Sequence[SourceSums]) -> Iterator[tuple[FrameSums, ...]]:

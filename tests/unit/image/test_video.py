@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
+from fractions import Fraction
 from pathlib import Path
 
 import av
@@ -13,6 +14,8 @@ import pytest
 from numpy.typing import NDArray
 
 from procc_annotator.errors import ImageError
+from procc_annotator.fit.from_picture.proposal import SURE, UNSURE, Proposal
+from procc_annotator.fit.result import FitResult
 from procc_annotator.image.decode import decode_bgra, decode_thumbnail, read_size
 from procc_annotator.image.video import (
     Video,
@@ -21,6 +24,8 @@ from procc_annotator.image.video import (
     open_shared,
     scene_cuts,
 )
+from procc_annotator.session.dataset.picture_source import open_pictures
+from procc_annotator.session.runs.proposal_run import doubt_pixels
 
 WIDTH, HEIGHT = 320, 192
 Pixels = NDArray[np.uint8]
@@ -148,16 +153,29 @@ def test_a_video_that_was_cut_off_has_the_frames_that_are_left_and_says_so(
 _GROUPS = {"g": "15", "bf": "2", "sc_threshold": "0"}
 
 
-def _write_h264(path: Path, frames: list[Pixels]) -> Path:
+def _write_h264(path: Path, frames: list[Pixels], pixel_aspect: Fraction = Fraction(1)) -> Path:
     """As most videos are: frames predicted from later ones, a key frame every 15."""
     options = {"movflags": "faststart"} if path.suffix == ".mp4" else {}
     with av.open(str(path), "w", options=options) as container:
         stream = container.add_stream("libx264", rate=25, options=_GROUPS)
         stream.width, stream.height, stream.pix_fmt = WIDTH, HEIGHT, "yuv420p"
+        stream.codec_context.sample_aspect_ratio = pixel_aspect
         for picture in frames:
             container.mux(stream.encode(av.VideoFrame.from_ndarray(picture, format="bgr24")))
         container.mux(stream.encode())
     return path
+
+
+@pytest.mark.parametrize(("aspect", "state"), [(Fraction(1), SURE), (Fraction(4, 3), UNSURE)])
+def test_a_camera_is_not_sure_if_the_video_says_that_its_pixels_are_not_square(
+    tmp_path: Path, aspect: Fraction, state: str
+) -> None:
+    path = _write_h264(tmp_path / "a.mp4", [_frame(n) for n in range(3)], aspect)
+    fit = FitResult("R", (WIDTH, HEIGHT), None)
+    found = doubt_pixels(Proposal(SURE, "", fit, 1.0, 1.0, 0.1, 1.0, None), path / "00000001")
+    assert found.state == state
+    assert found.reason.startswith("its pixels are 1.333 times as wide as high") == (aspect > 1)
+    assert open_pictures(path).notices == ((f"{path}: {found.reason}",) if aspect > 1 else ())
 
 
 @pytest.mark.parametrize(

@@ -57,7 +57,7 @@ class VideoDialog(QDialog):
         seconds = video.frame_count / video.fps if video.fps else 0.0
         frames = tr_count(video.frame_count, "{n:,} frame", "{n:,} frames")
         text = f"{video.path.name}: {frames}, {width}x{height}, {seconds:.0f} s"
-        text += f"\n{video.cut_off}" if video.cut_off else ""
+        text = "\n".join(filter(None, (text, video.cut_off, video.squeezed)))
         self.interval = QRadioButton(tr("One frame every"))
         self.interval.setChecked(True)
         self.seconds = DecimalBox()

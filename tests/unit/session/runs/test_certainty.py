@@ -17,7 +17,7 @@ from procc_annotator.report.scores.click_sheets import clicks_sheets
 from procc_annotator.report.scores.strata_sheet import figures_sheet
 from procc_annotator.report.sheet.sheet import records
 from procc_annotator.session.runs.audit import TAU_GRID, Pose
-from procc_annotator.session.runs.certainty import Certainty, same_frames
+from procc_annotator.session.runs.certainty import MOST_COMPARED, Certainty, same_frames
 from procc_annotator.session.runs.click_spreads import pairs_under_clicks, spread_of
 from procc_annotator.session.runs.clusters import NONE, SHOT, clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
@@ -256,6 +256,23 @@ def test_strata_are_corrected_together_and_say_where_sources_differ() -> None:
             assert shares[0].corrected == pytest.approx(min(1.0, 2 * shares[0].p))
     with pytest.raises(UsageError, match="known of no frame"):
         values_of_frames("weather", sources, FIELD, {})
+
+
+def test_of_many_sources_those_that_lead_are_compared() -> None:
+    rng = np.random.default_rng(3)
+    jacs = rng.uniform(0.2, 0.9, (MOST_COMPARED + 5, 12))
+    sources = tuple(source(f"s{n}", own) for n, own in enumerate(jacs))
+    worst = set(np.argsort(jacs.mean(axis=1))[:5].tolist())
+    found = certain(sources)
+    assert set(range(len(sources))) - set(found.compared) == worst
+    assert len(found.pairs) == MOST_COMPARED * (MOST_COMPARED - 1) // 2
+    ranks = found.ranks("mean_jac", 5.0)
+    assert {at for at, rank in enumerate(ranks) if rank is None} == worst
+    assert "Of 35 sources the 30 with the highest JaC at" in " ".join(found.cautions)
+    halves = strata(found, "half", ["a", "b"] * 6)
+    assert {part.certainty.compared for part in halves} == {found.compared}
+    fits = replace(sources[0], frames=tuple(replace(f, fitted=ANOTHER) for f in sources[0].frames))
+    assert 0 not in certain((fits, *sources[1:])).compared
 
 
 def test_strata_by_what_cameras_and_annotations_are_like() -> None:
