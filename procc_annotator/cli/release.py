@@ -21,7 +21,7 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.csv_text import csv_cells, formula_text
+from procc_annotator.io.csv_text import frame_rows
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
 from procc_annotator.report import agreement, findings
@@ -221,22 +221,12 @@ def _splits(path: Path | None) -> FrameTable[str]:
     """
     if path is None:
         return FrameTable()
-    (_, header), *rows = csv_cells(path) or [(1, [])]
-    names = [cell.strip() for cell in header]
-    if not {"frame", "split"} <= set(names):
-        raise InputError(path, "has no columns 'frame' and 'split'")
     found: dict[str, str] = {}
-    for line, cells in rows:
-        if len(cells) != len(names):
-            problem = f"has {count_of(len(cells), 'cell')}, expected {len(names)} as in the header"
+    for line, row in frame_rows(path, ("frame", "split"), "")[1]:
+        if not _SPLIT.fullmatch(row["split"]):
+            problem = f"{row['split']!r} is no name for a split"
             raise InputError(path, problem, place=f"line {line}")
-        row = dict(zip(names, (formula_text(cell.strip()) for cell in cells), strict=True))
-        frame, split = row["frame"], row["split"]
-        if not _SPLIT.fullmatch(split):
-            raise InputError(path, f"{split!r} is no name for a split", place=f"line {line}")
-        if frame in found:
-            raise InputError(path, f"frame {frame!r} again", place=f"line {line}")
-        found[frame] = split
+        found[row["frame"]] = row["split"]
     return FrameTable(found)
 
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Sequence
 from pathlib import Path
 
 from procc_annotator.errors import InputError
 from procc_annotator.io.source import read_file
+from procc_annotator.words import count_of
 
 _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 
@@ -45,3 +47,46 @@ def csv_cells(path: Path) -> list[tuple[int, list[str]]]:
         return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
     except csv.Error as error:
         raise InputError(path, f"is no CSV: {error}", place=f"line {reader.line_num}") from error
+
+
+def frame_rows(
+    path: Path, required: Sequence[str], advice: str, *, in_sets: bool = False
+) -> tuple[list[str], list[tuple[int, dict[str, str]]]]:
+    """The columns of a table about frames, and of every row its line number and cells by column.
+
+    Args:
+        path: of a CSV file with a header.
+        required: columns that it must have, among them ``frame``, which no row may leave empty, nor
+            two rows share.
+        advice: what the file should look like.
+        in_sets: whether a column ``set``, if there is one, tells frames of one name apart.
+
+    Raises:
+        InputError: it cannot be read, or what is wrong and where.
+    """
+    (at, header), *rows = csv_cells(path) or [(0, [])]
+    names = [cell.strip() for cell in header]
+
+    def refused(problem: str, line: int, advice: str = advice) -> InputError:
+        return InputError(path, problem, place=f"line {line}", advice=advice)
+
+    if not at:
+        raise InputError(path, "is empty", advice=advice)
+    for name in required:
+        if names.count(name) != 1:
+            problem = "two columns" if name in names else "no column"
+            raise refused(f"has {problem} {name!r}", at)
+    found, lines = [], dict[tuple[str, str], int]()
+    for line, cells in rows:
+        if len(cells) != len(names):
+            has = count_of(len(cells), "cell")
+            raise refused(f"has {has}, expected {len(names)} as in the header", line, "")
+        row = dict(zip(names, (formula_text(cell.strip()) for cell in cells), strict=True))
+        frame = row["frame"]
+        if not frame:
+            raise refused("names no frame", line, "")
+        first = lines.setdefault((row.get("set", "") if in_sets else "", frame), line)
+        if first != line:
+            raise refused(f"frame {frame!r} again, after line {first}", line, "keep one of them")
+        found.append((line, row))
+    return names, found

@@ -17,7 +17,7 @@ from procc_annotator.field.model import Field, Stadiums
 from procc_annotator.field.stadiums import with_stadiums
 from procc_annotator.field.words import did_you_mean
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
+from procc_annotator.io.csv_text import frame_rows, no_formula
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.session.dataset.dataset_folder import STADIUMS_FILE
 
@@ -41,21 +41,12 @@ def read_stadiums(path: Path, field: Field) -> Stadiums:
     Raises:
         InputError: it is none, or gives this field dimensions that it cannot have.
     """
-    table = csv_cells(path)
-    header = [cell.strip() for cell in table[0][1]] if table else []
+    header, table = frame_rows(path, (FRAME, STADIUM), _ADVICE)
     _check_header(path, header, field)
     frames: dict[str, str] = {}
     found: dict[str, tuple[int, dict[str, float]]] = {}
-    for line, cells in table[1:]:
-        if len(cells) != len(header):
-            problem = f"has {len(cells)} cells, expected {len(header)} as in the header"
-            raise InputError(path, problem, place=f"line {line}")
-        row = dict(zip(header, (formula_text(cell.strip()) for cell in cells), strict=True))
+    for line, row in table:
         frame, stadium = row.pop(FRAME), row.pop(STADIUM)
-        if not frame:
-            raise InputError(path, "names no frame", place=f"line {line}")
-        if frame in frames:
-            raise InputError(path, f"frame {frame!r} again", place=f"line {line}")
         if not stadium:
             continue
         own = {name: _metres(path, line, name, cell) for name, cell in row.items() if cell}
@@ -86,9 +77,6 @@ def write_stadiums(path: Path, stadiums: Stadiums) -> None:
 
 
 def _check_header(path: Path, header: list[str], field: Field) -> None:
-    for name in (FRAME, STADIUM):
-        if name not in header:
-            raise InputError(path, f"has no column {name!r}", place="line 1", advice=_ADVICE)
     known = [d.name for d in field.dimensions]
     for name in header:
         if header.count(name) > 1:

@@ -20,7 +20,7 @@ from natsort import natsorted
 from procc_annotator.errors import InputError, SaveError
 from procc_annotator.field.words import did_you_mean, printed
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
+from procc_annotator.io.csv_text import frame_rows, no_formula
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import read_if_there
 
@@ -106,13 +106,24 @@ def load_views(path: Path) -> ViewGroups:
     Raises:
         InputError: it cannot be read, or what is wrong and where.
     """
-    try:
-        table = csv_cells(path)
-    except InputError as error:
-        if isinstance(error.__cause__, FileNotFoundError):
-            return ViewGroups()
-        raise
-    return _read(path, table)
+    if not path.exists():
+        return ViewGroups()
+    _, table = frame_rows(path, (_FRAME, _INSTANT), _ADVICE)
+    found: dict[str, ViewOf] = {}
+    taken: dict[ViewOf, int] = {}
+    for line, row in table:
+        if not row[_INSTANT]:
+            continue  # the frame stands alone
+        of = found[row[_FRAME]] = ViewOf(row[_INSTANT], row.get(_VIEW, ""))
+        if of.view and (first := taken.setdefault(of, line)) != line:
+            raise InputError(
+                path,
+                f"the view {of.view!r} at instant {of.instant!r} again, after line {first}",
+                place=f"line {line}",
+                advice="a camera takes one frame at a time: correct one of them",
+            )
+    lines = {row[_FRAME]: line for line, row in table}
+    return ViewGroups(FrameTable(found), path.name, lines)
 
 
 def save_views(path: Path, groups: ViewGroups) -> None:
@@ -156,42 +167,3 @@ def replace_views(path: Path, groups: ViewGroups, known: bytes | None = None) ->
         return None if same else there
     save_views(path, groups)
     return None
-
-
-def _read(path: Path, table: list[tuple[int, list[str]]]) -> ViewGroups:
-    if not table:
-        raise InputError(path, "is empty", advice=_ADVICE)
-    header = [cell.strip() for cell in table[0][1]]
-    for needed in (_FRAME, _INSTANT):
-        if header.count(needed) != 1:
-            problem = "no column" if needed not in header else "two columns"
-            raise InputError(
-                path, f"has {problem} {needed!r}", place=f"line {table[0][0]}", advice=_ADVICE
-            )
-    found: dict[str, ViewOf] = {}
-    lines: dict[str, int] = {}
-    taken: dict[ViewOf, int] = {}
-    for line, cells in table[1:]:
-        place = f"line {line}"
-        if len(cells) != len(header):
-            problem = f"has {len(cells)} cells, expected {len(header)} as in the header"
-            raise InputError(path, problem, place=place)
-        row = {k: formula_text(c.strip()) for k, c in zip(header, cells, strict=True)}
-        frame = row[_FRAME]
-        if not frame:
-            raise InputError(path, "names no frame", place=place)
-        if frame in lines:
-            problem = f"frame {frame!r} again, after line {lines[frame]}"
-            raise InputError(path, problem, place=place, advice="keep one of them")
-        lines[frame] = line
-        if not row[_INSTANT]:
-            continue  # the frame stands alone
-        of = found[frame] = ViewOf(row[_INSTANT], row.get(_VIEW, ""))
-        if of.view and (first := taken.setdefault(of, line)) != line:
-            raise InputError(
-                path,
-                f"the view {of.view!r} at instant {of.instant!r} again, after line {first}",
-                place=place,
-                advice="a camera takes one frame at a time: correct one of them",
-            )
-    return ViewGroups(FrameTable(found), path.name, lines)

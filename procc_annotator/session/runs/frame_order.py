@@ -16,9 +16,8 @@ from pathlib import Path
 from natsort import natsorted
 
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.io.csv_text import csv_cells, formula_text
+from procc_annotator.io.csv_text import frame_rows
 from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.words import count_of
 
 _FRAME, _SHOT, _NUMBER = "frame", "shot", "number"
 _ADVICE = "the file needs a header like: frame,shot,number"
@@ -67,28 +66,17 @@ class FrameOrder:
         Raises:
             InputError: it cannot be read, or what is wrong and where.
         """
-        table = csv_cells(path)
-        if not table:
-            raise InputError(path, "is empty", advice=_ADVICE)
-        header = [cell.strip() for cell in table[0][1]]
-        if header.count(_FRAME) != 1 or not {_SHOT, _NUMBER} & set(header):
+        names, table = frame_rows(path, [_FRAME], _ADVICE)
+        if not {_SHOT, _NUMBER} & set(names):
             raise InputError(path, f"has no columns {_FRAME!r} and {_SHOT!r}", advice=_ADVICE)
         shots: dict[str, str] = {}
         numbers: dict[str, int] = {}
-        for place, (line, cells) in enumerate(table[1:]):
-            if len(cells) != len(header):
-                found = count_of(len(cells), "cell")
-                problem = f"has {found}, expected {len(header)} as in the header"
-                raise InputError(path, problem, place=f"line {line}")
-            row = dict(zip(header, (cell.strip() for cell in cells), strict=True))
-            frame = formula_text(row.get(_FRAME, ""))
-            if not frame or frame in shots:
-                problem = f"frame {frame!r} again" if frame else "names no frame"
-                raise InputError(path, problem, place=f"line {line}")
+        for place, (line, row) in enumerate(table):
+            frame = row[_FRAME]
             number = row.get(_NUMBER, str(place))
             if not re.fullmatch("[0-9]{1,12}", number):
                 raise InputError(path, f"{number!r} is no number", place=f"line {line}")
-            shots[frame] = formula_text(row.get(_SHOT, ""))
+            shots[frame] = row.get(_SHOT, "")
             numbers[frame] = int(number)
         return cls(path.name, shots, numbers)
 

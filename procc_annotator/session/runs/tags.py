@@ -11,9 +11,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.io.csv_text import csv_cells, formula_text
+from procc_annotator.io.csv_text import frame_rows
 from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.words import count_of
 
 MODEL = "model"  # group by the model of the camera
 _FRAME, _SET = "frame", "set"
@@ -59,28 +58,17 @@ class Tags:
         Raises:
             InputError: it cannot be read, or is not such a file.
         """
-        table = csv_cells(path)
-        if not table:
-            raise InputError(path, "is empty", advice=_ADVICE)
-        header = [cell.strip() for cell in table[0][1]]
-        _check_header(path, header)
-        has_sets = _SET in header
-        columns = tuple(name for name in header if name not in (_FRAME, _SET))
-        rows: dict[tuple[str | None, str], tuple[str, ...]] = {}
-        lines: dict[tuple[str | None, str], int] = {}
-        for line, cells in table[1:]:
-            if len(cells) != len(header):
-                problem = f"has {_cells_of(len(cells))}, expected {len(header)} as in the header"
-                raise InputError(path, problem, place=f"line {line}")
-            row = dict(zip(header, (formula_text(cell.strip()) for cell in cells), strict=True))
-            key = (row[_SET] if has_sets else None, row[_FRAME])
-            if not row[_FRAME]:
-                raise InputError(path, "names no frame", place=f"line {line}")
-            if key in rows:
-                problem = f"frame {key[1]!r} again, after line {lines[key]}"
-                raise InputError(path, problem, place=f"line {line}", advice="keep one of them")
-            rows[key] = tuple(row[name] for name in columns)
-            lines[key] = line
+        names, table = frame_rows(path, [_FRAME], _ADVICE, in_sets=True)
+        columns = tuple(name for name in names if name not in (_FRAME, _SET))
+        twice = [name for name in names if names.count(name) > 1]
+        problem = "" if columns else f"has no column of tags beside {_FRAME!r}"
+        problem = f"has two columns {twice[0]!r}" if twice else problem
+        problem = f"column {names.index('') + 1} has no name" if "" in names else problem
+        if problem:
+            raise InputError(path, problem, place="line 1", advice=_ADVICE)
+        rows = {
+            (row.get(_SET), row[_FRAME]): tuple(row[name] for name in columns) for _, row in table
+        }
         return cls(path, columns, rows)
 
     def grouping(self, by: Sequence[str], of_set: str) -> Grouping:
@@ -123,22 +111,3 @@ def check_by(by: Sequence[str], tags: Tags | None, further: Sequence[str] = ()) 
             more = "" if tags else "; further ones come from --tags FILE"
             raise UsageError(f"cannot group by {name!r}: there is {there}{more}")
     return tuple(dict.fromkeys(by)) or columns
-
-
-def _check_header(path: Path, header: list[str]) -> None:
-    def refuse(problem: str) -> InputError:
-        return InputError(path, problem, place="line 1", advice=_ADVICE)
-
-    if _FRAME not in header:
-        raise refuse(f"has no column {_FRAME!r}")
-    if "" in header:
-        raise refuse(f"column {header.index('') + 1} has no name")
-    twice = [name for name in header if header.count(name) > 1]
-    if twice:
-        raise refuse(f"has two columns {twice[0]!r}")
-    if not set(header) - {_FRAME, _SET}:
-        raise refuse(f"has no column of tags beside {_FRAME!r}")
-
-
-def _cells_of(count: int) -> str:
-    return count_of(count, "cell")
