@@ -7,7 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.field.load import load_field
+from procc_annotator.image.decode import decode_bgra
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.paint_evidence import paint_by_class
 from tests.bench.paint.measures import accepted, regular, snapping
 from tests.bench.paint.truth import TruthFrame, truth_frames
 
@@ -47,3 +51,17 @@ def test_accepted_ghosts_lie_on_paint(shared_data: Path) -> None:
     assert found.ghosts >= 6
     assert not found.wrong
     assert np.median(found.interior) <= 0.3
+
+
+def test_a_faint_line_that_points_were_put_on_has_paint(shared_data: Path) -> None:
+    """Seen along the whole line only; a parallel to it on the grass is on none."""
+    video = shared_data / "clips" / "soccer_7_Psg-Angers_156_167.mp4"
+    picture, soccer, name = decode_bgra(video / "00000140"), load_field("soccer"), "Side line top"
+
+    def share_without(beside: float) -> float:
+        ends = ((0.02186, 0.39050 + beside), (0.28059, 0.35066 + beside))
+        clicked = FrameAnnotation((Polyline(name, tuple(Point(*end) for end in ends)),))
+        return paint_by_class(clicked, picture, soccer)[name].share_without
+
+    assert share_without(0.0) < 0.5
+    assert share_without(0.05) > 0.9

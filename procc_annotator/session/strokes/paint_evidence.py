@@ -19,11 +19,13 @@ from procc_annotator.image.paint import REACH_PX, snap_all
 from procc_annotator.image.sought import Sought
 from procc_annotator.metric.course import lengths_along, places_at
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.visible_line import find_line
 
 # Px at 960 px width.
 _EVERY_PX, _AHEAD_PX = 16.0, 40.0
 _PLACES = (3, 12)  # of a stretch between two clicks
 _CURVE_STEPS = 12
+_FAINT = 0.5  # of the places of an element that show no paint by themselves
 
 
 def paint_evidence(
@@ -108,9 +110,34 @@ def _along(
         distances = np.arange(_EVERY_PX * per_px / 2, most, _EVERY_PX * per_px / 2)
         beyond = end + distances[:, None] * step
         ahead.append((distances, offsets(beyond, np.tile(step, (len(distances), 1)))))
-    return ElementPaint(
-        size, places, offsets(places, along), segments[inside], lengths, (ahead[0], ahead[1])
+    found = offsets(places, along)
+    if not smooth and np.isnan(found).mean() > _FAINT:
+        found = _along_faint_line(picture, clicks, places, along, found, sought, reach)
+    return ElementPaint(size, places, found, segments[inside], lengths, (ahead[0], ahead[1]))
+
+
+def _along_faint_line(
+    picture: PixelArray,
+    clicks: FloatArray,
+    places: FloatArray,
+    along: FloatArray,
+    offsets: FloatArray,
+    sought: Sought,
+    reach: float,
+) -> FloatArray:
+    """(n,) offsets (n,), those missing from a line that is seen as a whole only: single cuts across
+    it do not stand out of the noise, as `find_line` does that points are put on paint by."""
+    line = find_line(
+        picture, clicks, np.full(len(clicks), reach / 3), sought, curved=False, on_ground=False
     )
+    away = places[:, None] - line.course_px[None]
+    nearest = np.hypot(away[..., 0], away[..., 1]).argmin(axis=1)
+    shown = np.zeros(line.length, dtype=bool)
+    for begin, end in line.runs:
+        shown[begin:end] = True
+    across = np.column_stack([-along[:, 1], along[:, 0]])
+    off = ((line.course_px[nearest] - places) * across).sum(axis=1)
+    return np.where(np.isnan(offsets) & shown[nearest] & (np.abs(off) <= reach), off, offsets)
 
 
 def _places(
