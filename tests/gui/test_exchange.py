@@ -339,6 +339,7 @@ def test_export_says_what_the_format_cannot_hold(
     assert "outside the picture" in said
     assert sorted(p.name for p in (tmp_path / "masks").iterdir()) == ["classes.json", "frame_0.png"]
     dialog.report.clear()
+    (tmp_path / "masks" / "frame_0.png").write_bytes(b"of somebody else")
     task.start(tmp_path / "masks")
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
     assert "exists already" in dialog.report.toPlainText()

@@ -20,7 +20,7 @@ def test_one_click_annotates_a_spot_and_goes_on(window: MainWindow, hand: Hand, 
     assert saved(MARK) == pytest.approx(np.array([at]), abs=1e-6)
     assert not window.canvas.editor.drawing
     assert document.selected_class not in (None, MARK)  # the next one is offered
-    document.select_class(MARK)
+    document.select_class(MARK, continues=True)
     there = hand.double_click(300, 180)
     assert saved(MARK) == pytest.approx(np.array([there]), abs=1e-6)
     assert not window.canvas.editor.drawing

@@ -53,6 +53,6 @@ class ErrorReports(QObject):
 
 def _log_qt(kind: QtMsgType, _: QMessageLogContext, text: str) -> None:
     if kind not in (QtMsgType.QtDebugMsg, QtMsgType.QtInfoMsg):
-        error_log.note(f"Qt: {text}")
+        error_log.note(f"Qt: {text}")  # not shown
     if sys.stderr is not None:
         print(text, file=sys.stderr)
