@@ -40,6 +40,7 @@ _Flags = NDArray[np.bool_]
 _NEAR = 48
 _COMPARED = 12  # frames that must come out in the order of their times before these are trusted
 _OVERHEAD_BYTES = 64  # between packets: at most 25 were found in mkv and avi
+_ROUNDED_S = 0.1  # what durations of containers may be off by
 _SAME_STEP = 0.2  # of the usual one: times are rounded, to 1 ms in mkv
 _REORDERED = 16  # packets: no codec reorders more
 _TRIED = 1000  # packets among which a first frame must be
@@ -250,7 +251,7 @@ def read_index(path: Path, first: list[int | None]) -> PacketIndex:
     """
     container, stream = open_container(path)
     times, keys, lost, unread = list[int | None](), list[bool](), list[bool](), list[bool]()
-    shown, end, skipped = list[int](), 0, False
+    shown, end, skipped, last_s = list[int](), 0, False, 0.0
     with container:
         kind, unit = container.format.name, float(stream.time_base or 1)
         contiguous = kind.startswith(("matroska", "avi"))
@@ -258,6 +259,10 @@ def read_index(path: Path, first: list[int | None]) -> PacketIndex:
             begin = packet.pos or 0
             skipped |= contiguous and 0 < end < begin - _OVERHEAD_BYTES
             end = max(end, begin + packet.size)
+            if packet.pts is not None and packet.time_base is not None:
+                last_s = max(
+                    last_s, float((packet.pts + (packet.duration or 0)) * packet.time_base)
+                )
             if packet.stream_index != stream.index:
                 continue
             # An edit list hides packets; VP8 has pictures that are only referred to.
@@ -269,18 +274,25 @@ def read_index(path: Path, first: list[int | None]) -> PacketIndex:
             lost.append(packet.is_corrupt)
             unread.append(skipped or packet.is_corrupt)
             skipped = False
-        declared = stream.frames if "mp4" in kind else 0
+        # As the edit list leaves them; the stream's own number counts what it hides, too.
+        declared = len(stream.index_entries) if "mp4" in kind else 0
+        duration_s = (container.duration or 0) / 1e6
         # In an avi, times count the packets that could be read: after a gap they are wrong.
         certain = kind != "avi" or len(times) >= len(stream.index_entries)
     if not shown:
         raise _unopenable(path)
-    cut_off, of_all = "", f" of {declared}" if declared else ""
-    if len(times) < declared or lost[-1] or ("matroska" in kind and _is_shorter(path)):
-        cut_off = f"the file is cut off: it ends after {len(times)}{of_all} frames"
-    lost.append(True)
     own = np.array([times[place] for place in shown], dtype=np.float64)
     order = np.argsort(own)
     ordered, places = own[order], np.array(shown)[order]
+    cut_off, of_all = "", f" of {declared}" if declared else ""
+    ends_early = len(times) < declared or lost[-1]
+    if "matroska" in kind:  # the reader also gives up where a cluster is damaged
+        step_s = float(np.median(np.diff(ordered))) * unit if len(ordered) > 1 else 0.0
+        ends_early |= _is_shorter(path) or duration_s - last_s > max(2.5 * step_s, _ROUNDED_S)
+    if ends_early:
+        cut_off = f"the file is cut off or damaged: it ends after {len(times)}{of_all} frames"
+    lost.append(True)
+    unread.append(ends_early)
     count = _count_if_untimed(ordered, first)
     if count is not None:
         numbers = np.arange(len(times))
@@ -289,10 +301,11 @@ def read_index(path: Path, first: list[int | None]) -> PacketIndex:
     missing, regular = _missing_before(ordered, places, np.array(unread))
     all_lost = np.array(lost)
     if missing.any() or not certain:
-        gaps = np.flatnonzero(unread)
+        gaps = np.flatnonzero(unread[:-1])
         all_lost[gaps - 1] = True  # what follows may be predicted from what is in the gap
         if not (regular and certain):  # any frame may follow
-            all_lost[gaps[0] :], missing[:] = True, 0
+            begin = gaps[0] if len(gaps) else max(0, len(times) - _REORDERED)
+            all_lost[begin:], missing[:] = True, 0
     known = np.arange(len(places)) + np.cumsum(missing)
     every = np.arange(known[-1] + 1)
     times_s = np.interp(every, known, (ordered - ordered[0]) * unit)

@@ -129,7 +129,7 @@ def test_anchors_of_a_track_are_fitted_by_the_map(
     """Nothing is found in pictures alone, which would take long where no anchor is known."""
     folder, labels = renamed
 
-    def none(picture, field, *, known) -> Proposal:
+    def none(picture, field, *, known, **_) -> Proposal:
         why = "not looked for"
         fit = FitResult("R", (picture.shape[1], picture.shape[0]), None, why)
         return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)

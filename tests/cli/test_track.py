@@ -298,7 +298,7 @@ def test_the_end_of_a_video_that_is_missing_is_a_problem(
     for name in ("track", "propose"):
         done = cli(name, cut, tmp_path / name)
         assert done.exit_code == 1
-        assert f"unreadable: {cut}: the file is cut off: it ends after" in done.stderr
+        assert f"unreadable: {cut}: the file is cut off or damaged: it ends after" in done.stderr
 
 
 def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
+from contextlib import suppress
 from fractions import Fraction
 from pathlib import Path
 
@@ -146,7 +147,7 @@ def test_a_video_that_was_cut_off_has_the_frames_that_are_left_and_says_so(
             video.frame(79)
         count = video.frame_count
         assert 25 < count < 60
-        assert video.cut_off.startswith(f"the file is cut off: it ends after {count}")
+        assert video.cut_off.startswith(f"the file is cut off or damaged: it ends after {count}")
         assert _number(video.frame(24)) == 24
 
 
@@ -208,6 +209,31 @@ def test_damaged_frames_are_refused_and_the_others_keep_number_and_pixels(
                 refused.add(n)
     # Up to the next key frame, and those before one that refer to what is before them.
     assert {22, 29, 59} <= refused <= {*range(30), *range(42, 60)}
+
+
+@pytest.mark.parametrize("damage", ["packet 9", "packet 40", "half of the last packet"])
+def test_a_matroska_file_that_ends_early_says_so_and_keeps_its_numbers(
+    tmp_path: Path, damage: str
+) -> None:
+    """Its reader gives up at a damaged packet; the last frames are shown in another order."""
+    path = _write_h264(tmp_path / "a.mkv", [_frame(n) for n in range(60)])
+    with av.open(str(path)) as container:
+        places = [(p.pos, p.size) for p in container.demux(video=0) if p.size]
+    data = bytearray(path.read_bytes())
+    if damage.startswith("packet"):
+        begin, size = places[int(damage.split()[1])]
+        data[begin - 8 : begin + size] = bytes(8 + size)
+    else:
+        del data[places[-1][0] + places[-1][1] // 2 :]
+    path.write_bytes(data)
+    with Video.open(path) as video:
+        assert video.frame_count == 60 or "cut off or damaged" in video.cut_off
+        shown = {}
+        for n in range(video.frame_count):
+            with suppress(ImageError):
+                shown[n] = _number(video.frame(n))
+    assert len(shown) >= 5
+    assert all(number == n for n, number in shown.items())
 
 
 @pytest.mark.parametrize("suffix", [".mp4", ".mkv", ".avi"])
