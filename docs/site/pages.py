@@ -37,7 +37,7 @@ REFERENCE = {
     ),
     "Fields": ("Field", "Element"),
     "Scores": ("evaluate", "jac_curve", "SetScore", "SetSummary", "Class", "FrameScore"),
-    "Differences": ("disagreement", "Disagreement", "Interval", "Paired"),
+    "Differences": ("disagreement", "Disagreement", "Interval", "Paired", "corrected_for"),
     "Finding cameras": ("fit_", "Fit", "propose_", "Proposal", "KnownPosition", "track", "Track"),
     "Checking labels": ("check_", "Finding"),
     "Drawing": ("project_", "draw_", "ElementProjections"),
