@@ -298,20 +298,36 @@ def read_index(path: Path, first: list[int | None]) -> PacketIndex:
         numbers = np.arange(len(times))
         start = numbers == 0
         return PacketIndex(times, None, numbers, numbers[:count], start, np.array(lost), cut_off)
-    missing, regular = _missing_before(ordered, places, np.array(unread))
     all_lost = np.array(lost)
-    if missing.any() or not certain:
-        gaps = np.flatnonzero(unread[:-1])
-        all_lost[gaps - 1] = True  # what follows may be predicted from what is in the gap
-        if not (regular and certain):  # any frame may follow
-            begin = gaps[0] if len(gaps) else max(0, len(times) - _REORDERED)
-            all_lost[begin:], missing[:] = True, 0
-    known = np.arange(len(places)) + np.cumsum(missing)
+    known = _numbers_of(ordered, places, unread, all_lost, certain=certain)
     every = np.arange(known[-1] + 1)
     times_s = np.interp(every, known, (ordered - ordered[0]) * unit)
     numbers, every_place = np.full(len(times), -1), np.full(len(every), -1)
     numbers[places], every_place[known] = known, places
     return PacketIndex(times, times_s, numbers, every_place, np.array(keys), all_lost, cut_off)
+
+
+def _numbers_of(
+    times: FloatArray, places: _Indices, unread: list[bool], lost: _Flags, *, certain: bool
+) -> _Indices:
+    """(n,) numbers of frames by their ascending times (n,), those left open that are missing where
+    packets could not be read; adds to ``lost`` what may depend on these, or may be another frame.
+
+    Args:
+        times: in the stream's unit.
+        places: (n,) the packet of each frame.
+        unread: (packets + 1,) whether packets before each, or at the end, could not be read.
+        lost: (packets + 1,) see `PacketIndex`.
+        certain: whether the times can be relied on after such a gap.
+    """
+    missing, regular = _missing_before(times, places, np.array(unread))
+    if missing.any() or not certain:
+        gaps = np.flatnonzero(unread[:-1])
+        lost[gaps - 1] = True  # what follows may be predicted from what is in the gap
+        if not (regular and certain):  # any frame may follow
+            begin = gaps[0] if len(gaps) else max(0, len(unread) - 1 - _REORDERED)
+            lost[begin:], missing[:] = True, 0
+    return np.arange(len(places)) + np.cumsum(missing)
 
 
 def _missing_before(
