@@ -25,7 +25,7 @@ from procc_annotator.fit.on_paint.marks import Marks
 from procc_annotator.fit.on_paint.offsets import nearest_offsets
 from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.solving.jacobian import Lens
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.language import said
 
@@ -37,6 +37,9 @@ _WELL_FOUND = 0.7  # of an element: it is where the camera has it
 _FAINTEST = 0.4  # of the usual contrast: the edge of a board is no paint
 _STEADY_PX = 1.0  # between neighbours: other paint, and what is none, jumps
 _THIN = 3  # of places that were averaged with their neighbours every third tells it all
+# An element on the ground that is so long in sight, solver px, is missed if less of it has line
+# pixels: where players hide a line some of it is left.
+_LONG_PX, _MISSED = 150.0, 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,6 +155,24 @@ def elements_beside(
             if away is not None:
                 found[number] = away
     return found
+
+
+def elements_missed(
+    vector: FloatArray,
+    marks: Marks,
+    length_px: FloatArray,
+    painted: Painted,
+    frame: PictureFrame,
+) -> IntArray:
+    """Return numbers in `Painted.names` of elements of which a camera (11,) shows a long stretch
+    that has no line pixels; worn lines among them. See `elements_beside`."""
+    expected = expect(vector, painted, frame, SPACING_PX)
+    rows = np.flatnonzero(painted.across[:, expected.rows].any(axis=0))
+    own, count = painted.element[expected.rows[rows]], len(painted.names)
+    shown = np.bincount(own, expected.length_px[rows], minlength=count)
+    on = np.abs(marks_off_px(vector, marks, frame)) < _BESIDE_PX
+    found = np.bincount(marks.element[on], length_px[on], minlength=count)
+    return np.flatnonzero((shown >= _LONG_PX) & (found < _MISSED * shown))
 
 
 def _to_one_side(off: FloatArray, length: FloatArray) -> float | None:

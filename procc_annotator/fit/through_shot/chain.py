@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from procc_annotator.fit.on_paint.belief import Belief
 from procc_annotator.fit.through_shot.following import Followed
-from procc_annotator.fit.through_shot.kept_steps import StepsOf
 from procc_annotator.fit.through_shot.stepping import Stepped
 from procc_annotator.fit.through_shot.turning import Turn
 
@@ -37,13 +36,13 @@ def chain_of(runs: Sequence[Followed], given: Mapping[int, Belief]) -> FrameChai
         runs: what was followed.
         given: number -> what is believed of its camera, of frames that were given one.
     """
-    places: dict[int, tuple[Sequence[Stepped], int]] = {}
+    steps: dict[int, Stepped] = {}
     turns: dict[int, Turn | None] = {}
     for run in runs:
         before: int | None = None
-        for place, (number, step) in enumerate(zip(run.numbers, run.steps, strict=True)):
+        for number, step in zip(run.numbers, run.steps, strict=True):
             # Of a frame that one run ends at and another one begins with, the end knows more.
-            places[number] = run.steps, place
+            steps[number] = step
             if before is None:
                 pass
             elif before < number:
@@ -51,10 +50,10 @@ def chain_of(runs: Sequence[Followed], given: Mapping[int, Belief]) -> FrameChai
             else:
                 turns[number] = None if step.turn is None else step.turn.backwards()
             before = number
-    numbers = tuple(sorted(places))
+    numbers = tuple(sorted(steps))
     return FrameChain(
         numbers,
-        StepsOf([places[n] for n in numbers]),
+        [steps[n] for n in numbers],
         tuple(turns.get(n) for n in numbers[:-1]),
         {place: given[n] for place, n in enumerate(numbers) if n in given},
     )

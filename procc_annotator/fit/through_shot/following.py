@@ -12,7 +12,6 @@ from procc_annotator.fit.on_paint.belief import Belief
 from procc_annotator.fit.on_paint.painted import Painted
 from procc_annotator.fit.on_paint.result import Worth
 from procc_annotator.fit.solving.observations import PictureFrame
-from procc_annotator.fit.through_shot.kept_steps import KeptSteps
 from procc_annotator.fit.through_shot.reading import Glimpse, ReadFrame, glimpses
 from procc_annotator.fit.through_shot.stand import TRIPOD, ShotStand
 from procc_annotator.fit.through_shot.stepping import Stepped, foretold, stepped
@@ -71,7 +70,7 @@ def follow(
         go_on: called between frames; what it raises ends it.
         stand: what the camera stands on.
     """
-    done, steps = list[int](), KeptSteps()
+    done, steps = list[int](), list[Stepped]()
     last: deque[Stepped] = deque(maxlen=2)
     before: Glimpse | None = None
     unlike: deque[float] = deque(maxlen=_BEFORE)

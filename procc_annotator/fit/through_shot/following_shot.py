@@ -14,6 +14,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
+from procc_annotator.fit.from_picture.seen_paint import see_paint
 from procc_annotator.fit.on_paint.belief import Belief
 from procc_annotator.fit.on_paint.beside import beside_words
 from procc_annotator.fit.on_paint.painted import Painted, painted_of
@@ -24,6 +25,7 @@ from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.through_shot.chain import FrameChain, chain_of
 from procc_annotator.fit.through_shot.following import Followed, follow
 from procc_annotator.fit.through_shot.known_places import stands_at_one
+from procc_annotator.fit.through_shot.missed_lines import unexplained_beside
 from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
 from procc_annotator.fit.through_shot.smoothing import Smoothed, smoothed
 from procc_annotator.fit.through_shot.stand import MOVING, TRIPOD, ShotStand
@@ -38,6 +40,8 @@ _TRIES = (*range(0, 200, 20), *range(200, 1000, 50), *range(1000, 20000, 250))
 
 # What was followed from one anchor to the next may be so far off there, solver px, to be believed.
 _ARRIVED_PX = 6.0
+# For a missed line the whole picture is searched once a second: it takes as long as ten frames do.
+_LOOKED_FRAMES = 25
 # When a camera that moves is tried: elements lie so far beside the model, solver px, or less of
 # the frames asked for is explained, or less of the model is found on paint than in the best frames:
 # where a position is held that is not, lines are left behind one by one.
@@ -57,6 +61,10 @@ def _tell_nobody(_: TrackedFrame) -> None:
 
 def _watch_nothing(_: int, __: Stepped) -> None:
     """Nobody minds."""
+
+
+def _is_recent(number: int, looked: tuple[int, float] | None) -> bool:
+    return looked is not None and number - looked[0] < _LOOKED_FRAMES
 
 
 class _TooMuchMissing(Exception):
@@ -239,12 +247,34 @@ class _Work:
             chain = chain_of(runs, given)
         left = self._left(chain, given)
         places = np.array(list(given))
+        looked = dict[int, tuple[int, float]]()
         for number, step in zip(chain.numbers, chain.steps, strict=True):
             distance = int(np.abs(places - number).min())
             own = replace(step, belief=given[number]) if number in left else step
-            self.found[number] = self._tracked(number, own, distance)
+            one = self._tracked(number, own, distance)
+            if not one.reason and (off := self._unexplained(number, own, looked)):
+                one = replace(one, reason=beside_words(off, self.painted, self.picture))
+            self.found[number] = one
         # What looked like a cut and could be followed across is none: a banner that slid in.
         self.begins -= set(chain.numbers[1:])
+
+    def _unexplained(
+        self, number: int, step: Stepped, looked: dict[int, tuple[int, float]]
+    ) -> dict[int, float]:
+        """Return the elements that a frame's camera misses and whose line lies elsewhere: solver
+        px by which. The whole picture is looked at once in `_LOOKED_FRAMES` only.
+
+        Args:
+            looked: element -> frame at which it was looked for, and what came of it; 0 if nothing.
+        """
+        missed = step.missed(self.painted, self.picture)
+        now = [own for own in missed.tolist() if not _is_recent(number, looked.get(own))]
+        if now:
+            self.go_on()
+            seen = see_paint(self.frame(number), self.field)
+            found = unexplained_beside(seen, step.belief.vector, missed, self.painted, self.picture)
+            looked |= {own: (number, found.get(own, 0.0)) for own in missed.tolist()}
+        return {own: looked[own][1] for own in missed.tolist() if looked[own][1]}
 
     def _left(self, chain: FrameChain, given: Mapping[int, Belief]) -> set[int]:
         """Frames whose known camera shows an element on its paint, and that of the chain does

@@ -19,7 +19,6 @@ from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, X, Z
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.through_shot.banded import BandedSolution, Normal, solve_normal
 from procc_annotator.fit.through_shot.chain import FrameChain
-from procc_annotator.fit.through_shot.kept_steps import KeptSteps
 from procc_annotator.fit.through_shot.shot_marks import MarksOfSome, ShotMarks
 from procc_annotator.fit.through_shot.stand import TRIPOD, ShotStand
 from procc_annotator.fit.through_shot.ties import Ties, ties_of
@@ -73,7 +72,7 @@ def smoothed(
     covariances *= size**2 + _LEAST_BESIDE_PX**2
     _add_noise(covariances, found, stand)
     held, residuals = _held(marks, vectors, frame)
-    steps = KeptSteps(
+    steps = [
         replace(
             step,
             belief=Belief(vector, np.asarray(np.linalg.inv(covariance))),
@@ -83,7 +82,7 @@ def smoothed(
         for step, vector, covariance, share, residual in zip(
             chain.steps, vectors, covariances, held, residuals, strict=True
         )
-    )
+    ]
     coverages = marks.coverages * np.array(held)
     return Smoothed(replace(chain, steps=steps), size, float(sum(held)), coverages)
 

@@ -16,6 +16,7 @@ from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve_be
 from procc_annotator.fit.on_paint.beside import (
     FoundAround,
     elements_beside,
+    elements_missed,
     look_beside,
     marks_off_px,
 )
@@ -33,7 +34,7 @@ from procc_annotator.fit.on_paint.result import Worth, worth_of
 from procc_annotator.fit.solving.covariance import projected_covariance, worst_sd
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.models import KAPPA, LOG_FOCAL, ROLL, X, Z
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
 from procc_annotator.fit.through_shot.stand import TRIPOD, ShotStand, lens_change
 from procc_annotator.fit.through_shot.turning import OWN, Turn
 from procc_annotator.image.pixels import PixelArray
@@ -86,8 +87,17 @@ class Stepped:
         `elements_beside`."""
         if self.marks is None:
             return {}
-        length = np.full(len(self.marks), self.standing_for * _THIN * SPACING_PX)
-        return elements_beside(vector, self.marks, length, self.around, frame)
+        return elements_beside(vector, self.marks, self._length_px(self.marks), self.around, frame)
+
+    def missed(self, painted: Painted, frame: PictureFrame) -> IntArray:
+        """Elements that its camera misses in this frame, see `elements_missed`."""
+        if self.marks is None:
+            return np.zeros(0, dtype=np.intp)
+        length = self._length_px(self.marks)
+        return elements_missed(self.belief.vector, self.marks, length, painted, frame)
+
+    def _length_px(self, marks: Marks) -> FloatArray:
+        return np.full(len(marks), self.standing_for * _THIN * SPACING_PX)
 
 
 def foretold(

@@ -13,12 +13,13 @@ import numpy as np
 import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.geometry import Line
 from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
 from procc_annotator.fit.on_paint.painted import painted_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import vector_from_camera
 from procc_annotator.fit.solving.observations import PictureFrame
-from procc_annotator.fit.through_shot import following_shot
+from procc_annotator.fit.through_shot import following_shot, shot_marks
 from procc_annotator.fit.through_shot.banded import Normal, solve_normal
 from procc_annotator.fit.through_shot.chain import FrameChain
 from procc_annotator.fit.through_shot.following import follow
@@ -32,6 +33,7 @@ from procc_annotator.fit.through_shot.turning import OWN, small_of, turn_between
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.video import open_shared
 from tests.drawn_shots import Aim, DrawnShot, Look, course, stage_of
+from tests.unit.fit import plain_pictures
 from tests.unit.fit.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
 
 COUNT = 20
@@ -118,6 +120,44 @@ def test_a_sure_camera_is_not_replaced_by_one_that_leaves_its_lines(
     found = _followed(anchors={}, propose=propose)
     assert max(_off(f) for f in found.frames) < 1.5
     assert not any(f.reason for f in found.frames)
+
+
+def test_frames_solved_some_at_a_time_have_the_same_cameras(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def frame(number: int) -> PixelArray:
+        return _picture(number, lines=not 6 <= number < 12)  # some have nothing to solve
+
+    whole = _followed(frame)
+    monkeypatch.setattr(shot_marks, "_AT_ONCE", 3)
+    for one, other in zip(whole.frames, _followed(frame).frames, strict=True):
+        assert one.fit is not None
+        assert other.fit is not None
+        np.testing.assert_allclose(other.fit.vector, one.fit.vector, atol=1e-9)
+        np.testing.assert_allclose(other.fit.covariance, one.fit.covariance, rtol=1e-6)
+        assert (one.state, one.coverage) == (other.state, other.coverage)
+
+
+@pytest.mark.parametrize("worn", [False, True])
+def test_a_long_line_that_the_camera_shows_elsewhere_is_reported_and_a_worn_one_is_not(
+    monkeypatch: pytest.MonkeyPatch, worn: bool
+) -> None:
+    """Everything else fits: four fifths of what is in sight lie on line pixels."""
+    name = "Big rect. right main"
+    there = FIELD.element(name)
+    assert there is not None
+    assert isinstance(there.geometry, Line)
+    (x, *start), (_, *end) = there.geometry.start, there.geometry.end
+    away = replace(there, geometry=Line((x - 3, *start), (x - 3, *end)))  # 20 px
+    others = tuple(e for e in FIELD.elements if e.name != name)
+    field = FIELD if worn else replace(FIELD, elements=(*others, away))
+    if worn:
+        monkeypatch.setattr(plain_pictures, "FIELD", replace(FIELD, elements=others))
+    found = track(
+        lambda number: draw(CAMERAS[number]), range(4), field, anchors={0: CAMERAS[0]}
+    ).frames[1:]
+    assert all(f.state == "followed" and f.coverage > 0.65 and _off(f) < 1.0 for f in found)
+    assert [name in f.reason for f in found] == [not worn] * 3
 
 
 def test_the_same_frames_give_the_same_cameras() -> None:
