@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +34,7 @@ _FARTHEST_BACK = 200
 _REACH_PX = 4.0  # the motion is known better
 _AGREE_PX = 1.2  # across: points so near to where the others of their element say show its paint
 _FEWEST_AGREED = 3
+_ONWARDS = 12  # places at which a line is looked for that goes on to the edge; half must show it
 
 
 @dataclass(frozen=True)
@@ -94,12 +97,13 @@ def copy_moved(
     for polyline in polylines:
         straight = polyline.class_name not in curved
         before = points_px(polyline, size_before)
-        points = _carry(before, size_before, motion, size, straight)
+        sought = paint.of(polyline.class_name)
+        is_seen = partial(_is_seen, current, sought) if straight else None
+        points = _carry(before, size_before, motion, size, is_seen)
         if not len(points):
             continue
         seen = np.ones(len(points), dtype=bool)
         if polyline.class_name not in spots:
-            sought = paint.of(polyline.class_name)
             points, seen = _on_line(points, current, sought, straight=straight)
         placed = [point_from_px(x, y, size) for x, y in points.tolist()]
         unseen |= {(p.u, p.v) for p, shown in zip(placed, seen, strict=True) if not shown}
@@ -134,16 +138,33 @@ def copy_along_track(
 
 
 def _carry(
-    before: FloatArray, size_before: Size, motion: Motion, size: Size, straight: bool
+    before: FloatArray,
+    size_before: Size,
+    motion: Motion,
+    size: Size,
+    is_seen: Callable[[FloatArray, FloatArray], bool] | None,
 ) -> FloatArray:
-    """(n, 2) px in the new picture, cut off and continued at its edges."""
+    """(n, 2) px in the new picture, cut off and, where more of it is seen, continued at its edges;
+    ``is_seen``: between two places; None of what is not straight."""
     points = carried_points(motion, before)
-    if straight and len(points) >= 2:
-        if _leaves(before[0], before[1], size_before):
-            points[0] = _continued(points[0], points[1], size)
-        if _leaves(before[-1], before[-2], size_before):
-            points[-1] = _continued(points[-1], points[-2], size)
+    for end, inner in ((0, 1), (-1, -2)) if is_seen and len(points) >= 2 else ():
+        if _leaves(before[end], before[inner], size_before):
+            further = _continued(points[end], points[inner], size)
+            if is_seen is not None and is_seen(points[end], further):
+                points[end] = further
     return _cut_off(points, size)
+
+
+def _is_seen(picture: PixelArray, sought: Sought, begin: FloatArray, end: FloatArray) -> bool:
+    """Whether a line is seen to go on, also near where it should end: its own end may be in sight
+    by now."""
+    length = float(np.hypot(*(end - begin)))
+    if length <= _AT_EDGE_PX:
+        return True
+    places = begin + np.linspace(0.0, 1.0, _ONWARDS + 1)[1:, None] * (end - begin)
+    along = np.tile((end - begin) / length, (_ONWARDS, 1))
+    seen = ~np.isnan(snap_all(picture, places, along, sought, reach_px=_REACH_PX)[:, 0])
+    return bool(2 * seen.sum() >= _ONWARDS and 2 * seen[_ONWARDS // 2 :].sum() >= _ONWARDS // 2)
 
 
 def _leaves(end: FloatArray, inner: FloatArray, size: Size) -> bool:
