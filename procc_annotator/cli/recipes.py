@@ -166,7 +166,7 @@ class RecipeFor:
         chance = over_time = None
         if made.chance is not None:
             chance = recipe_chance(made.chance, made.told, tags, shots)
-        if made.over_time is not None:
+        if made.over_time and made.steady:
             pictures = made.over_time.pictures
             over_time = RecipeOverTime(
                 made.steady[0].threshold, shots,
