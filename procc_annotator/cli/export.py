@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path, PurePath
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -10,6 +10,7 @@ import typer
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.echo import echo
 from procc_annotator.errors import UsageError
+from procc_annotator.io.frame_names import is_file_name
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.export import (
     JAC_FILES,
@@ -98,7 +99,7 @@ def export(
 
 
 def _check_split(split: str, keep_optional: bool) -> None:
-    if split and (PurePath(split).name != split or split in (".", "..") or not split.isprintable()):
+    if split and not is_file_name(split):
         raise UsageError(f"--split {split!r} is not the name of a folder")
     if split and keep_optional:
         raise UsageError(
