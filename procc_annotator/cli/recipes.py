@@ -342,8 +342,7 @@ def _plain(value: Any) -> Any:
         return value.name or "."
     if isinstance(value, str):
         name, equals, path = value.rpartition("=")
-        if Path(path).is_absolute() or Path(path).exists():
-            return f"{name}{equals}{Path(path).name or '.'}"
+        return f"{name}{equals}{Path(path).name or path}"
     return value
 
 
