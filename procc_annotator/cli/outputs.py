@@ -130,7 +130,6 @@ def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) 
     Args:
         out: a folder, or an archive if it ends in ``.zip``.
         names: what is to be written into a folder.
-        overwrite: whether somebody asked to replace them.
 
     Raises:
         UsageError: such files are there.
@@ -143,12 +142,7 @@ def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) 
                 f"{out}: exists already, choose another name, or --overwrite to replace it"
             )
         return
-    try:
-        there = set(os.listdir(out))
-    except OSError:  # usually: no such folder yet
-        return
-    in_folders = (name for name in names if name.partition("/")[0] in there)
-    if found := [name for name in in_folders if os.path.lexists(out / name)]:
+    if found := [name for name in names if os.path.lexists(out / name)]:
         more = f" and {len(found) - 1} more of the files to be written" if len(found) > 1 else ""
         raise UsageError(
             f"{out}: holds {found[0]}{more} already, choose another folder, or --overwrite to"

@@ -291,8 +291,8 @@ def test_the_end_of_a_video_that_is_missing_is_a_problem(
     frames = (decode_bgra(picture) for picture in sorted(pictures.iterdir()))
     cut = write_video(tmp_path / "cut.mkv", frames)
     cut.write_bytes(cut.read_bytes()[: cut.stat().st_size * 6 // 10])
-    for name in ("track", "propose"):
-        done = cli(name, cut, tmp_path / name)
+    for name, *options in (("track",), ("propose", "--every", FRAMES)):
+        done = cli(name, cut, tmp_path / name, *options)
         assert done.exit_code == 1
         assert f"unreadable: {cut}: the file is cut off or damaged: it ends after" in done.stderr
 
