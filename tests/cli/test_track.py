@@ -17,6 +17,8 @@ import pytest
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.cli import track as command
 from procc_annotator.field.load import load_field
+from procc_annotator.fit.from_picture.proposal import Proposal
+from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.io.camera_files.cameras import read_camera_file
@@ -288,6 +290,8 @@ def test_the_end_of_a_video_that_is_missing_is_a_problem(
     cli, pictures, monkeypatch, tmp_path
 ) -> None:
     follow_by(monkeypatch, nothing_found)
+    nowhere = Proposal("none", "", FitResult("P", SIZE, None, "nothing"), 0, 0, None, 0, None)
+    monkeypatch.setattr("procc_annotator.cli.propose.propose_camera", lambda *_, **__: nowhere)
     frames = (decode_bgra(picture) for picture in sorted(pictures.iterdir()))
     cut = write_video(tmp_path / "cut.mkv", frames)
     cut.write_bytes(cut.read_bytes()[: cut.stat().st_size * 6 // 10])
