@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import ExitStack
+from contextlib import AbstractContextManager, ExitStack, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from string import ascii_uppercase
@@ -180,11 +180,13 @@ def _agree_all(
 ) -> list[str]:
     """Compare, print and write; the errors of files that could not be read."""
     consensus = given.consensus
+    writing: AbstractContextManager[None] = nullcontext()
     if consensus is not None:
         outputs.check_place(consensus, run.sources)
         names = [f"{name}.json" for name in run.names]
-        outputs.check_replaces_nothing(consensus, names, overwrite=given.overwrite)
-    agreed = agree_all(run, clusters, consensus=consensus, progress=with_progress)
+        writing = outputs.replacing_nothing(consensus, names, "agree", overwrite=given.overwrite)
+    with writing:
+        agreed = agree_all(run, clusters, consensus=consensus, progress=with_progress)
     for path in files:  # before the tables: whoever reads them may stop after the first
         write_agreed(agreed, run, path)
     console = stdout_console()

@@ -15,7 +15,7 @@ from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import SaveError, UsageError
 from procc_annotator.field.load import is_shipped
 from procc_annotator.field.model import Field
-from procc_annotator.io.frame_names import FrameTable
+from procc_annotator.io.frame_names import FrameTable, is_file_name
 from procc_annotator.report.assigning import PLAN_FILE, counts_sheet, write_assignments
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.dataset_field import (
@@ -146,11 +146,7 @@ def _remember_field(folder: Path, field: Field) -> None:
 def _names(text: str) -> tuple[str, ...]:
     names = tuple(name.strip() for name in text.split(","))
     for name in names:
-        if (
-            not name
-            or name in (".", "..", PLAN_FILE)
-            or any(mark in name for mark in '/\\:*?"<>|\0')
-        ):
+        if not is_file_name(name) or name == PLAN_FILE:
             raise UsageError(f"--annotators: {name!r} is not the name of a folder")
     return names
 

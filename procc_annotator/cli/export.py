@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path, PurePath
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -10,6 +10,7 @@ import typer
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.echo import echo
 from procc_annotator.errors import UsageError
+from procc_annotator.io.frame_names import is_file_name
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.export import (
     JAC_FILES,
@@ -20,7 +21,6 @@ from procc_annotator.report.export import (
     split_scores,
 )
 from procc_annotator.report.targets import is_archive
-from procc_annotator.session.dataset.annotated_frames import AnnotatedFrames
 from procc_annotator.words import count_of, first_of
 
 HELP = """\
@@ -83,38 +83,29 @@ def export(
         scoring = Scoring(setup, thresholds, camera_set)
         inputs = [one for one in (camera_set, source) if one is not None]
         outputs.check_place(out, inputs)
-        if split:
-            _check_replaces_nothing(frames, out, split, scoring, overwrite=overwrite)
-            exported = export_split(frames, out, split, scoring)
-        else:
-            names = [*(f"{name}.json" for name in frames.names), *JAC_FILES]
-            outputs.check_replaces_nothing(out, names, overwrite=overwrite)
-            exported = export_dataset(frames, out, scoring, keep_optional=keep_optional)
+        scores = JAC_FILES if not split or camera_set is not None else ()
+        if split and is_archive(out) and scores:
+            beside = (path.name for path in split_scores(out))
+            outputs.check_replaces_nothing(out.parent, beside, overwrite=overwrite)
+        folder = f"{split}/" if split else ""
+        names = [*(f"{folder}{name}.json" for name in frames.names), *scores]
+        with outputs.replacing_nothing(out, names, "export", overwrite=overwrite):
+            if split:
+                exported = export_split(frames, out, split, scoring)
+            else:
+                exported = export_dataset(frames, out, scoring, keep_optional=keep_optional)
     _tell(exported, setup, scored=camera_set is not None, split=split)
     raise typer.Exit(datasets.report_unreadable(exported.problems))
 
 
 def _check_split(split: str, keep_optional: bool) -> None:
-    if split and (PurePath(split).name != split or split in (".", "..") or not split.isprintable()):
+    if split and not is_file_name(split):
         raise UsageError(f"--split {split!r} is not the name of a folder")
     if split and keep_optional:
         raise UsageError(
             "--keep-optional does not go with --split: the official evaluation stops at elements"
             " it has no class for"
         )
-
-
-def _check_replaces_nothing(
-    frames: AnnotatedFrames, out: Path, split: str, scoring: Scoring, *, overwrite: bool
-) -> None:
-    """As `outputs.check_replaces_nothing`, for all that a split is."""
-    folder = out if is_archive(out) else out / split
-    names = [f"{name}.json" for name in frames.names]
-    outputs.check_replaces_nothing(folder, names, overwrite=overwrite)
-    if scoring.cameras is not None:
-        scores = split_scores(out)
-        beside = [path.name for path in scores]
-        outputs.check_replaces_nothing(scores[0].parent, beside, overwrite=overwrite)
 
 
 def _tell(exported: Exported, setup: EvaluationSetup, *, scored: bool, split: str) -> None:

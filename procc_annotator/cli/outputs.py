@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.atomic import make_folder
+from procc_annotator.io.atomic import make_folder, write_atomic
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.targets import is_archive
 from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.runs.unfinished import unfinished_file
 
 Input = FileSource | CameraCollection | CameraSet | Path
 
@@ -128,7 +130,6 @@ def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) 
     Args:
         out: a folder, or an archive if it ends in ``.zip``.
         names: what is to be written into a folder.
-        overwrite: whether somebody asked to replace them.
 
     Raises:
         UsageError: such files are there.
@@ -141,17 +142,39 @@ def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) 
                 f"{out}: exists already, choose another name, or --overwrite to replace it"
             )
         return
-    try:
-        there = set(os.listdir(out))
-    except OSError:  # usually: no such folder yet
-        return
-    in_folders = (name for name in names if name.partition("/")[0] in there)
-    if found := [name for name in in_folders if os.path.lexists(out / name)]:
+    if found := [name for name in names if os.path.lexists(out / name)]:
         more = f" and {len(found) - 1} more of the files to be written" if len(found) > 1 else ""
         raise UsageError(
             f"{out}: holds {found[0]}{more} already, choose another folder, or --overwrite to"
             " replace them"
         )
+
+
+@contextmanager
+def replacing_nothing(
+    out: Path, names: Iterable[str], command: str, *, overwrite: bool
+) -> Iterator[None]:
+    """Check as above, and mark a folder as unfinished by a hidden file until all is written: after
+    a run was stopped or killed, the same command may replace what that run wrote."""
+    unfinished, is_new = unfinished_file(out, command), not out.exists()
+    check_replaces_nothing(out, names, overwrite=overwrite or unfinished.exists())
+    if is_archive(out):
+        yield
+        return
+    make_folder(out)
+    write_atomic(unfinished, b"")
+    is_stopped = False
+    try:
+        yield
+    except (KeyboardInterrupt, SaveError):
+        is_stopped = True
+        raise
+    finally:
+        if not is_stopped:
+            unfinished.unlink(missing_ok=True)
+        if is_new:
+            with suppress(OSError):  # it holds files, as it should
+                out.rmdir()
 
 
 def check_place(out: Path, inputs: Iterable[Input]) -> None:

@@ -166,7 +166,7 @@ class RecipeFor:
         chance = over_time = None
         if made.chance is not None:
             chance = recipe_chance(made.chance, made.told, tags, shots)
-        if made.over_time is not None:
+        if made.over_time and made.steady:
             pictures = made.over_time.pictures
             over_time = RecipeOverTime(
                 made.steady[0].threshold, shots,
@@ -342,8 +342,7 @@ def _plain(value: Any) -> Any:
         return value.name or "."
     if isinstance(value, str):
         name, equals, path = value.rpartition("=")
-        if Path(path).is_absolute() or Path(path).exists():
-            return f"{name}{equals}{Path(path).name or '.'}"
+        return f"{name}{equals}{Path(path).name or path}"
     return value
 
 

@@ -60,6 +60,7 @@ from procc_annotator.session.facts.ignored_findings import ignored_keys
 from procc_annotator.session.facts.origins import default_author
 from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.session.runs.check_run import CheckRun
+from procc_annotator.session.runs.unfinished import unfinished_file
 from procc_annotator.words import count_of, listed
 
 HELP = """\
@@ -184,7 +185,10 @@ def release(given: AskedToRelease) -> None:
             terms, tuple(found.frames), known, made.fingerprint, open_findings, agreed, origins,
             given.pictures, tuple(files.items()),
         )  # fmt: skip
-        with progress_bar("writing") as progress:
+        with (
+            outputs.replacing_nothing(given.out, (), "release", overwrite=given.overwrite),
+            progress_bar("writing") as progress,
+        ):
             changes = write_release(whole, given.out, given.before, sizes.path, progress)
     for split, names in whole.splits.items():
         echo(f"{split}: {count_of(len(names), 'frame')}")
@@ -206,9 +210,10 @@ def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool)
     outputs.check_place(out, [source])
     if dataset.is_dir() and out.resolve().is_relative_to(dataset.resolve()):
         raise UsageError(f"{out}: lies in what is read, write to another place than {dataset}")
+    stopped = unfinished_file(out, "release").exists()
     if is_archive(out):
         outputs.check_replaces_nothing(out, (), overwrite=overwrite)
-    elif out.is_dir() and any(out.iterdir()) and not overwrite:
+    elif out.is_dir() and any(out.iterdir()) and not overwrite and not stopped:
         held = "a release" if (out / RELEASE_FILE).exists() else "files"
         raise UsageError(f"{out}: holds {held} already, choose another folder, or --overwrite")
 

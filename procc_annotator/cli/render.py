@@ -19,7 +19,7 @@ from procc_annotator.words import count_of, listed
 HELP = """\
 Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
 explains them below each picture. With --format svg lines and text stay sharp at any size. Pictures
-that are there already are replaced only with --overwrite.
+that are there already are replaced only with --overwrite, or after a run that was stopped.
 
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
@@ -102,15 +102,15 @@ def render(
     )
     suffix = f".{picture_format.value}"
     names = (f"{frame.name}{suffix}" for frame in workspace.frames)
-    outputs.check_replaces_nothing(out, names, overwrite=overwrite)
     steps = render_pictures(
         workspace, out, overlay_painter(suffix, look),
         setup=setup, threshold=tau, cameras=camera_set, suffix=suffix,
         painted_width=painted_width,
     )  # fmt: skip
     rendered = Rendered(out)
-    for done in with_progress(steps, len(workspace.frames), "drawing"):
-        rendered = done
+    with outputs.replacing_nothing(out, names, "render", overwrite=overwrite):
+        for done in with_progress(steps, len(workspace.frames), "drawing"):
+            rendered = done
     echo(f"{count_of(len(rendered.pictures), 'overlay picture')} written to {out}")
     datasets.report_notices(rendered.notices)
     if rendered.bare:

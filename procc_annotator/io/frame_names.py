@@ -57,6 +57,11 @@ def _can_be_folder(path: str) -> bool:
     return not leads_out(path) and path.isprintable() and len(path) <= _LONGEST_PATH
 
 
+def is_file_name(name: str) -> bool:
+    """Whether a file or folder can have a name on every system, and a terminal can show it."""
+    return name not in ("", ".", "..") and name.isprintable() and not set(name) & set('/\\:*?"<>|')
+
+
 def frame_of_file(path: str, prefix: str = "") -> str:
     """The frame that a file below a tree belongs to; `file_of_frame` is the way back.
 

@@ -26,6 +26,7 @@ from procc_annotator.io.annotation_files.soccernet_classes import (
     official_frames,
     require_soccernet,
 )
+from procc_annotator.io.frame_names import is_file_name
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import read_file
 from procc_annotator.report.games import Game, games_of, write_game
@@ -303,6 +304,6 @@ def _existing(path: Path | None, target: AnnotationFormat) -> Any:
 
 
 def _folder_name(name: str) -> str:
-    if name and (PurePath(name).name != name or name in (".", "..") or not name.isprintable()):
+    if name and not is_file_name(name):
         raise UsageError(f"{printable(name)!r} is not the name of a folder")
     return name

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import signal
-import subprocess
-import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -254,21 +251,3 @@ def test_an_interrupted_run_says_how_to_go_on(cli, match, monkeypatch) -> None:
     assert f"interrupted: 2 of {FRAMES} frames looked at, 2 annotations written" in done.stderr
     assert names_in(match.annotations) == ["00000.json", "00001.json"]
     assert set(kinds_of(match.pictures, match.annotations / "00001.json")) == {OriginKind.PROPOSED}
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL")
-def test_a_kill_leaves_whole_files_of_known_origin(match) -> None:
-    arguments = ["annotate", match.pictures, match.annotations, "--cameras", match.cameras]
-    command = [sys.executable, "-m", "procc_annotator", *map(str, arguments)]
-    running = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    while running.poll() is None and not any(match.annotations.glob("*.json")):
-        try:
-            running.wait(0.02)
-        except subprocess.TimeoutExpired:
-            continue
-    running.send_signal(signal.SIGKILL)
-    running.wait()
-    written = list(match.annotations.glob("*.json"))
-    assert written
-    for path in written:
-        assert set(kinds_of(match.pictures, path)) == {OriginKind.PROPOSED}

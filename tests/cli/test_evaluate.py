@@ -292,7 +292,7 @@ def test_all_annotations_unreadable_leaves_the_old_scores(cli, dataset, tmp_path
     assert [p.name for p in tmp_path.iterdir() if p.name.startswith(".")] == []
 
 
-def test_workers_write_the_same_file(dataset, tmp_path) -> None:
+def test_workers_write_the_same_file(cli, dataset, tmp_path) -> None:
     """Enough frames for several chunks, in real processes."""
     archive = tmp_path / "many.zip"
     cameras = tmp_path / "cameras.zip"
@@ -305,11 +305,7 @@ def test_workers_write_the_same_file(dataset, tmp_path) -> None:
     written = []
     for workers in ("1", "2"):
         out = tmp_path / f"{workers}.json"
-        subprocess.run(
-            [sys.executable, "-m", "procc_annotator", "evaluate", archive, cameras,
-             "--workers", workers, "-o", out],
-            check=True, capture_output=True,
-        )  # fmt: skip
+        assert cli("evaluate", archive, cameras, "--workers", workers, "-o", out).exit_code == 0
         written.append(out.read_bytes())
     assert written[0] == written[1]
 

@@ -164,7 +164,8 @@ def test_frames_that_do_not_follow_each_other_have_scores_and_a_note(
     files = {name: tmp_path / name for name in ("scores.json", "page.html", "time.json")}
     cameras = sample_data / "cameras" / "true"
     of_set = ("--cameras", f"a={cameras}", "--over-time", "--output")
-    done = cli("evaluate", sample_data, *of_set, files["scores.json"])
+    recipe = tmp_path / "recipe.json"
+    done = cli("evaluate", sample_data, *of_set, files["scores.json"], "--recipe", recipe)
     page = cli("report", sample_data, *of_set, files["page.html"])
     for one in (done, page):
         assert one.exit_code == 0, one.output
@@ -173,6 +174,7 @@ def test_frames_that_do_not_follow_each_other_have_scores_and_a_note(
     assert without.stdout in done.stdout
     assert "over_time" not in json.loads(files["scores.json"].read_text())
     assert files["page.html"].exists()
+    assert cli("repeat", recipe, "--data", sample_data).exit_code == 0
 
     done = cli("evaluate", sample_data, *of_set, tmp_path / "more.json",
                "--over-time-output", files["time.json"])  # fmt: skip

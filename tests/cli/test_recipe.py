@@ -108,15 +108,18 @@ def test_another_field_is_said(cli, recipe: Path, data: Path) -> None:
 
 
 def test_a_report_writes_the_same_recipe_and_its_tables_name_it(
-    cli, recipe: Path, data: Path, tmp_path: Path
+    cli, recipe: Path, data: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.chdir(tmp_path)
     sources = [f"--cameras={name}={data / 'cameras' / name}" for name in SOURCES]
-    tex, own = tmp_path / "t.tex", tmp_path / "own.json"
-    done = cli("report", data, *sources, "-t", "5", "-t", "2", "--output", tex, "--recipe", own)
+    tex, own = tmp_path / "new" / "t.tex", tmp_path / "own.json"
+    words = (*sources, "-t", "5", "-t", "2", "--output", "new/t.tex", "--recipe", own)
+    done = cli("report", data, *words)
     assert done.exit_code == 0, done.output
     assert "% recipe: own.json" in tex.read_text()
-    ours, others = (json.loads(path.read_text())["evaluations"] for path in (own, recipe))
-    assert ours == others
+    ours, others = (json.loads(path.read_text()) for path in (own, recipe))
+    assert ours["evaluations"] == others["evaluations"]
+    assert ours["options"]["output"] == ["t.tex"]  # whether or not it was there before
     assert cli("repeat", own, "--data", data).exit_code == 0
 
 

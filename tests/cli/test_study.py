@@ -194,6 +194,7 @@ def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path) -> None:
         (("assign", dataset.root, study, *who), "anna: exists already"),
         (("assign", dataset.root, dataset.root / "in", *who), "lies in the dataset"),
         (("assign", dataset.root, tmp_path / "new", "--annotators", "a/b,c"), "not the name of a"),
+        (("assign", dataset.root, tmp_path / "new", "--annotators", "\x1b[31mA,c"), "not the name"),
         (("assign", dataset.root, tmp_path / "new", *who, "--gold-each", "9"), "there are 4"),
         (("gold", dataset.root, study / "anna"), "nobody has annotated any of 4 gold frames"),
         (("gold", tmp_path / "none", study / "anna"), "none: does not exist"),

@@ -7,9 +7,6 @@ import json
 import math
 import re
 import shutil
-import signal
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -20,10 +17,13 @@ import pytest
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.cli import track as command
 from procc_annotator.field.load import load_field
+from procc_annotator.fit.from_picture.proposal import Proposal
+from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.session.dataset.picture_source import open_pictures
 from tests.drawn_shots import DrawnShot, cut_shot, write_video
 
 SIZE = (640, 360)
@@ -37,17 +37,19 @@ def shot() -> DrawnShot:
 
 
 @pytest.fixture(scope="module")
-def pictures(shot: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = shot.write_pictures(tmp_path_factory.mktemp("drawn") / "match")
-    for path in folder.iterdir():
-        path.rename(path.with_name(f"match_0{path.name}"))
-    return folder
+def video(shot: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return shot.write_video(tmp_path_factory.mktemp("drawn") / "match.mp4")
 
 
 @pytest.fixture(scope="module")
-def video(pictures: Path) -> Path:
-    path = pictures.parent / "match.mp4"
-    return write_video(path, (decode_bgra(picture) for picture in sorted(pictures.iterdir())))
+def pictures(video: Path) -> Path:
+    """The frames of the video, as they are decoded."""
+    folder = video.parent / "pictures"
+    folder.mkdir()
+    for frame in open_pictures(video).frames:
+        picture = decode_bgra(frame.image_path)
+        cv2.imwrite(str(folder / f"{frame.name}.png"), picture[..., :3])
+    return folder
 
 
 def name_of(number: int) -> str:
@@ -75,6 +77,8 @@ def whole(cli, shot: DrawnShot, video: Path, tmp_path_factory: pytest.TempPathFa
     given = write_cameras(shot, folder / "cameras")
     done = cli("track", video, folder / "out", "--cameras", given)
     assert done.exit_code == 0, done.output
+    assert f"{FRAMES} of {FRAMES} frames have a camera (2 anchors, 22 followed" in done.stdout
+    assert f"{FRAMES} frames in 2 shots" in done.stdout
     return folder / "out"
 
 
@@ -100,36 +104,31 @@ def camera_in(out: Path, number: int) -> PinholeCamera:
     return camera
 
 
-def test_every_frame_of_both_shots(cli, shot, video, cameras, tmp_path) -> None:
-    out = tmp_path / "out"
-    done = cli("track", video, out, "--cameras", cameras)
-    assert done.exit_code == 0, done.output
-    assert f"{FRAMES} of {FRAMES} frames have a camera (2 anchors, 22 followed" in done.stdout
-    assert f"{FRAMES} frames in 2 shots" in done.stdout
-    rows = table(out)
+def test_every_frame_of_both_shots(shot: DrawnShot, whole: Path) -> None:
+    rows = table(whole)
     assert [row["frame"] for row in rows] == [name_of(n) for n in range(FRAMES)]
     assert [row["shot"] for row in rows] == [name_of(0)] * CUT + [name_of(CUT)] * (FRAMES - CUT)
     assert [row["state"] for row in rows].count("anchor") == 2
     assert rows[0]["anchor_distance"] == "2"
     assert float(rows[0]["sd_pan_degrees"]) > 0
-    assert sorted(files(out)) == [
+    assert sorted(files(whole)) == [
         *(f"camera_{name_of(n)}.json" for n in range(FRAMES)), "track.csv",
     ]  # fmt: skip
     for number, true in enumerate(shot.cameras):
-        found = camera_in(out, number)
+        found = camera_in(whole, number)
         px = math.hypot(found.pan_rad - true.pan_rad, found.tilt_rad - true.tilt_rad)
         assert px * true.focal_px[0] < 2.0
     for number in ANCHORS:  # to the digit
-        assert camera_in(out, number).position_world == shot.cameras[number].position_world
+        assert camera_in(whole, number).position_world == shot.cameras[number].position_world
 
 
-def test_the_same_in_two_processes_and_from_pictures(cli, pictures, cameras, tmp_path) -> None:
-    for workers in (1, 2):
-        arguments = ("--cameras", cameras, "--workers", workers)
-        done = cli("track", pictures, tmp_path / f"by {workers}", *arguments)
-        assert done.exit_code == 0, done.output
-    assert files(tmp_path / "by 1") == files(tmp_path / "by 2")
-    assert [row["shot"] for row in table(tmp_path / "by 1")].count(name_of(CUT)) == FRAMES - CUT
+def test_the_same_in_two_processes_and_from_pictures(
+    cli, pictures, cameras, whole, tmp_path
+) -> None:
+    out = tmp_path / "out"
+    done = cli("track", pictures, out, "--cameras", cameras, "--workers", 2)
+    assert done.exit_code == 0, done.output
+    assert files(out) == files(whole)
 
 
 def test_annotated_frames_are_anchors(cli, shot, video, tmp_path) -> None:
@@ -154,11 +153,10 @@ def test_annotated_frames_are_anchors(cli, shot, video, tmp_path) -> None:
 
 
 def test_only_the_shot_of_a_frame(cli, video, cameras, tmp_path) -> None:
-    for frame in ("14", name_of(14)):
-        out = tmp_path / frame
-        done = cli("track", video, out, "--cameras", cameras, "--from", frame)
-        assert done.exit_code == 0, done.output
-        assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(CUT, FRAMES)]
+    out = tmp_path / "out"
+    done = cli("track", video, out, "--cameras", cameras, "--from", name_of(14))
+    assert done.exit_code == 0, done.output
+    assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(CUT, FRAMES)]
 
 
 def follow_by(monkeypatch: pytest.MonkeyPatch, follow: Callable[..., Track]) -> list[object]:
@@ -292,11 +290,13 @@ def test_the_end_of_a_video_that_is_missing_is_a_problem(
     cli, pictures, monkeypatch, tmp_path
 ) -> None:
     follow_by(monkeypatch, nothing_found)
+    nowhere = Proposal("none", "", FitResult("P", SIZE, None, "nothing"), 0, 0, None, 0, None)
+    monkeypatch.setattr("procc_annotator.cli.propose.propose_camera", lambda *_, **__: nowhere)
     frames = (decode_bgra(picture) for picture in sorted(pictures.iterdir()))
     cut = write_video(tmp_path / "cut.mkv", frames)
     cut.write_bytes(cut.read_bytes()[: cut.stat().st_size * 6 // 10])
-    for name in ("track", "propose"):
-        done = cli(name, cut, tmp_path / name)
+    for name, *options in (("track",), ("propose", "--every", FRAMES)):
+        done = cli(name, cut, tmp_path / name, *options)
         assert done.exit_code == 1
         assert f"unreadable: {cut}: the file is cut off or damaged: it ends after" in done.stderr
 
@@ -328,17 +328,14 @@ def test_not_among_the_pictures(cli, pictures, cameras) -> None:
     assert not list(pictures.glob("*.json"))
 
 
-@pytest.mark.parametrize("stopped_in", [0, CUT])
-def test_a_run_that_was_stopped_goes_on(
-    cli, video, cameras, whole, monkeypatch, tmp_path, stopped_in
-) -> None:
+def test_a_run_that_was_stopped_goes_on(cli, video, cameras, whole, monkeypatch, tmp_path) -> None:
     out = tmp_path / "out"
     arguments = ("--cameras", cameras)
     real = command.follow_shot
 
     def stopped(frame, numbers, *rest, **options) -> Track:
         found = real(frame, numbers, *rest, **options)
-        if numbers[0] == stopped_in:
+        if numbers[0] == CUT:
             raise KeyboardInterrupt  # its cameras are written, those of frames
         return found
 
@@ -346,35 +343,13 @@ def test_a_run_that_was_stopped_goes_on(
         patched.setattr(command, "follow_shot", stopped)
         done = cli("track", video, out, *arguments)
     assert done.exit_code == 130
-    assert f"interrupted: {stopped_in} of {FRAMES} frames are in {out}/track.csv" in done.stderr
-    assert len(table(out)) == stopped_in
-    assert len(files(out)) > stopped_in + 1  # also cameras of the shot that was not done
+    assert f"interrupted: {CUT} of {FRAMES} frames are in {out}/track.csv" in done.stderr
+    assert len(table(out)) == CUT
+    assert len(files(out)) > CUT + 1  # also cameras of the shot that was not done
     again = cli("track", video, out, *arguments)
     assert again.exit_code == 0, again.output
-    assert ("followed before: 1 shot" in again.stdout) == (stopped_in > 0)
+    assert "followed before: 1 shot" in again.stdout
     assert files(out) == files(whole)
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="needs SIGKILL")
-def test_a_kill_leaves_whole_files(video, cameras, tmp_path) -> None:
-    out = tmp_path / "out"
-    arguments = ["track", video, out, "--cameras", cameras]
-    running = subprocess.Popen(
-        [sys.executable, "-m", "procc_annotator", *map(str, arguments)],
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    while running.poll() is None and not any(out.glob("camera_*.json")):
-        try:
-            running.wait(0.02)
-        except subprocess.TimeoutExpired:
-            continue
-    running.send_signal(signal.SIGKILL)
-    running.wait()
-    written = list(out.glob("camera_*.json"))
-    assert written
-    for path in written:
-        assert len(json.loads(path.read_text())["position_meters"]) == 3
 
 
 def test_what_makes_no_sense(cli, video, cameras, tmp_path) -> None:

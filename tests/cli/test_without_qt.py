@@ -34,20 +34,12 @@ def without_qt(*arguments: object) -> subprocess.CompletedProcess[str]:
 
 
 def test_pictures_are_drawn_with_what_is_there(dataset, tmp_path: Path) -> None:
-    for kind in ("png", "svg"):
-        out = tmp_path / kind
-        done = without_qt(
-            "render", dataset.root, out, "--cameras", dataset.cameras, "--format", kind
-        )  # fmt: skip
-        assert done.returncode == 0, done.stderr
-        assert done.stderr.count("Qt cannot be loaded here (libEGL.so.1") == 1
-        assert len(list(out.iterdir())) == 5
-    drawn = cv2.imread(str(tmp_path / "png" / "1.png"))
-    assert drawn.shape == (540, 960, 3)
-    plain = cv2.imread(str(dataset.root / "1.jpg"))
-    if plain is not None:
-        assert np.abs(drawn.astype(int) - plain).max() > 100  # there are lines on it
-    assert "<svg" in (tmp_path / "svg" / "1.svg").read_text()
+    out = tmp_path / "svg"
+    done = without_qt("render", dataset.root, out, "--cameras", dataset.cameras, "--format", "svg")
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.count("Qt cannot be loaded here (libEGL.so.1") == 1
+    assert len(list(out.iterdir())) == 5
+    assert "<svg" in (out / "1.svg").read_text()
 
 
 def test_a_report_has_its_pictures(dataset, tmp_path: Path) -> None:
@@ -145,3 +137,5 @@ def test_every_command_does_its_work(dataset, sample_data: Path, tmp_path: Path)
     ended = json.loads(done.stderr.splitlines()[-1])
     for command, code in zip(commands, ended, strict=True):
         assert code == 0, (command, code, done.stderr)
+    drawn, plain = (cv2.imread(str(tmp_path / f)) for f in ("drawn/00002.png", "one/00002.jpg"))
+    assert np.abs(drawn.astype(int) - plain).max() > 100  # there are lines on it

@@ -109,9 +109,11 @@ def propose_camera(
 
 
 def _asking(found: Proposal, field: Field) -> Proposal:
-    """Ask for the sport: no camera suits another one, or it leaves much unexplained."""
-    shares = found.coverage / SURE_COVERAGE, found.explained / SURE_EXPLAINED
-    if found.state == SURE or min(shares) >= 1:
+    """Ask for the sport: few lines of the field are there, or there is much other paint and other
+    cameras suit as well. On grounds of the right sport there may be other paint, too, but the right
+    camera stands out."""
+    stands_out = found.explained >= SURE_EXPLAINED or found.margin >= MARGIN_WELL
+    if found.state == SURE or (found.coverage >= SURE_COVERAGE and stands_out):
         return found
     asked = said("is this {field}, and no other sport? {why}", field=field.title, why=found.reason)
     fit = found.fit if found.fit.camera is not None else replace(found.fit, failure=asked)

@@ -26,7 +26,7 @@ from procc_annotator.io.camera_files.krt_camera import write_krt
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.opencv_camera import write_opencv
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
-from procc_annotator.io.frame_names import file_of_frame, leads_out
+from procc_annotator.io.frame_names import file_of_frame, is_file_name, leads_out
 from procc_annotator.io.json_text import printable
 from procc_annotator.metric.folds import folds_into_picture, official_tables
 
@@ -222,7 +222,7 @@ def write_cameras(
         SaveError: writing failed; an archive is then not there, or the old one.
     """
     writer = writer_of(to)
-    if not split or split in (".", "..") or not _is_file_name(split):
+    if not is_file_name(split):
         raise UsageError(f"{split!r} is not the name of a split (test, challenge, ...)")
     archived = out.suffix.lower() == ".zip"
     if to == "submission" and not archived:
@@ -270,7 +270,7 @@ def _encoded(
         done.problems.append(str(loaded))
         return None
     shown = printable(frame)
-    if leads_out(frame) or not all(map(_is_file_name, frame.split("/"))):
+    if leads_out(frame) or not all(map(is_file_name, frame.split("/"))):
         done.problems.append(f"{shown}: is no name for a file, expected one without \\ or the like")
         return None
     try:
@@ -334,10 +334,6 @@ def _extra(loaded: LoadedCamera) -> Losses:
 
 def _spelled(size: Size) -> str:
     return f"{size[0]}x{size[1]}"
-
-
-def _is_file_name(name: str) -> bool:
-    return bool(name) and name.isprintable() and not set(name) & set('/\\:*?"<>|')
 
 
 def _entry(name: str) -> zipfile.ZipInfo:

@@ -170,6 +170,17 @@ def test_a_picture_of_another_sport_is_not_sure(sport: str, sample_data: Path) -
     assert found.reason.startswith("is this Soccer, and no other sport? ")
 
 
+def test_more_paint_on_the_right_field_does_not_question_the_sport() -> None:
+    """Such as the lines of a training pitch across it."""
+    picture = _drawn()[1].copy()
+    for y in range(330, 700, 60):
+        cv2.line(picture, (250, y), (1150, y + 40), (235, 238, 236, 255), 4, cv2.LINE_AA)
+    known = KnownPosition(np.array(MAIN), np.eye(3) * 0.04)
+    found = propose_camera(picture, _stage().field, known=[known], elsewhere=False)
+    assert found.state == "unsure"
+    assert found.reason.startswith("there is paint where the field has none")
+
+
 def test_a_picture_without_paint_has_no_camera() -> None:
     picture = np.full((540, 960, 4), (60, 140, 70, 255), dtype=np.uint8)
     found = propose_camera(picture, _stage().field)
