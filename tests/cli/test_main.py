@@ -17,7 +17,7 @@ import typer
 from procc_annotator import __version__
 from procc_annotator.cli.main import app
 
-COMMANDS = ("open", "evaluate", "export", "render", "headless")
+COMMANDS = ("open", "evaluate", "export", "render")
 
 
 def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -36,8 +36,7 @@ def test_version(cli) -> None:
 
 def test_help_lists_the_commands_and_shows_examples(cli) -> None:
     text = cli("--help").stdout
-    assert all(f"  {name} " in text for name in COMMANDS[:-1])
-    assert "headless" not in text
+    assert all(f"  {name} " in text for name in COMMANDS)
     assert "Examples:" in text
 
 
@@ -220,14 +219,9 @@ def test_a_folder_that_cannot_be_made_is_one_line(cli, dataset, tmp_path, out) -
     assert done.stderr.splitlines()[-1].startswith(f"procc-annotator: {tmp_path / out}: ")
 
 
-@pytest.mark.parametrize(
-    "more", [("assign", "--annotators", "anna,ben"), ("convert", "--to", "yolo-pose", "--pictures")]
-)
-def test_a_stopped_run_goes_on_by_being_run_again(
-    cli, dataset, tmp_path, monkeypatch, more
-) -> None:
+def test_a_stopped_run_goes_on_by_being_run_again(cli, dataset, tmp_path, monkeypatch) -> None:
     """Stopped after every file that it puts into its place, in turn."""
-    command, *options = more
+    command, *options = "convert", "--to", "yolo-pose", "--pictures"
 
     def files(out: Path) -> dict[str, bytes]:
         return {
