@@ -1,5 +1,5 @@
 # Two commands do everything on a machine that has Python 3.11+ and make:
-#   make run    opens the window on sample_data/ (without a display: does the same job headless)
+#   make run    opens the window on sample_data/ (without a display: evaluates, exports and draws it)
 #   make test   runs all tests
 SHELL := /bin/sh
 UV_VERSION := 0.13.8
@@ -42,8 +42,11 @@ run: setup
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] || [ "$$(uname)" = Darwin ]; then \
 	  $(BIN)/procc-annotator open sample_data; \
 	else \
-	  echo "No display here: the same job without the window."; \
-	  $(BIN)/procc-annotator headless sample_data out; \
+	  echo "No display here: evaluating, exporting and drawing sample_data/ into out/."; \
+	  mkdir -p out && \
+	  $(BIN)/procc-annotator evaluate sample_data --cameras true=sample_data/cameras/true --cameras bad=sample_data/cameras/bad --output out/scores.json && \
+	  $(BIN)/procc-annotator export sample_data out/export --cameras sample_data/cameras/true && \
+	  $(BIN)/procc-annotator render sample_data out/overlays --cameras sample_data/cameras/true --overwrite; \
 	fi
 
 # Tests start the program hundreds of times: compiled once, it starts three times as fast. A process

@@ -31,7 +31,6 @@ Examples:
 COMMANDS = (
     LazyCommand("open", "Open the window.", "open_window"),
     LazyCommand("evaluate", "Score cameras against annotations."),
-    LazyCommand("assign", "Give out the frames of a dataset to annotators, some to several."),
     LazyCommand("gold", "Say how far annotators are from gold frames, and how that changes."),
     LazyCommand("agree", "Compare two or more annotators of the same frames."),
     LazyCommand(
@@ -74,12 +73,6 @@ COMMANDS = (
         "check-submission", "Say what the official SoccerNet evaluation would refuse or pass over."
     ),
     LazyCommand("desktop-entry", "Put the program into the menus of a Linux desktop."),
-    LazyCommand(
-        "headless",
-        "Evaluate every camera set of a dataset, write the exports and one overlay picture"
-        " a frame.",
-        hidden=True,
-    ),
     LazyCommand(
         "field",
         "List, check and show the fields of sports; yours may be a file (see the user guide).",

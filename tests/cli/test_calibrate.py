@@ -511,10 +511,9 @@ def test_an_annotated_video_is_a_dataset_to_every_command(cli, dataset, tmp_path
         assert done.exit_code == 0, done.output
     assert (out / "match_000001.json").is_file()
     assert set(load_dataset(video).annotations) == {"match_000001"}
-    for command in (["render", video, out], ["assign", video, out, "--annotators", "ann,ben"]):
-        done = cli(*command)
-        assert done.exit_code == 2
-        assert "match.mp4: is a video, and pictures are needed" in done.stderr
+    done = cli("render", video, out)
+    assert done.exit_code == 2
+    assert "match.mp4: is a video, and pictures are needed" in done.stderr
 
 
 def test_a_video_has_its_annotations_beside_it(cli, dataset, tmp_path) -> None:

@@ -18,7 +18,6 @@ SHOWN = r"\x1b]0;pwn\x07\x1b[31m"
 WITHOUT = {
     "open",
     "desktop-entry",
-    "headless",
     "repeat",
     "field",
     "track",
@@ -47,7 +46,6 @@ def _commands(evil: Path, out: Path) -> dict[str, list[object]]:
     shutil.copytree(annotations, second / "annotations")
     return {
         "evaluate": [annotations, cameras, "--output", out / "e.csv", "--intervals"],
-        "assign": [evil, out / "as", "--annotators", "a,b"],
         "gold": [evil, second],
         "agree": [annotations, second / "annotations"],
         "compare": [cameras, cameras, "--dataset", evil],

@@ -152,21 +152,3 @@ def test_annotated_frames_are_told_by_the_map(cli, dataset, renamed, tmp_path: P
     done = cli("annotate", dataset.root, folder, "--cameras", dataset.cameras, "--map", labels)
     assert "names by" in done.stderr
     assert "not touched: 5 frames annotated already" in done.stdout
-
-
-def test_the_headless_job_goes_by_the_map(cli, dataset, renamed, tmp_path: Path) -> None:
-    folder, labels = renamed
-    assert cli("headless", dataset.root, tmp_path / "own").exit_code == 0
-    for file in dataset.annotations.iterdir():
-        file.unlink()
-    for file in folder.glob("*.json"):
-        (dataset.annotations / file.name).write_bytes(file.read_bytes())
-    done = cli("headless", dataset.root, tmp_path / "mapped", "--map", labels)
-    assert done.exit_code == 0, done.stderr
-    scores = sorted(file.name for file in (tmp_path / "own").glob("scores_*.json"))
-    assert scores
-    for name in scores:
-        own, mapped = (
-            json.loads((tmp_path / run / name).read_text())["summary"] for run in ("own", "mapped")
-        )
-        assert own == mapped

@@ -17,7 +17,7 @@ import typer
 from procc_annotator import __version__
 from procc_annotator.cli.main import app
 
-COMMANDS = ("open", "evaluate", "export", "render", "headless")
+COMMANDS = ("open", "evaluate", "export", "render")
 
 
 def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -36,8 +36,7 @@ def test_version(cli) -> None:
 
 def test_help_lists_the_commands_and_shows_examples(cli) -> None:
     text = cli("--help").stdout
-    assert all(f"  {name} " in text for name in COMMANDS[:-1])
-    assert "headless" not in text
+    assert all(f"  {name} " in text for name in COMMANDS)
     assert "Examples:" in text
 
 
@@ -223,7 +222,6 @@ def test_a_folder_that_cannot_be_made_is_one_line(cli, dataset, tmp_path, out) -
 @pytest.mark.parametrize(
     "more",
     [
-        ("assign", "--annotators", "anna,ben"),
         ("convert", "--to", "yolo-pose", "--pictures"),
         ("render", "--format", "svg"),
         ("export", "--split", "test"),

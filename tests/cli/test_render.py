@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
-import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -106,47 +103,6 @@ def test_a_damaged_picture_is_listed(cli, dataset, tmp_path: Path) -> None:
 def test_pictures_of_the_dataset_are_never_replaced(cli, dataset) -> None:
     done = cli("render", dataset.root, dataset.root, "--format", "jpg")
     assert done.exit_code == 2
-
-
-def test_the_whole_job_without_a_display(dataset, tmp_path: Path) -> None:
-    """As on a server: no display, nothing set, every camera set of the dataset."""
-    sets = dataset.root / "sets"
-    dataset.cameras.rename(sets)
-    dataset.cameras.mkdir()
-    sets.rename(dataset.cameras / "good")
-    poor = dataset.cameras / "a_poor_one"
-    poor.mkdir()
-    (poor / "camera_3.json").write_bytes((dataset.cameras / "good" / "camera_3.json").read_bytes())
-    out = tmp_path / "out"
-    unset = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
-    done = subprocess.run(
-        [sys.executable, "-m", "procc_annotator", "headless", dataset.root, out],
-        capture_output=True,
-        text=True,
-        check=False,
-        env={k: v for k, v in os.environ.items() if k not in unset},
-    )
-    assert done.returncode == 0, done.stderr
-    assert "Without a window" in done.stdout
-    assert "soccernet, 960x540" in done.stdout
-    assert "a_poor_one" in done.stdout
-    for said in (out / "export", out / "overlays"):
-        assert str(said) in done.stdout
-    assert len(list((out / "overlays").glob("*.png"))) == 5
-    assert pixels_of(out / "overlays" / "11.png", PASS) > 300  # drawn with the better set
-    assert {p.name for p in out.glob("scores_*")} == {
-        f"scores_{name}{suffix}" for name in ("good", "a_poor_one") for suffix in (".json", ".csv")
-    }
-    assert json.loads((out / "export" / "jac.json").read_text())["summary"]["5"]["mean_jac"] == 1
-
-
-def test_the_sample_does_the_job(cli, sample_data: Path, tmp_path: Path) -> None:
-    if not (sample_data / "cameras").is_dir():
-        pytest.skip("sample_data/ is not drawn here: run `make sample`")
-    done = cli("headless", sample_data, tmp_path / "out")
-    assert done.exit_code == 0, done.stderr
-    for name in ("true", "homography", "pinhole", "bad"):
-        assert f"│ {name} " in done.stdout
 
 
 def test_pictures_are_not_drawn_among_the_cameras(cli, dataset) -> None:

@@ -1,4 +1,4 @@
-"""``assign`` and ``gold`` as whoever runs an annotation study uses them."""
+"""``gold`` and ``agree --power`` as whoever runs an annotation study uses them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import shutil
 import zipfile
 from pathlib import Path
 
-import cv2
 import numpy as np
 import pytest
 
@@ -16,7 +15,6 @@ import procc_annotator
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.dataset_field import field_of_dataset, keep_field
 from procc_annotator.session.facts.origins import Origin, OriginKind
 
 GOLD = ("2", "3", "10", "11")
@@ -24,12 +22,13 @@ GOLD = ("2", "3", "10", "11")
 
 @pytest.fixture
 def study(cli, dataset, tmp_path: Path) -> Path:
-    """The dataset with gold frames, given out to two annotators."""
+    """The dataset with gold frames, and a copy of its pictures for each of two annotators."""
     (dataset.root / "gold.csv").write_text("frame\n" + "\n".join(GOLD) + "\n")
     out = tmp_path / "study"
-    done = cli("assign", dataset.root, out, "--annotators", "anna,ben", "--overlap", "1")
-    assert done.exit_code == 0, done.output
-    assert "5 frames, 4 of them gold" in done.stdout
+    for annotator in ("anna", "ben"):
+        (out / annotator).mkdir(parents=True)
+        for picture in dataset.root.glob("*.jpg"):
+            shutil.copy(picture, out / annotator)
     return out
 
 
@@ -53,20 +52,6 @@ def annotate(dataset, folder: Path, rise: float, *, database: bool = True) -> No
             opened.put_origins(name, {(p.u, p.v): when for line in read for p in line.points})
     if opened is not None:
         opened.close()
-
-
-def test_an_annotators_folder_says_nothing_of_gold_or_answers(study) -> None:
-    assert sorted(path.name for path in study.iterdir()) == ["anna", "ben", "plan.csv"]
-    for who in ("anna", "ben"):
-        assert {path.name for path in (study / who).iterdir()} == {
-            "1.jpg", "2.jpg", "3.jpg", "10.jpg", "11.jpg",
-        }  # fmt: skip
-    with open(study / "plan.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    assert [(r["annotator"], r["frame"], r["why"]) for r in rows if r["frame"] in ("1", "2")] == [
-        ("anna", "1", "overlap"), ("anna", "2", "gold"),
-        ("ben", "1", "overlap"), ("ben", "2", "gold"),
-    ]  # fmt: skip
 
 
 def test_errors_on_gold_frames_rise_in_the_order_of_work(cli, dataset, study, tmp_path) -> None:
@@ -114,68 +99,6 @@ def test_no_export_passes_the_mark_of_gold_on(cli, dataset, study, tmp_path) -> 
     assert not [name for name, data in written.items() if "gold" in name or b"gold" in data]
 
 
-def test_frames_of_a_tree_keep_their_folders(cli, dataset, tmp_path) -> None:
-    """Both matches call their frames alike."""
-    season = tmp_path / "season"
-    for match in ("home", "away"):
-        (season / match).mkdir(parents=True)
-        for name in ("1", "2", "3", "10"):
-            for suffix, folder in (("jpg", dataset.root), ("json", dataset.annotations)):
-                shutil.copy(folder / f"{name}.{suffix}", season / match)
-    (season / "gold.csv").write_text("frame\nhome/img1/1\naway/1\n")
-    out = tmp_path / "study"
-    done = cli("assign", season, out, "--annotators", "anna,ben", "--overlap", "0.5")
-    assert done.exit_code == 0, done.output
-    with open(out / "plan.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    for who in ("anna", "ben"):
-        planned = {f"{row['frame']}.jpg" for row in rows if row["annotator"] == who}
-        there = {p.relative_to(out / who).as_posix() for p in (out / who).rglob("*.jpg")}
-        assert there == planned
-        for picture in list((out / who).rglob("*.jpg")):
-            name = picture.relative_to(out / who).with_suffix(".json")
-            shutil.copy(season / name, out / who / name)
-    done = cli("gold", season, out / "anna", out / "ben", "-o", tmp_path / "gold.json")
-    assert done.exit_code == 0, done.output
-    content = json.loads((tmp_path / "gold.json").read_text())
-    assert {row["frame"] for row in content["frames"]["rows"]} == {"home/1", "away/1"}
-    for folder in ("anna", "ben"):
-        shutil.rmtree(out / folder / "away")  # whoever has one match alone
-    done = cli("gold", season, out / "anna", out / "ben", "-o", tmp_path / "gold.json")
-    assert done.exit_code == 0, done.output
-    content = json.loads((tmp_path / "gold.json").read_text())
-    assert len(content["frames"]["rows"]) == 2
-    (season / "gold.csv").unlink()
-    few = ("--annotators", "a,b,c,d,e,f,g,h", "--overlap", "0")
-    done = cli("assign", season, tmp_path / "few", *few)
-    assert done.exit_code == 2
-    assert "alone, which would then be called otherwise" in done.stderr
-    assert not (tmp_path / "few").exists()
-
-
-@pytest.mark.parametrize("kept", ["chosen", "file", "file elsewhere"])
-def test_an_annotators_dataset_shows_the_field_of_the_dataset(cli, dataset, tmp_path, kept) -> None:
-    field = load_field("futsal", length=39.0)
-    if kept != "chosen":
-        place = dataset.root if kept == "file" else tmp_path
-        file = place / "field.toml"
-        shutil.copy(load_field("futsal").source, file)
-        field = load_field(str(file), length=39.0)
-    database = WorkspaceDatabase.open(dataset.root, "keeper")
-    keep_field(database, dataset.root, field)
-    database.close()
-    out = tmp_path / "study"
-    done = cli("assign", dataset.root, out, "--annotators", "anna,ben")
-    assert done.exit_code == 0, done.output
-    if kept == "file elsewhere":
-        file.unlink()
-    for who in ("anna", "ben"):
-        found = field_of_dataset(out / who)
-        assert found.chosen
-        assert found.field.described == field.described
-        assert found.field.dimension("length").value == 39.0
-
-
 def test_the_window_knows_nothing_of_gold() -> None:
     """What it never reads it can neither show nor pass on; the commands of a study alone do."""
     package = Path(procc_annotator.__file__).parent
@@ -184,18 +107,12 @@ def test_the_window_knows_nothing_of_gold() -> None:
         for path in package.rglob("*.py")
         if "gold_file" in path.read_text() or "gold.csv" in path.read_text()
     ]
-    assert set(readers) == {"cli/assign.py", "cli/gold.py", "session/dataset/gold_file.py"}
+    assert set(readers) == {"cli/gold.py", "session/dataset/gold_file.py"}
 
 
 def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path) -> None:
     other = tmp_path / "other.csv"
-    who = ("--annotators", "anna,ben")
     for arguments, words in (
-        (("assign", dataset.root, study, *who), "anna: exists already"),
-        (("assign", dataset.root, dataset.root / "in", *who), "lies in the dataset"),
-        (("assign", dataset.root, tmp_path / "new", "--annotators", "a/b,c"), "not the name of a"),
-        (("assign", dataset.root, tmp_path / "new", "--annotators", "\x1b[31mA,c"), "not the name"),
-        (("assign", dataset.root, tmp_path / "new", *who, "--gold-each", "9"), "there are 4"),
         (("gold", dataset.root, study / "anna"), "nobody has annotated any of 4 gold frames"),
         (("gold", tmp_path / "none", study / "anna"), "none: does not exist"),
         (("gold", study / "anna", study / "ben"), "has no gold.csv"),
@@ -207,8 +124,6 @@ def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path) -> None:
         (line,) = done.stderr.splitlines()
         assert words in line, line
     (dataset.root / "gold.csv").write_text("frame\n77\n")
-    done = cli("assign", dataset.root, tmp_path / "new", *who)
-    assert "1 frame (77) not in the dataset" in done.stderr
     done = cli("gold", dataset.root, dataset.annotations)
     assert "1 gold frame (77) without an annotation" in done.stderr
 
@@ -225,18 +140,3 @@ def test_frames_needed_grow_with_the_square_of_what_is_wanted(cli, dataset, stud
     assert [row[4] for row in rows] == ["1", "2", "5"]
     needed = [int(row[5]) for row in rows]
     assert 3.5 < needed[0] / needed[1] < 4.5
-
-
-def test_pictures_that_are_links_are_given_out(cli, dataset, tmp_path) -> None:
-    (dataset.root / "pool").mkdir()
-    for picture in list(dataset.root.glob("*.jpg")):
-        moved = picture.rename(dataset.root / "pool" / picture.name)
-        try:
-            picture.symlink_to(Path("pool") / moved.name)
-        except OSError:
-            pytest.skip("no right to make links")
-    done = cli(
-        "assign", dataset.root, tmp_path / "study", "--annotators", "anna,ben", "--overlap", "1"
-    )
-    assert done.exit_code == 0, done.output
-    assert cv2.imread(str(tmp_path / "study" / "anna" / "1.jpg")) is not None

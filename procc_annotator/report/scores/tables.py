@@ -139,20 +139,6 @@ def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Shee
     return Sheet("classes", title, columns, tuple(rows), described)
 
 
-def sets_table(sets: Mapping[str, tuple[Mapping[float, SetSummary], str]]) -> Sheet:
-    """Camera sets side by side: name -> (figures by threshold, what they were computed with)."""
-    thresholds = sorted(next(iter(sets.values()))[0]) if sets else []
-    columns = (
-        Column("cameras", "cameras"), Column("described", "protocol, size"),
-        *_set_columns(thresholds),
-    )  # fmt: skip
-    rows = tuple(
-        (name, described, *_set_values(summaries, thresholds))
-        for name, (summaries, described) in sets.items()
-    )
-    return Sheet("sets", "Camera sets", columns, rows)
-
-
 def _set_columns(thresholds: Sequence[float]) -> tuple[Column, ...]:
     # At the largest threshold it is rarest that mirrored labels score higher by chance.
     error = of(MEAN_ERROR, f"@{max(thresholds):g}" if thresholds else "")
