@@ -21,7 +21,6 @@ from rich.table import Table
 
 from procc_annotator.cli.table_widths import fit_columns
 from procc_annotator.errors import printable
-from procc_annotator.report.sheet.as_plain import plain_table
 from procc_annotator.report.sheet.as_terminal import terminal_table
 from procc_annotator.report.sheet.sheet import Sheet
 
@@ -35,10 +34,6 @@ class _Console(Console):
     def print(self, *objects: Any, **options: Any) -> None:
         """Sheets become tables, which fit the width if their figures can be kept whole; in a file
         or a pipe no line ends in blanks."""
-        plain = self._plain(objects) if not options else None
-        if plain is not None:
-            self._write(plain)
-            return
         objects = tuple(terminal_table(o) if isinstance(o, Sheet) else o for o in objects)
         wide = max((fit_columns(o, self.width) for o in objects if isinstance(o, Table)), default=0)
         room = self.width
@@ -55,13 +50,6 @@ class _Console(Console):
         with self.capture() as captured:
             super().print(*objects, **options)
         self._write("\n".join(line.rstrip() for line in captured.get().split("\n")))
-
-    def _plain(self, objects: tuple[Any, ...]) -> str | None:
-        # Colours, and letters that a box cannot be drawn with, are left to the library, which takes
-        # twenty times as long.
-        if len(objects) != 1 or not isinstance(objects[0], Sheet) or self.is_terminal:
-            return None
-        return None if self.options.ascii_only else plain_table(objects[0], self.width)
 
     def _write(self, text: str) -> None:
         try:
