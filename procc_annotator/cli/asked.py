@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import MISSING, fields, is_dataclass
 from inspect import Parameter, Signature, signature
 from typing import Any, get_type_hints
@@ -12,22 +12,20 @@ def with_options(command: Callable[..., None]) -> Callable[..., None]:
     """A command as typer reads it: each parameter that is a class of options becomes those.
 
     Args:
-        command: its parameters are options, or dataclasses whose fields are options, in the order
-            of its help.
+        command: its parameters are options, or dataclasses whose fields are options or such classes
+            again, in the order of its help.
     """
-    groups: dict[str, Any] = {}
-    parameters: list[Parameter] = []
     hints = get_type_hints(command, include_extras=True)
-    for name, one in signature(command).parameters.items():
-        if is_dataclass(hints[name]):
-            groups[name] = hints[name]
-            parameters += _options_of(hints[name])
-        else:
-            parameters.append(_option(name, hints[name], one.default))
+    groups = {name: hint for name, hint in hints.items() if is_dataclass(hint)}
+    parameters = [
+        option
+        for name, one in signature(command).parameters.items()
+        for option in _options(name, hints[name], one.default)
+    ]
 
     def called(**given: Any) -> None:
         for name, group in groups.items():
-            given[name] = group(**{one.name: given.pop(one.name) for one in fields(group)})
+            given[name] = _filled(group, given)
         command(**given)
 
     vars(called)["__signature__"] = Signature(parameters)
@@ -35,15 +33,25 @@ def with_options(command: Callable[..., None]) -> Callable[..., None]:
     return called
 
 
-def _options_of(group: Any) -> list[Parameter]:
+def _options(name: str, hint: Any, default: Any) -> Iterator[Parameter]:
+    """The options of a group, or of groups within it, in order; one option is itself."""
+    if not is_dataclass(hint):
+        yield Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=hint)
+        return
+    hints = get_type_hints(hint, include_extras=True)
+    for one in fields(hint):
+        own = Parameter.empty if one.default is MISSING else one.default
+        yield from _options(one.name, hints[one.name], own)
+
+
+def _filled(group: Any, given: dict[str, Any]) -> Any:
+    """A group with its options, which are taken out of those given."""
     hints = get_type_hints(group, include_extras=True)
-    return [
-        _option(
-            one.name, hints[one.name], Parameter.empty if one.default is MISSING else one.default
-        )
-        for one in fields(group)
-    ]
-
-
-def _option(name: str, annotation: Any, default: Any) -> Parameter:
-    return Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
+    return group(
+        **{
+            one.name: _filled(hints[one.name], given)
+            if is_dataclass(hints[one.name])
+            else given.pop(one.name)
+            for one in fields(group)
+        }
+    )

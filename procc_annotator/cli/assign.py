@@ -29,8 +29,6 @@ from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, OWN_THING
 from procc_annotator.session.dataset.gold_file import GOLD_FILE, read_gold
 from procc_annotator.session.facts.origins import default_author
 from procc_annotator.session.runs.assignments import StudyTerms, assign_frames
-from procc_annotator.session.runs.clusters import clusters_of
-from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import count_of, listed
 
 HELP = """\
@@ -104,11 +102,7 @@ def assign(given: AskedToAssign) -> None:
         raise UsageError(f"{given.out}: lies in the dataset, write to another place")
     frames = [frame.name for frame in workspace.frames]
     marked = _gold_frames(given.gold or folder / GOLD_FILE, given.gold is not None, workspace.index)
-    read = None if given.tags is None else Tags.read(given.tags)
-    by = chance_options.cluster_of(given.balance, read)
-    values = chance_options.tags_by_set(read, [""]).get("", {}).get(by or "", {})
-    order = chance_options.orders_by_set({"": folder}, None).get("")
-    alike = clusters_of(frames, by, values, order)
+    alike = chance_options.clustering(given.tags, given.balance, [folder])(frames)
     # Where every frame stands for itself there is nothing to be even over.
     parts = dict(zip(frames, map(str, alike.numbers), strict=True)) if alike.by != "none" else {}
     assigned = assign_frames(frames, parts, marked, terms)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, cast
 
@@ -15,7 +16,7 @@ from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report.noise_floor import noise_from
 from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
-from procc_annotator.session.runs.clusters import NONE, SHOT
+from procc_annotator.session.runs.clusters import NONE, SHOT, Clusters, clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.moved_clicks import ClickNoise
 from procc_annotator.session.runs.strata import DERIVED
@@ -84,6 +85,19 @@ Noise = Annotated[
 Count = Annotated[int, typer.Option(min=100, max=1_000_000, metavar="N", help="Sets to draw.")]
 Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the sets drawn.")]
 
+
+@dataclass(frozen=True)
+class ClusterOptions:
+    """Which frames are alike, as commands without ``--by`` ask for it."""
+
+    tags: TagsFile = None
+    cluster: Cluster = None
+
+    def of(self, datasets: Iterable[Path]) -> Callable[[Sequence[str]], Clusters]:
+        """Return what finds the clusters of frames, see `clustering`."""
+        return clustering(self.tags, self.cluster, datasets)
+
+
 # What holds where nobody says otherwise: method, sets drawn, seed.
 USUAL = USUAL_METHOD, USUAL_DRAWS, USUAL_SEED = "t", 10_000, 1
 
@@ -100,6 +114,26 @@ def cluster_of(name: str | None, tags: Tags | None) -> str | None:
         more = "" if tags else "; tags come from --tags FILE"
         raise UsageError(f"cannot cluster by {name!r}: there is {there}{more}")
     return name
+
+
+def clustering(
+    tags: Path | None, by: str | None, datasets: Iterable[Path]
+) -> Callable[[Sequence[str]], Clusters]:
+    """Return what finds the clusters of frames: by a tag, or by shots.
+
+    Args:
+        tags: file of tags.
+        by: a tag, ``shot`` or ``none``; None for shots if there are any.
+        datasets: the first one that has a table of frames gives the shots; else names do.
+
+    Raises:
+        UsageError, InputError: no such tag; a file that cannot be used.
+    """
+    read = None if tags is None else Tags.read(tags)
+    cluster = cluster_of(by, read)
+    values = tags_by_set(read, [""]).get("", {}).get(cluster or "", {})
+    orders = orders_by_set({str(place): place for place in datasets}, None)
+    return lambda frames: clusters_of(frames, cluster, values, next(iter(orders.values()), None))
 
 
 def parted_by(

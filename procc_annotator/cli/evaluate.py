@@ -213,8 +213,7 @@ def _call_of(context: typer.Context, given: AskedToEvaluate) -> _Call:
     chance = _chance(given, plan, tags, (*groups, *derived), asked=bool(derived))
     noise = chance_options.noise_file(given.click_noise)
     beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
-    for path in written_to:
-        outputs.check_not_an_input(path, [file for file in beside.values() if file is not None])
+    outputs.check_not_inputs(written_to, filter(None, beside.values()))
     shown = options.shown_size(given.camera_size)
     recipe = recipe_for(given.recipe, context, FieldAsked(given.field, given.lines), beside)
     steady = over_time.OverTimeCall.of(
@@ -278,8 +277,7 @@ def _score(
             inputs.append(call.tags.path)
         own = [*call.tables]
         own += [] if call.recipe is None else [call.recipe.path]
-        for path in (*call.written_to, *own, *more):
-            outputs.check_not_an_input(path, inputs)
+        outputs.check_not_inputs((*call.written_to, *own, *more), inputs)
         evaluations = Evaluations.prepare(asked, call.thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
             steady = call.over_time

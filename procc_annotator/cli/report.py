@@ -296,8 +296,8 @@ def _make(
         named = list(zip(call.specs, collections, strict=True))
         for spec, collection in named:
             datasets.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
-        for path in (*call.written, *([call.recipe.path] if call.recipe else [])):
-            outputs.check_not_an_input(path, [source, *collections])
+        files = (*call.written, *([call.recipe.path] if call.recipe else []))
+        outputs.check_not_inputs(files, [source, *collections])
         work_ahead = len(list_annotations(source)) * _cost(call.request, len(call.specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
         work = Work(executor, camera_size, with_progress)
