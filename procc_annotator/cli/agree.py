@@ -188,8 +188,9 @@ def _agree_all(
 def _print_agreement(agreed: Agreed) -> None:
     console = stdout_console()
     console.print(agreement.jac_table(agreed))
-    if agreed.worst:
-        console.print(agreement.worst_agreement_table(agreed))
+    worst = agreement.worst_agreement_table(agreed)
+    if worst.rows:
+        console.print(worst)
     console.print(agreement.agreement_classes_table(agreed))
     console.print(agreement.noise_floor_line(agreed))
 
