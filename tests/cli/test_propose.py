@@ -183,7 +183,7 @@ def test_positions_that_cannot_be_read(cli, bare, pretend, tmp_path) -> None:
     finder = pretend([])
     table_file = tmp_path / "positions.csv"
     for text, said in (
-        ("a,b\n1,2\n", "has no column x_m"),
+        ("a,b\n1,2\n", "has no column 'x_m'"),
         ("x_m,y_m,z_m,sd_x_m,sd_y_m,sd_z_m\n1,2,here,1,1,1\n", "line 2: expected numbers"),
         ("x_m,y_m,z_m,sd_x_m,sd_y_m,sd_z_m\n", "holds no position"),
     ):

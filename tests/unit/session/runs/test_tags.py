@@ -57,18 +57,8 @@ def test_rows_of_a_named_set_count_for_it_only(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("", "is empty"),
-        ("\n\n", "is empty"),
-        ("name,light\n1,day\n", r"line 1: has no column 'frame'"),
         ("frame\n1\n", r"line 1: has no column of tags"),
         ("frame,\n1,day\n", r"line 1: column 2 has no name"),
-        ("frame,light,light\n1,a,b\n", r"line 1: has two columns 'light'"),
-        ("frame,light\n1,day\n2\n", r"line 3: has 1 cell, expected 2"),
-        ("frame,light\n1,day,x\n", r"line 2: has 3 cells, expected 2"),
-        ("frame,light\n1,day\n\n1,night\n", r"line 4: frame '1' again, after line 2"),
-        ("frame,light\n,day\n", r"line 2: names no frame"),
-        ('frame,light\n1,"day\n', r"line \d: is no CSV"),
-        (b"frame,light\n1,\xff\n", r"is not UTF-8"),
     ],
 )
 def test_damaged_files_are_one_clear_error(tmp_path: Path, text: str | bytes, says: str) -> None:
