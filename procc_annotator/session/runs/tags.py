@@ -86,9 +86,16 @@ class Tags:
             ),
         )
 
+    def values(self, column: str | None, of_set: str) -> FrameTable[str | None]:
+        """Frame -> its value of a tag in one set; empty if there is no such tag."""
+        if column not in self.columns:
+            return FrameTable()
+        found = self.grouping((column,), of_set).values
+        return FrameTable((frame, own[0]) for frame, own in found.items())
+
 
 def check_by(by: Sequence[str], tags: Tags | None, further: Sequence[str] = ()) -> tuple[str, ...]:
-    """What to group by: as asked for, or else by every tag.
+    """What to group by, each once.
 
     Args:
         further: what else a person may ask for, to be named where something is asked for that
@@ -108,4 +115,4 @@ def check_by(by: Sequence[str], tags: Tags | None, further: Sequence[str] = ()) 
             there = ", ".join((MODEL, *further, *columns))
             more = "" if tags else "; further ones come from --tags FILE"
             raise UsageError(f"cannot group by {name!r}: there is {there}{more}")
-    return tuple(dict.fromkeys(by)) or columns
+    return tuple(dict.fromkeys(by))

@@ -69,8 +69,6 @@ def test_damaged_files_are_one_clear_error(tmp_path: Path, text: str | bytes, sa
 
 def test_what_can_be_grouped_by(tmp_path: Path) -> None:
     read = tags(tmp_path, "frame,stadium,light\n1,A,day\n")
-    assert check_by([], None) == ()
-    assert check_by([], read) == ("stadium", "light")
     assert check_by(["light", "model", "light"], read) == ("light", "model")
     with pytest.raises(UsageError, match="'lihgt': there is model, stadium, light"):
         check_by(["lihgt"], read)
