@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, cast
+from typing import Annotated, Any, cast
 
 import typer
 
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.io.json_text import decode_as
+from procc_annotator.io.source import read_file
+from procc_annotator.metric.chance.clicks import noise_of_floor
 from procc_annotator.metric.chance.intervals import METHODS, Method
 from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.report.noise_floor import noise_from
 from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
 from procc_annotator.session.runs.clusters import NONE, SHOT, Clusters, clusters_of
@@ -20,6 +23,40 @@ from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.moved_clicks import ClickNoise
 from procc_annotator.session.runs.strata import DERIVED
 from procc_annotator.session.runs.tags import Tags, check_by
+
+_ADVICE = "expected what `agree A B --output FILE.json` writes"
+
+
+def noise_from(path: Path, seed: int) -> ClickNoise:
+    """One annotator's standard deviation, from the median distance of every two.
+
+    Raises:
+        InputError: it cannot be read, or is no agreement, or none with any distance.
+    """
+    content = decode_as(read_file(path), object, "JSON", path=path)
+    size, floor = _member(content, "size"), _member(content, "summary", "noise_floor")
+    if not (isinstance(size, list) and len(size) == 2 and all(type(n) is int for n in size)):
+        raise InputError(path, "has no size of pictures", place="size", advice=_ADVICE)
+    if min(size) < 2 or not isinstance(floor, Mapping):
+        raise InputError(path, "is no agreement", place="summary.noise_floor", advice=_ADVICE)
+    median = floor.get("median")
+    if not isinstance(median, int | float) or not math.isfinite(median) or median <= 0:
+        raise InputError(
+            path,
+            f"has a median distance of {median}, expected one above 0 px",
+            place="summary.noise_floor.median",
+            advice="compare annotators who clicked the same elements each for themselves",
+        )
+    return ClickNoise(
+        noise_of_floor(median), seed=seed, of_size=(size[0], size[1]), told_by=path.name
+    )
+
+
+def _member(content: Any, *keys: str) -> Any:
+    for key in keys:
+        content = content.get(key) if isinstance(content, Mapping) else None
+    return content
+
 
 # What holds where nobody says otherwise: method, sets drawn, seed.
 USUAL = USUAL_METHOD, USUAL_DRAWS, USUAL_SEED = "t", 10_000, 1

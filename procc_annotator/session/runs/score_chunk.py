@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
@@ -9,24 +10,76 @@ from typing import Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.camera.model_name import model_name
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
+from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.io.camera_files.held_out_table import HeldOut
+from procc_annotator.io.json_text import printable
 from procc_annotator.metric.clicked import AnnotatedExtent, clicked
 from procc_annotator.metric.measure import Measurement, measure_frames
 from procc_annotator.metric.project import why_clipped
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.runs.annotation_notes import AnnotationNotes
 from procc_annotator.session.runs.held_out import HeldOutTally
 from procc_annotator.session.runs.set_run import AnnotationTask, KeptOpen
 from procc_annotator.session.runs.tags import MODEL
+from procc_annotator.words import first_of, listed
+
+
+@dataclass
+class AnnotationNotes:
+    """Frames with such annotations, and the classes that are of no element of the field."""
+
+    in_pixels: list[str] = field(default_factory=list)
+    empty: list[str] = field(default_factory=list)
+    without_place: list[str] = field(default_factory=list)
+    classes: Counter[str] = field(default_factory=Counter)
+
+    def add(self, frame: str, annotation: FrameAnnotation, known: Field) -> None:
+        """Add a frame.
+
+        Args:
+            known: the field its classes are of.
+        """
+        strange = [n for n in annotation.annotated if known.canonical_name(n) not in known.index]
+        if pixel_like(annotation) is not None:
+            self.in_pixels.append(frame)
+        if not annotation.annotated:
+            self.empty.append(frame)
+        if strange:
+            self.without_place.append(frame)
+            self.classes.update(strange)
+
+    def merge(self, other: AnnotationNotes) -> None:
+        """Add those of the frames that follow."""
+        self.in_pixels += other.in_pixels
+        self.empty += other.empty
+        self.without_place += other.without_place
+        self.classes.update(other.classes)
+
+    def lines(self) -> tuple[str, ...]:
+        """One line for people for each kind that there is."""
+        found = []
+        if self.in_pixels:
+            frames = listed(self.in_pixels, "frame")
+            found.append(f"coordinates look like pixels, expected 0 to 1, in {frames}")
+        if self.empty:
+            frames = listed(self.empty, "frame")
+            found.append(f"no element is annotated in {frames}: whatever a camera shows is wrong")
+        if self.without_place:
+            names = first_of([*map(printable, self.classes)])
+            frames = listed(self.without_place, "frame")
+            found.append(
+                f"classes of no element of the field always count as missed: {names}, in {frames}"
+            )
+        return tuple(found)
+
 
 T = TypeVar("T")
 
