@@ -243,8 +243,6 @@ def test_what_makes_no_sense(cli, dataset, tmp_path) -> None:
     for wrong, said in (
         ((tmp_path / "nowhere", tmp_path / "out"), "does not exist"),
         ((dataset.root, tmp_path / "out"), "all frames are annotated"),
-        ((dataset.root, tmp_path / "out.zip"), "a folder is needed"),
-        ((dataset.root, dataset.annotations, "--all"), "holds annotations"),
         ((dataset.root, tmp_path / "out", "--known", tmp_path / "no"), "does not exist"),
         ((dataset.root, dataset.cameras, "--known", dataset.cameras), "write to another folder"),
         ((dataset.cameras, tmp_path / "out"), "no picture in"),

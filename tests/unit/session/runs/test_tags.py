@@ -92,9 +92,3 @@ def test_tables_know_a_frame_by_its_other_names(tmp_path: Path, told: str, asked
     assert (shot.frames, shot.numbers) == ((asked, "next"), (7, 8))
     (both,) = order.shots_of([asked, told, "next"])  # cameras and pictures of the same frames
     assert both.frames == (told, "next")
-
-
-def test_cells_are_read_as_tables_of_this_program_write_them(tmp_path: Path) -> None:
-    """With an apostrophe before what a spreadsheet would run."""
-    grouping = tags(tmp_path, "frame,light\n'-1,'=day\n").grouping(("light",), "any")
-    assert grouping.of("-1") == ("=day",)
