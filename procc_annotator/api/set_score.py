@@ -5,7 +5,6 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,18 +19,16 @@ from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.metric.chance.intervals import Interval, Method
 from procc_annotator.metric.chance.paired import PairedDifference
 from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.metric.measure import Measurement, measure, measure_frames
-from procc_annotator.metric.score import FrameScore, score
+from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.score_columns import FRAME_COLUMNS, frame_values
-from procc_annotator.session.runs.annotation_notes import AnnotationNotes
 from procc_annotator.session.runs.audit import TAU_GRID
 from procc_annotator.session.runs.certainty import Certainty, same_frames
 from procc_annotator.session.runs.clusters import NONE, SHOT, clusters_of
 from procc_annotator.session.runs.evaluation_run import CHUNK
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
-from procc_annotator.session.runs.score_chunk import AT_ONCE, Evaluated, FrameResult
+from procc_annotator.session.runs.score_chunk import FrameInput, Tally, score_frames
 
 if TYPE_CHECKING:
     import pandas
@@ -210,81 +207,31 @@ def score_set(
     if not any(camera is not None for _, camera in frames.values()):
         what = "no frame that is annotated has a camera" if frames else "no annotated frame"
         raise UsageError(f"nothing to score: {what}")
-    notes = AnnotationNotes()
-    for name, (own, _) in frames.items():
-        notes.add(name, own, setup.of_frame(name).field)
-    for line in notes.lines():
-        warnings.warn(line, stacklevel=3)
-    total = SetAccumulator(setup, thresholds)
+    total, names = Tally(SetAccumulator(setup, thresholds)), natsorted(frames)
     sums: list[FrameSums | None] = []
     found: dict[str, Mapping[float, FrameScore]] = {}
-    for chunk in _parts(natsorted(frames), CHUNK):
-        of_chunk = SetAccumulator(setup, thresholds)
-        for names in _parts(chunk, AT_ONCE):
-            measured = _measured({name: frames[name] for name in names}, setup)
-            for name in names:
-                measurement, (annotation, camera) = measured.get(name), frames[name]
-                scores = {}
-                if measurement is None or camera is None:
-                    of_chunk.add_missing_camera(name)
-                else:
-                    scores = {tau: score(measurement, tau) for tau in thresholds}
-                    of_chunk.add(name, measurement, scores)
-                found[name] = scores
-                evaluated = _evaluated(name, annotation, camera, measurement, scores)
-                sums.append(frame_sums(evaluated, thresholds))
-        total.merge(of_chunk)
+    for start in range(0, len(names), CHUNK):
+        part = Tally(SetAccumulator(setup, thresholds))
+        inputs = [_input(name, *frames[name]) for name in names[start : start + CHUNK]]
+        for evaluated in score_frames(inputs, part):
+            found[evaluated.result.name] = evaluated.result.scores
+            sums.append(frame_sums(evaluated, thresholds))
+        total.merge(part)
+    for line in total.notes.lines():
+        warnings.warn(line, stacklevel=3)
     models = {name: camera.model for name, (_, camera) in frames.items() if camera is not None}
     source = SourceSums.of("this", thresholds, sums)
     terms = setup.describe(source.ground_only)
     mark = source.fitted.among(int(source.with_camera.sum()))
     described = f"{terms}, {mark}" if mark else terms
-    return SetScore(described, total.summary(), found, models, source, terms)
+    return SetScore(described, total.sums.summary(), found, models, source, terms)
 
 
-def _evaluated(
-    name: str,
-    annotation: FrameAnnotation,
-    camera: CameraAt | None,
-    measurement: Measurement | None,
-    scores: Mapping[float, FrameScore],
-) -> Evaluated:
-    """A frame as ``evaluate`` knows it."""
-    if camera is None or measurement is None:
-        return Evaluated(FrameResult(name, None, None, (), scores), annotation=annotation)
-    result = FrameResult(
-        name,
-        None,
-        None,
-        (),
-        scores,
-        ground_only=measurement.projected.ground_only,
-        model=camera.model,
-        fitted=Fitted.of(camera.fitted_on, annotation),
-    )
-    return Evaluated(result, camera.camera, camera.model, measurement, annotation)
-
-
-def _measured(frames: Mapping[str, Given], setup: EvaluationSetup) -> dict[str, Measurement]:
-    """Of the frames that have a camera; those where nothing moves at once."""
-    there = {
-        name: (annotation, camera.camera)
-        for name, (annotation, camera) in frames.items()
-        if camera is not None
-    }
-    own = {name: setup.of_frame(name) for name in there}
-    alike = [name for name in there if own[name] is setup]
-    found = {name: measure(*there[name], own[name]) for name in there if own[name] is not setup}
-    if alike:
-        annotations, cameras = zip(*(there[name] for name in alike), strict=True)
-        found.update(zip(alike, measure_frames(annotations, cameras, setup), strict=True))
-    return found
-
-
-def _parts(names: Iterable[str], size: int) -> Iterable[list[str]]:
-    rest = iter(names)
-    while part := list(islice(rest, size)):
-        yield part
+def _input(name: str, annotation: FrameAnnotation, camera: CameraAt | None) -> FrameInput:
+    if camera is None:
+        return FrameInput(name, annotation)
+    fitted = Fitted.of(camera.fitted_on, annotation)
+    return FrameInput(name, annotation, camera.camera, model=camera.model, fitted=fitted)
 
 
 def _certainty(

@@ -23,7 +23,6 @@ from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.io.collections import list_annotations, told_by_trees
-from procc_annotator.io.source import FileSource
 from procc_annotator.report import agreement
 from procc_annotator.report.agreement import Agreed, agree_sets
 from procc_annotator.report.agreement_figures import needed_sheet
@@ -31,11 +30,10 @@ from procc_annotator.report.consensus import agree_all, floor_line, sheets_of, w
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.agreement_run import AgreementRun
-from procc_annotator.session.runs.clusters import Clusters, clusters_of
+from procc_annotator.session.runs.clusters import Clusters
 from procc_annotator.session.runs.consensus_run import MOST, ConsensusRun
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import WORTH_WORKERS, folders_taken_for_one
-from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import listed
 
 HELP = """\
@@ -69,7 +67,7 @@ Example:
 """
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class AskedToAgree:
     """What `agree` is asked for."""
 
@@ -89,8 +87,7 @@ class AskedToAgree:
     ] = None
     size: options.Size = "960x540"
     field: options.FieldName = None
-    tags: chance_options.TagsFile = None
-    cluster: chance_options.Cluster = None
+    alike: chance_options.ClusterOptions
     power: Annotated[
         bool,
         typer.Option("--power", help="Also how many frames such a study needs to be surer."),
@@ -124,14 +121,13 @@ def agree(given: AskedToAgree) -> None:
             opened.enter_context(open_annotations(annotations_of(path), shown, names))
             for path in given.annotators
         ]
-        for path in files:
-            outputs.check_not_an_input(path, sources)
+        outputs.check_not_inputs(files, sources)
         for source, letter in zip(sources, ascii_uppercase, strict=False):
             report_mismatch(source, shown, f"{letter}: ")
             report_like_cameras(source, f"{letter}: ")
         lists = told_by_trees([list_annotations(source) for source in sources])
         report_remarks(folders_taken_for_one(zip(given.annotators, lists, strict=True)))
-        alike = _clusters_of(sources, given.tags, given.cluster)
+        alike = given.alike.of(source.path for source in sources)
         call = shown, options.parse_size(given.size), thresholds
         if len(sources) > 2:
             several = ConsensusRun(sources, *call)
@@ -158,18 +154,6 @@ def agree(given: AskedToAgree) -> None:
     if len(sources) == 2:
         _report_frames(agreed)
     raise typer.Exit(report_unreadable(errors))
-
-
-def _clusters_of(
-    sources: Sequence[FileSource], tags: Path | None, by: str | None
-) -> Callable[[Sequence[str]], Clusters]:
-    """Which frames are alike; the first dataset that has a table of frames tells the shots."""
-    read = None if tags is None else Tags.read(tags)
-    cluster = chance_options.cluster_of(by, read)
-    orders = chance_options.orders_by_set({str(s.path): s.path for s in sources}, None)
-    order = next(iter(orders.values()), None)
-    values = chance_options.tags_by_set(read, [""]).get("", {}).get(cluster or "", {})
-    return lambda frames: clusters_of(frames, cluster, values, order)
 
 
 def _agree_all(
@@ -206,8 +190,9 @@ def _agree_all(
 def _print_agreement(agreed: Agreed) -> None:
     console = stdout_console()
     console.print(agreement.jac_table(agreed))
-    if agreed.worst:
-        console.print(agreement.worst_agreement_table(agreed))
+    worst = agreement.worst_agreement_table(agreed)
+    if worst.rows:
+        console.print(worst)
     console.print(agreement.agreement_classes_table(agreed))
     console.print(agreement.noise_floor_line(agreed))
 

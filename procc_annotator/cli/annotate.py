@@ -22,7 +22,6 @@ from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.metric.different_views import most_different
 from procc_annotator.report.annotating import Annotated as Done
 from procc_annotator.report.annotating import annotate_pictures
-from procc_annotator.report.targets import is_archive
 from procc_annotator.session.dataset.dataset_folder import (
     annotation_folder,
     folder_of_dataset,
@@ -100,7 +99,8 @@ def annotate(
     pictures = open_pictures(source, out)
     datasets.report_remarks(pictures.notices)
     with CameraCollection.open(cameras, camera_format, field=shown) as collection:
-        _check_out(out, collection)
+        outputs.check_is_folder(out)
+        outputs.check_folder_apart(out, [collection])
         datasets.report_remarks(collection.notices)
         chosen = _with_camera(pictures.frames[::every], collection, cameras)
         if views is not None:
@@ -115,17 +115,6 @@ def annotate(
         except KeyboardInterrupt:
             raise KeyboardInterrupt(_what_is_there(done, len(frames), out)) from None
     raise typer.Exit(_report(done, len(chosen) - len(frames), pictures, out))
-
-
-def _check_out(out: Path, collection: CameraCollection) -> None:
-    """Fail before the work.
-
-    Raises:
-        UsageError: OUT cannot be a folder of annotations.
-    """
-    if is_archive(out) or (out.exists() and not out.is_dir()):
-        raise UsageError(f"{out}: a folder is needed")
-    outputs.check_folder_apart(out, [collection])
 
 
 def _with_camera(

@@ -2,25 +2,64 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, cast
 
 import typer
 
-from procc_annotator.errors import UsageError
-from procc_annotator.io.frame_names import FrameTable
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.io.json_text import decode_as
+from procc_annotator.io.source import read_file
+from procc_annotator.metric.chance.clicks import noise_of_floor
 from procc_annotator.metric.chance.intervals import METHODS, Method
 from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.report.noise_floor import noise_from
 from procc_annotator.report.scores.chance import ChanceTerms
 from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
-from procc_annotator.session.runs.clusters import NONE, SHOT
+from procc_annotator.session.runs.clusters import NONE, SHOT, Clusters, clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.moved_clicks import ClickNoise
 from procc_annotator.session.runs.strata import DERIVED
-from procc_annotator.session.runs.tags import Tags
+from procc_annotator.session.runs.tags import Tags, check_by
 
+_ADVICE = "expected what `agree A B --output FILE.json` writes"
+
+
+def noise_from(path: Path, seed: int) -> ClickNoise:
+    """One annotator's standard deviation, from the median distance of every two.
+
+    Raises:
+        InputError: it cannot be read, or is no agreement, or none with any distance.
+    """
+    content = decode_as(read_file(path), object, "JSON", path=path)
+    size, floor = _member(content, "size"), _member(content, "summary", "noise_floor")
+    if not (isinstance(size, list) and len(size) == 2 and all(type(n) is int for n in size)):
+        raise InputError(path, "has no size of pictures", place="size", advice=_ADVICE)
+    if min(size) < 2 or not isinstance(floor, Mapping):
+        raise InputError(path, "is no agreement", place="summary.noise_floor", advice=_ADVICE)
+    median = floor.get("median")
+    if not isinstance(median, int | float) or not math.isfinite(median) or median <= 0:
+        raise InputError(
+            path,
+            f"has a median distance of {median}, expected one above 0 px",
+            place="summary.noise_floor.median",
+            advice="compare annotators who clicked the same elements each for themselves",
+        )
+    return ClickNoise(
+        noise_of_floor(median), seed=seed, of_size=(size[0], size[1]), told_by=path.name
+    )
+
+
+def _member(content: Any, *keys: str) -> Any:
+    for key in keys:
+        content = content.get(key) if isinstance(content, Mapping) else None
+    return content
+
+
+# What holds where nobody says otherwise: method, sets drawn, seed.
+USUAL = USUAL_METHOD, USUAL_DRAWS, USUAL_SEED = "t", 10_000, 1
 _LEAST_NOISE, _MOST_NOISE = 0.01, 100.0  # px
 
 
@@ -84,8 +123,56 @@ Noise = Annotated[
 Count = Annotated[int, typer.Option(min=100, max=1_000_000, metavar="N", help="Sets to draw.")]
 Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the sets drawn.")]
 
-# What holds where nobody says otherwise: method, sets drawn, seed.
-USUAL = USUAL_METHOD, USUAL_DRAWS, USUAL_SEED = "t", 10_000, 1
+
+@dataclass(frozen=True)
+class ClusterOptions:
+    """Which frames are alike, as commands without ``--by`` ask for it."""
+
+    tags: TagsFile = None
+    cluster: Cluster = None
+
+    def of(self, datasets: Iterable[Path]) -> Callable[[Sequence[str]], Clusters]:
+        """Return what finds the clusters of frames, see `clustering`."""
+        return clustering(self.tags, self.cluster, datasets)
+
+
+@dataclass(frozen=True)
+class IntervalOptions:
+    """How intervals are found, and what else is asked of them."""
+
+    cluster: Cluster = None
+    interval_method: IntervalMethod = USUAL_METHOD
+    power: Power = False
+    click_noise: Noise = None
+    draws: Count = USUAL_DRAWS
+
+    def terms(
+        self,
+        tags: Tags | None,
+        annotations: Mapping[str, Path],
+        by: Sequence[str],
+        seed: int,
+        shots: Path | None,
+    ) -> ChanceTerms:
+        """Return what is asked.
+
+        Args:
+            annotations: set -> its folder or archive.
+            by: what to break differences down by. shots: a table of frames.
+
+        Raises:
+            UsageError, InputError: no such tag; a table of frames that cannot be used.
+        """
+        return ChanceTerms(
+            cluster_of(self.cluster, tags),
+            tags,
+            orders_by_set(annotations, shots),
+            Draws(self.draws, seed),
+            cast(Method, self.interval_method),
+            self.power,
+            None if self.click_noise is None else noise_named(self.click_noise, seed),
+            tuple(by),
+        )
 
 
 def cluster_of(name: str | None, tags: Tags | None) -> str | None:
@@ -102,35 +189,41 @@ def cluster_of(name: str | None, tags: Tags | None) -> str | None:
     return name
 
 
-def parted_by(
-    by: Sequence[str] | None, tags: Tags | None, cluster: str | None
-) -> tuple[list[str] | None, tuple[str, ...]]:
-    """What was asked for with --by, apart: tags, and what is told from annotations and cameras.
+def clustering(
+    tags: Path | None, by: str | None, datasets: Iterable[Path]
+) -> Callable[[Sequence[str]], Clusters]:
+    """Return what finds the clusters of frames: by a tag, or by shots.
 
-    Without --by every tag is meant but the one that frames are clustered by. The tags are None
-    where there is nothing to group by at all.
+    Args:
+        tags: file of tags.
+        by: a tag, ``shot`` or ``none``; None for shots if there are any.
+        datasets: the first one that has a table of frames gives the shots; else names do.
+
+    Raises:
+        UsageError, InputError: no such tag; a file that cannot be used.
+    """
+    read = None if tags is None else Tags.read(tags)
+    cluster = cluster_of(by, read)
+    values = {} if read is None else read.values(cluster, "")
+    orders = orders_by_set({str(place): place for place in datasets}, None)
+    return lambda frames: clusters_of(frames, cluster, values, next(iter(orders.values()), None))
+
+
+def groups_asked(
+    by: Sequence[str] | None, tags: Tags | None, cluster: str | None
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What ``--by`` asks for: tags and the model, and what annotations and cameras say.
+
+    Without it every tag is meant but the one that frames are clustered by.
+
+    Raises:
+        UsageError: there is no such tag.
     """
     columns = () if tags is None else tags.columns
     if by is None:
-        rest = [name for name in columns if name != cluster]
-        return (rest or None), ()
+        by = [name for name in columns if name != cluster]
     derived = tuple(n for n in dict.fromkeys(by) if n in DERIVED and n not in columns)
-    return ([n for n in by if n not in derived] or None), derived
-
-
-def tags_by_set(tags: Tags | None, sets: Sequence[str]) -> dict[str, dict[str, Any]]:
-    """Set -> tag -> frame -> value."""
-    if tags is None:
-        return {}
-    return {
-        of_set: {
-            column: FrameTable(
-                (f, own[0]) for f, own in tags.grouping((column,), of_set).values.items()
-            )
-            for column in tags.columns
-        }
-        for of_set in sets
-    }
+    return check_by([name for name in by if name not in derived], tags, DERIVED), derived
 
 
 def orders_by_set(annotations: Mapping[str, Path], shots: Path | None) -> dict[str, FrameOrder]:
@@ -178,37 +271,3 @@ def _is_number(text: str) -> bool:
     except ValueError:
         return False
     return True
-
-
-def chance_terms(
-    tags: Tags | None,
-    annotations: Mapping[str, Path],
-    cluster: str | None,
-    by: Sequence[str],
-    method: str,
-    draws: int,
-    seed: int,
-    *,
-    shots: Path | None = None,
-    power: bool = False,
-    click_noise: str | None = None,
-) -> ChanceTerms:
-    """What is asked of chance.
-
-    Args:
-        annotations: set -> its folder or archive.
-        by: what to break differences down by. shots: a table of frames.
-
-    Raises:
-        UsageError, InputError: no such tag; a table of frames that cannot be used.
-    """
-    return ChanceTerms(
-        cluster_of(cluster, tags),
-        tags_by_set(tags, list(annotations)),
-        orders_by_set(annotations, shots),
-        Draws(draws, seed),
-        cast(Method, method),
-        power,
-        None if click_noise is None else noise_named(click_noise, seed),
-        tuple(by),
-    )

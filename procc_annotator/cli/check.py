@@ -117,8 +117,7 @@ def check(
     place = annotations_of(dataset)
     known = chosen_field(field, dataset, lines=lines)
     with open_annotations(place, known, options.label_map(labels, known)) as source:
-        for path in written_to:
-            outputs.check_not_an_input(path, [source])
+        outputs.check_not_inputs(written_to, [source])
         sizes = fit_sizes(source, place, dataset, size)
         mismatch = report_mismatch(source, known)
         report_like_cameras(source)

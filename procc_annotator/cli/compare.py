@@ -46,11 +46,10 @@ from procc_annotator.session.dataset.dataset_folder import annotations_or_itself
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.picture_tree import pictures_in
 from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.runs.clusters import Clusters, clusters_of
+from procc_annotator.session.runs.clusters import Clusters
 from procc_annotator.session.runs.comparison_run import ComparisonRun
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import folders_taken_for_one
-from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import count_of, listed
 
 HELP = """\
@@ -134,7 +133,7 @@ Dask = Annotated[
 ]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class AskedToCompare:
     """What `compare` is asked for."""
 
@@ -150,16 +149,15 @@ class AskedToCompare:
     worst: Worst = 10
     intervals: Intervals = False
     versus: Versus = None
-    tags: chance_options.TagsFile = None
-    cluster: chance_options.Cluster = None
+    alike: chance_options.ClusterOptions
     seed: chance_options.Seed = chance_options.USUAL_SEED
     workers: Workers = None
     dask: Dask = None
 
 
 def compare(given: AskedToCompare) -> None:
-    by_chance = given.intervals or given.versus is not None or given.cluster is not None
-    if not by_chance and (given.tags is not None or given.seed != chance_options.USUAL_SEED):
+    by_chance = given.intervals or given.versus is not None or given.alike.cluster is not None
+    if not by_chance and (given.alike.tags is not None or given.seed != chance_options.USUAL_SEED):
         raise UsageError("--tags and --seed need --intervals, --cluster or --versus")
     written_to = outputs.figure_files(given.output)
     shown_field = chosen_field(given.field, given.dataset, lines=given.lines)
@@ -168,7 +166,7 @@ def compare(given: AskedToCompare) -> None:
     sources = open_sources(texts, own_size, shown_field)
     source_a, source_b, *third = sources
     _check_outputs(written_to, given.pictures, sources, given.dataset)
-    alike = _clusters_of(given.dataset, given.tags, given.cluster)
+    alike = given.alike.of([] if given.dataset is None else [given.dataset])
     names, images = frames_of(given.dataset, shown_field)
     if given.dataset is None:
         _report_field_around((source_a, source_b), shown_field)
@@ -226,18 +224,6 @@ def open_sources(
             echo(f"note: {spec.name}: {notice}", err=True)
         opened.append(source)
     return opened
-
-
-def _clusters_of(
-    dataset: Path | None, tags: Path | None, by: str | None
-) -> Callable[[Sequence[str]], Clusters]:
-    """Which frames are alike: by a tag, or by the dataset's table of frames or names."""
-    read = None if tags is None else Tags.read(tags)
-    cluster = chance_options.cluster_of(by, read)
-    values = chance_options.tags_by_set(read, [""]).get("", {}).get(cluster or "", {})
-    places = {} if dataset is None else {"": dataset}
-    order = chance_options.orders_by_set(places, None).get("")
-    return lambda frames: clusters_of(frames, cluster, values, order)
 
 
 def _chance(
@@ -354,8 +340,7 @@ def _check_outputs(
         inputs: list[outputs.Input] = list(cameras)
         if dataset is not None and dataset.exists():
             inputs.append(files.enter_context(open_source(annotations_or_itself(dataset))))
-        for path in written_to:
-            outputs.check_not_an_input(path, inputs)
+        outputs.check_not_inputs(written_to, inputs)
         if pictures is not None:
             if pictures.exists() and not pictures.is_dir():
                 raise UsageError(f"{pictures}: is a file, a folder is needed for the pictures")

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
+from rich.cells import cell_len
 from rich.console import Console, ConsoleOptions
 from rich.progress import (
     BarColumn,
@@ -17,13 +18,77 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 from rich.segment import Segment
-from rich.table import Table
+from rich.table import Column, Table
+from rich.text import Text
 
-from procc_annotator.cli.table_widths import fit_columns
 from procc_annotator.errors import printable
-from procc_annotator.report.sheet.as_plain import plain_table
 from procc_annotator.report.sheet.as_terminal import terminal_table
 from procc_annotator.report.sheet.sheet import Sheet
+
+# A longer word (a path, a frame's name) may be cut.
+_LONGEST_WORD = 24
+
+
+def fit_columns(table: Table, width: int) -> int:
+    """Give the columns of a table widths with which it fits, if it does not anyway.
+
+    Words are broken only where nothing else helps; figures of several words ("74.1 ± 0.1") keep to
+    one line while that is possible.
+
+    Args:
+        table: one line a row or more; changed in place.
+        width: columns of the terminal.
+
+    Returns:
+        Columns that the table takes: more than there are where its figures would be cut else.
+    """
+    columns = table.columns
+    widest = [_longest(column, str.splitlines) for column in columns]
+    borders = len(columns) + 1
+    if sum(widest) + 2 * len(columns) + borders <= width:
+        return width
+    table.collapse_padding = True
+    room = width - borders - len(columns) - 1  # one blank between columns, one at each edge
+    by_words = [_longest(column, str.split) for column in columns]
+    unbroken = [_unbroken(column) for column in columns]
+    least = unbroken if sum(unbroken) <= room else by_words
+    room = max(room, sum(least))
+    for column, wide in zip(columns, _shrunk(widest, least, room), strict=True):
+        column.width = wide
+    columns[0].width = (columns[0].width or 0) + 1  # rich forgets its left blank
+    return room + borders + len(columns) + 1
+
+
+def _shrunk(widest: Sequence[int], least: Sequence[int], room: int) -> list[int]:
+    """The widest give way first, none below its least."""
+    widths = [max(pair) for pair in zip(widest, least, strict=True)]
+    while sum(widths) > room:
+        slack = [i for i, wide in enumerate(widths) if wide > least[i]]
+        widths[max(slack, key=widths.__getitem__)] -= 1
+    return widths
+
+
+def _unbroken(column: Column) -> int:
+    """Width of the longest word, and of the longest figure where a column holds figures."""
+    words = _longest(column, str.split)
+    if column.justify != "right":
+        return words
+    figures = [cell_len(text) for text in _texts(column)[1:] if any(map(str.isdigit, text))]
+    return max(words, *figures, 0)
+
+
+def _longest(column: Column, parts: Callable[[str], list[str]]) -> int:
+    whole = column.no_wrap or parts is str.splitlines
+    cut = str.splitlines if whole else parts
+    longest = max((cell_len(part) for text in _texts(column) for part in cut(text)), default=1)
+    return longest if whole else min(longest, _LONGEST_WORD)
+
+
+def _texts(column: Column) -> list[str]:
+    """Heading and cells."""
+    cells = [column.header, *column.cells]
+    return [cell.plain if isinstance(cell, Text) else str(cell) for cell in cells]
+
 
 T = TypeVar("T")
 
@@ -35,10 +100,6 @@ class _Console(Console):
     def print(self, *objects: Any, **options: Any) -> None:
         """Sheets become tables, which fit the width if their figures can be kept whole; in a file
         or a pipe no line ends in blanks."""
-        plain = self._plain(objects) if not options else None
-        if plain is not None:
-            self._write(plain)
-            return
         objects = tuple(terminal_table(o) if isinstance(o, Sheet) else o for o in objects)
         wide = max((fit_columns(o, self.width) for o in objects if isinstance(o, Table)), default=0)
         room = self.width
@@ -55,13 +116,6 @@ class _Console(Console):
         with self.capture() as captured:
             super().print(*objects, **options)
         self._write("\n".join(line.rstrip() for line in captured.get().split("\n")))
-
-    def _plain(self, objects: tuple[Any, ...]) -> str | None:
-        # Colours, and letters that a box cannot be drawn with, are left to the library, which takes
-        # twenty times as long.
-        if len(objects) != 1 or not isinstance(objects[0], Sheet) or self.is_terminal:
-            return None
-        return None if self.options.ascii_only else plain_table(objects[0], self.width)
 
     def _write(self, text: str) -> None:
         try:

@@ -34,8 +34,7 @@ from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet
 from procc_annotator.report.scores.score_table import append_rows, check_table
 from procc_annotator.report.scores.scoring import Evaluations, Outcome, Scored
 from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.strata import DERIVED
-from procc_annotator.session.runs.tags import MODEL, Tags, check_by
+from procc_annotator.session.runs.tags import MODEL, Tags
 from procc_annotator.words import count_of, first_of
 
 HELP = """\
@@ -135,7 +134,7 @@ class _Call:
     chance: ChanceTerms | None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class AskedToEvaluate:
     """What `evaluate` is asked for."""
 
@@ -157,11 +156,7 @@ class AskedToEvaluate:
     tags: chance_options.TagsFile = None
     by: By = None
     intervals: chance_options.Intervals = False
-    cluster: chance_options.Cluster = None
-    interval_method: chance_options.IntervalMethod = chance_options.USUAL_METHOD
-    power: chance_options.Power = False
-    click_noise: chance_options.Noise = None
-    draws: chance_options.Count = chance_options.USUAL_DRAWS
+    chance: chance_options.IntervalOptions
     seed: chance_options.Seed = chance_options.USUAL_SEED
     submission: Submission = None
     output: options.FigureFiles = None
@@ -208,13 +203,11 @@ def _call_of(context: typer.Context, given: AskedToEvaluate) -> _Call:
         require_submitted_for(given.submission, setups[0], plan.frames(fields))
     thresholds = options.thresholds_or_default(given.threshold)
     tags = None if given.tags is None else Tags.read(given.tags)
-    grouped, derived = chance_options.parted_by(given.by, tags, given.cluster)
-    groups = () if grouped is None else check_by(grouped, tags, DERIVED)
+    groups, derived = chance_options.groups_asked(given.by, tags, given.chance.cluster)
     chance = _chance(given, plan, tags, (*groups, *derived), asked=bool(derived))
-    noise = chance_options.noise_file(given.click_noise)
+    noise = chance_options.noise_file(given.chance.click_noise)
     beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
-    for path in written_to:
-        outputs.check_not_an_input(path, [file for file in beside.values() if file is not None])
+    outputs.check_not_inputs(written_to, filter(None, beside.values()))
     shown = options.shown_size(given.camera_size)
     recipe = recipe_for(given.recipe, context, FieldAsked(given.field, given.lines), beside)
     steady = over_time.OverTimeCall.of(
@@ -246,16 +239,14 @@ def _chance(
     given: AskedToEvaluate, plan: Plan, tags: Tags | None, by: Sequence[str], *, asked: bool
 ) -> ChanceTerms | None:
     """How intervals are found, if anything asks for them."""
-    told = given.click_noise is not None or given.cluster is not None
-    if not (asked or told or given.intervals or given.power):
-        if (given.interval_method, given.draws, given.seed) != chance_options.USUAL:
+    chance = given.chance
+    told = chance.click_noise is not None or chance.cluster is not None
+    if not (asked or told or given.intervals or chance.power):
+        if (chance.interval_method, chance.draws, given.seed) != chance_options.USUAL:
             raise UsageError("--interval-method, --draws and --seed need --intervals or the like")
         return None
-    return chance_options.chance_terms(
-        tags, dict(plan.sets), given.cluster, [name for name in by if name != MODEL],
-        given.interval_method, given.draws, given.seed,
-        shots=given.shots, power=given.power, click_noise=given.click_noise,
-    )  # fmt: skip
+    parts = [name for name in by if name != MODEL]
+    return chance.terms(tags, dict(plan.sets), parts, given.seed, given.shots)
 
 
 def _score(
@@ -278,8 +269,7 @@ def _score(
             inputs.append(call.tags.path)
         own = [*call.tables]
         own += [] if call.recipe is None else [call.recipe.path]
-        for path in (*call.written_to, *own, *more):
-            outputs.check_not_an_input(path, inputs)
+        outputs.check_not_inputs((*call.written_to, *own, *more), inputs)
         evaluations = Evaluations.prepare(asked, call.thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
             steady = call.over_time

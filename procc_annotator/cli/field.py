@@ -12,7 +12,7 @@ from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field, named_field
 from procc_annotator.cli.open import display_available
-from procc_annotator.cli.outputs import check_not_an_input, check_output_folder
+from procc_annotator.cli.outputs import check_not_inputs, check_output_folder
 from procc_annotator.cli.qt_libraries import require_qt_libraries
 from procc_annotator.errors import FieldError, UsageError
 from procc_annotator.field.checks import RemarkSeverity, check_field
@@ -152,7 +152,7 @@ def _write_picture(field: Field, out: Path) -> None:
 
     check_picture_suffix(out)
     check_output_folder(out)
-    check_not_an_input(out, [field.source] if field.source is not None else [])
+    check_not_inputs([out], [field.source] if field.source is not None else [])
     shape = FieldShape.of(field)
     write_atomic(out, field_picture(field, FlatField(shape.lines, shape.ground), out.suffix))
 

@@ -27,10 +27,8 @@ from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of, folder_of_dataset
 from procc_annotator.session.dataset.gold_file import GOLD_FILE, read_gold
 from procc_annotator.session.runs.agreement_run import AgreementRun
-from procc_annotator.session.runs.clusters import clusters_of
 from procc_annotator.session.runs.gold_run import GoldErrors, gold_errors
 from procc_annotator.session.runs.set_run import folders_taken_for_one
-from procc_annotator.session.runs.tags import Tags
 from procc_annotator.words import listed
 
 HELP = """\
@@ -52,7 +50,7 @@ Example:
 """
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class AskedForGold:
     """What `gold` is asked for."""
 
@@ -82,8 +80,7 @@ class AskedForGold:
     size: options.Size = "960x540"
     field: options.FieldName = None
     labels: options.LabelsFile = None
-    tags: chance_options.TagsFile = None
-    cluster: chance_options.Cluster = None
+    alike: chance_options.ClusterOptions
     output: options.FigureFiles = None
 
 
@@ -93,15 +90,12 @@ def gold(given: AskedForGold) -> None:
     shown = chosen_field(given.field, given.dataset, *given.annotators)
     names = options.label_map(given.labels, shown)
     terms = shown, options.parse_size(given.size), options.thresholds_or_default(given.threshold)
-    read = None if given.tags is None else Tags.read(given.tags)
-    clustering = chance_options.cluster_of(given.cluster, read), read
     with ExitStack() as opened:
         answers, *sources = (
             opened.enter_context(open_annotations(annotations_of(path), shown, names))
             for path in (given.dataset, *given.annotators)
         )
-        for path in files:
-            outputs.check_not_an_input(path, (answers, *sources))
+        outputs.check_not_inputs(files, (answers, *sources))
         answered = list_annotations(answers)
         places = (given.dataset, *given.annotators)
         lists = told_by_trees([answered, *map(list_annotations, sources)])
@@ -113,7 +107,7 @@ def gold(given: AskedForGold) -> None:
             )
         named = (answered.name_there(name) for name in marked)
         known = tuple(dict.fromkeys(name for name in named if name is not None))
-        against = _compared(answers, sources, given.annotators, known, terms, clustering)
+        against = _compared(answers, sources, given.annotators, known, terms, given.alike)
     for path in files:  # before the tables: whoever reads them may stop after the first
         write_gold(against, path)
     for sheet in gold_sheets(against):
@@ -147,12 +141,10 @@ def _compared(
     places: list[Path],
     marked: tuple[str, ...],
     terms: tuple[Field, tuple[int, int], tuple[float, ...]],
-    clustering: tuple[str | None, Tags | None],
+    alike: chance_options.ClusterOptions,
 ) -> AgainstGold:
     """All annotators against the answers to the frames ``marked``, by the names of these."""
-    by, tags = clustering
-    values = chance_options.tags_by_set(tags, [""]).get("", {}).get(by or "", {})
-    order = chance_options.orders_by_set({"": answers.path}, None).get("")
+    clusters_of = alike.of([answers.path])
     errors: list[str] = []
     found: list[GoldErrors | None] = []
     known: dict[str, None] = {}
@@ -166,7 +158,7 @@ def _compared(
         run = AgreementRun(source, answers, *terms, among=frozenset(marked))
         results = list(with_progress(run, run.total, "comparing"))
         errors += [error for result in results for error in result.errors]
-        clusters = clusters_of(run.names, by, values, order)
+        clusters = clusters_of(run.names)
         known[intervals_described(draws, clusters)] = None
         times = read_times(folder_of_dataset(place) or place)
         found.append(gold_errors(results, times, terms[2], clusters, draws))

@@ -56,25 +56,28 @@ def check_output_folder(path: Path) -> None:
     make_folder(path.parent)
 
 
-def check_not_an_input(path: Path, inputs: Iterable[Input]) -> None:
-    """An output file must never replace what is being read, nor be read with it the next time.
+def check_not_inputs(paths: Iterable[Path], inputs: Iterable[Input]) -> None:
+    """Output files must never replace what is being read, nor be read with it the next time.
 
     Raises:
-        UsageError: the output is one of the files of an input or its archive, under this name or
+        UsageError: an output is one of the files of an input or its archive, under this name or
             another; or it would be a new ``.json`` among the files of one.
     """
     opened = list(inputs)
-    if path.exists():
-        own = path.stat()
-        for file in (file for one in opened for file in _files(one)):
-            try:
-                same = os.path.samestat(os.stat(file), own)
-            except OSError:  # gone meanwhile: nothing to lose
-                continue
-            if same:
+    for path in paths:
+        if path.exists():
+            own = path.stat()
+            if any(_is_same(file, own) for one in opened for file in _files(one)):
                 raise UsageError(f"{path}: is one of the files to be read, write to another one")
-    elif path.suffix.lower() == ".json":
-        check_folder_apart(path.parent, opened)
+        elif path.suffix.lower() == ".json":
+            check_folder_apart(path.parent, opened)
+
+
+def _is_same(file: str, other: os.stat_result) -> bool:
+    try:
+        return os.path.samestat(os.stat(file), other)
+    except OSError:  # gone meanwhile: nothing to lose
+        return False
 
 
 def check_folder_apart(folder: Path, inputs: Iterable[Input]) -> None:
@@ -179,7 +182,31 @@ def replacing_nothing(
 
 def check_place(out: Path, inputs: Iterable[Input]) -> None:
     """As above, for an output that is a folder, or an archive if it ends in ``.zip``."""
-    (check_not_an_input if is_archive(out) else check_folder_apart)(out, inputs)
+    if is_archive(out):
+        check_not_inputs([out], inputs)
+    else:
+        check_folder_apart(out, inputs)
+
+
+def check_is_folder(out: Path) -> None:
+    """Raise UsageError for an output that is a file or an archive."""
+    if is_archive(out) or (out.exists() and not out.is_dir()):
+        raise UsageError(f"{out}: a folder is needed")
+
+
+def check_camera_folder(out: Path, inputs: Iterable[Path | None]) -> None:
+    """Fail before cameras are found for a folder that cannot be theirs.
+
+    Raises:
+        UsageError: OUT is no folder, or holds pictures, annotations or what else is read.
+    """
+    check_is_folder(out)
+    for given in inputs:
+        if given is not None and given.is_dir():
+            with open_source(given) as source:
+                check_folder_apart(out, [source])
+    if out.is_dir():
+        check_no_annotations(out)
 
 
 def _files(one: Input) -> list[str]:

@@ -24,7 +24,6 @@ from procc_annotator.report.over_time import (
     shown_sheets,
 )
 from procc_annotator.report.scores.scoring import Asked
-from procc_annotator.report.sheet.as_terminal import terminal_table
 from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
 from procc_annotator.session.dataset.picture_source import open_pictures
 from procc_annotator.session.runs.execution.executor import Executor
@@ -187,7 +186,7 @@ class OverTimeCall:
         """Print the tables, and which files were written."""
         console = stdout_console()
         for sheet in shown_sheets(shots_sheet(found)) if found else ():
-            console.print(terminal_table(sheet))
+            console.print(sheet)
         for path in self.written_to:
             if path not in unwritten:
                 echo(f"written: {path}")

@@ -16,7 +16,6 @@ from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposing import propose_camera
-from procc_annotator.io.source import open_source
 from procc_annotator.report.proposals import (
     TABLE_FILE,
     UNSURE_FOLDER,
@@ -27,7 +26,7 @@ from procc_annotator.report.proposals import (
     proposed_words,
     states_table,
 )
-from procc_annotator.report.targets import Interrupted, is_archive
+from procc_annotator.report.targets import Interrupted
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.picture_source import open_pictures
@@ -150,8 +149,9 @@ def propose(given: AskedToPropose) -> None:
     going_on = options.goes_on(
         left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
     )
-    inputs = [pictures.path, *([given.known] if given.known is not None else [])]
-    _check_out(given.out, inputs, pictures.frames, overwrite=given.overwrite or going_on)
+    outputs.check_camera_folder(given.out, [pictures.path, given.known])
+    if not (given.overwrite or going_on):
+        _require_free(given.out, pictures.frames)
     positions = (
         () if given.known is None else read_positions(given.known, shown, given.camera_format)
     )
@@ -178,28 +178,11 @@ def propose(given: AskedToPropose) -> None:
     raise typer.Exit(_report(found, wanted, pictures.problems, given.out))
 
 
-def _check_out(
-    out: Path, inputs: Sequence[Path], frames: Sequence[Frame], *, overwrite: bool
-) -> None:
-    """Fail before the work.
-
-    Raises:
-        UsageError: OUT is no folder, holds pictures, annotations or what else is read, or cameras
-            nobody asked to replace.
-    """
-    if is_archive(out) or (out.exists() and not out.is_dir()):
-        raise UsageError(f"{out}: a folder is needed")
-    for given in inputs:
-        if given.is_dir():
-            with open_source(given) as source:
-                outputs.check_folder_apart(out, [source])
-    if not out.is_dir():
-        return
-    outputs.check_no_annotations(out)
+def _require_free(out: Path, frames: Sequence[Frame]) -> None:
+    """Raise UsageError if OUT holds cameras or their table."""
     names = [frame.name for frame in frames]
-    places = (out, out / UNSURE_FOLDER)
-    there = any(outputs.holds_cameras(place, names) for place in places)
-    if not overwrite and (there or (out / TABLE_FILE).exists()):
+    there = any(outputs.holds_cameras(place, names) for place in (out, out / UNSURE_FOLDER))
+    if there or (out / TABLE_FILE).exists():
         raise UsageError(
             f"{out}: holds cameras or their table already; choose another place, or --overwrite to"
             " replace them"

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import cast
 
-from procc_annotator.cli.chance_options import chance_terms
+from procc_annotator.cli.chance_options import cluster_of, orders_by_set
 from procc_annotator.cli.over_time import OverTimeCall
+from procc_annotator.metric.chance.intervals import Method
 from procc_annotator.report.over_time import SourceOverTime
 from procc_annotator.report.recipe import Recipe
 from procc_annotator.report.recipe_further import RecipeChance, RecipeOverTime
@@ -48,13 +50,12 @@ def terms_again(known: RecipeChance, recipe: Recipe, root: Path) -> ChanceTerms:
         UsageError, InputError: a file of tags or frames cannot be used.
     """
     sets = {one.set: root / one.annotations for one in recipe.evaluations}
-    terms = chance_terms(
-        None if known.tags is None else Tags.read(root / known.tags),
-        sets, known.cluster, known.by, known.method, known.draws.count, known.draws.seed,
-        shots=None if known.shots is None else root / known.shots,
-        power=known.power,
+    tags = None if known.tags is None else Tags.read(root / known.tags)
+    shots = None if known.shots is None else root / known.shots
+    return ChanceTerms(
+        cluster_of(known.cluster, tags), tags, orders_by_set(sets, shots), known.draws,
+        cast(Method, known.method), known.power, known.noise, known.by,
     )  # fmt: skip
-    return terms.with_noise(known.noise)
 
 
 def over_time_again(

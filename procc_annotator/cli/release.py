@@ -21,7 +21,7 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.csv_text import frame_rows
+from procc_annotator.io.csv_text import read_frame_table
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
 from procc_annotator.report import agreement, findings
@@ -227,7 +227,7 @@ def _splits(path: Path | None) -> FrameTable[str]:
     if path is None:
         return FrameTable()
     found: dict[str, str] = {}
-    for line, row in frame_rows(path, ("frame", "split"), "")[1]:
+    for line, row in read_frame_table(path, ("split",), "")[1]:
         if not _SPLIT.fullmatch(row["split"]):
             problem = f"{row['split']!r} is no name for a split"
             raise InputError(path, problem, place=f"line {line}")

@@ -47,8 +47,7 @@ from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import annotations_of, annotations_or_itself
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.strata import DERIVED
-from procc_annotator.session.runs.tags import Tags, check_by
+from procc_annotator.session.runs.tags import Tags
 
 HELP = """\
 DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone: overlay
@@ -154,7 +153,7 @@ LatexWidth = Annotated[
 ]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class AskedToReport:
     """What `report` is asked for."""
 
@@ -175,11 +174,7 @@ class AskedToReport:
     mirrored: options.Mirrored = False
     tags: chance_options.TagsFile = None
     by: By = None
-    cluster: chance_options.Cluster = None
-    interval_method: chance_options.IntervalMethod = chance_options.USUAL_METHOD
-    power: chance_options.Power = False
-    click_noise: chance_options.Noise = None
-    draws: chance_options.Count = chance_options.USUAL_DRAWS
+    chance: chance_options.IntervalOptions
     title: Title = None
     date: Date = None
     worst: Worst = 4
@@ -220,16 +215,12 @@ def report(context: typer.Context, given: AskedToReport) -> None:
     check_request(request, [spec.name for spec in specs])
     place = annotation_place(given.dataset, setup.field, given.annotations)
     read_tags = None if given.tags is None else Tags.read(given.tags)
-    grouped, derived = chance_options.parted_by(given.by, read_tags, given.cluster)
-    parts = (*(check_by(grouped, read_tags, DERIVED) if grouped else ()), *derived)
-    chance = chance_options.chance_terms(
-        read_tags, {name: place[0]}, given.cluster, parts, given.interval_method,
-        given.draws, given.seed,
-        shots=given.shots, power=given.power, click_noise=given.click_noise,
-    )  # fmt: skip
+    groups, derived = chance_options.groups_asked(given.by, read_tags, given.chance.cluster)
+    parts = (*groups, *derived)
+    chance = given.chance.terms(read_tags, {name: place[0]}, parts, given.seed, given.shots)
     if given.recipe is not None:
         outputs.check_output_folder(given.recipe)
-    noise = chance_options.noise_file(given.click_noise)
+    noise = chance_options.noise_file(given.chance.click_noise)
     beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
     asked = recipe_for(given.recipe, context, FieldAsked(given.field, given.lines), beside)
     call = _Call(
@@ -296,8 +287,8 @@ def _make(
         named = list(zip(call.specs, collections, strict=True))
         for spec, collection in named:
             datasets.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
-        for path in (*call.written, *([call.recipe.path] if call.recipe else [])):
-            outputs.check_not_an_input(path, [source, *collections])
+        files = (*call.written, *([call.recipe.path] if call.recipe else []))
+        outputs.check_not_inputs(files, [source, *collections])
         work_ahead = len(list_annotations(source)) * _cost(call.request, len(call.specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
         work = Work(executor, camera_size, with_progress)

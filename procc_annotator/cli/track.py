@@ -20,8 +20,7 @@ from procc_annotator.field.stadiums import field_of_stadium, stadium_of
 from procc_annotator.fit.from_picture.proposing import prepare
 from procc_annotator.fit.through_shot.following_shot import track as follow_shot
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.source import open_source
-from procc_annotator.report.targets import Interrupted, is_archive
+from procc_annotator.report.targets import Interrupted
 from procc_annotator.report.track_places import places_found
 from procc_annotator.report.tracks import (
     TABLE_FILE,
@@ -130,7 +129,12 @@ def track(
     datasets.report_remarks(pictures.notices)
     start = None if begin is None else _number_of(begin, pictures)
     called = tuple(frame.name for frame in pictures.frames)
-    _check_out(out, [source, annotations, cameras], called, overwrite=overwrite)
+    outputs.check_camera_folder(out, [source, annotations, cameras])
+    if not overwrite and not (out / TABLE_FILE).exists() and outputs.holds_cameras(out, called):
+        raise UsageError(
+            f"{out}: holds cameras but no {TABLE_FILE}; choose another place, or --overwrite to"
+            " replace them"
+        )
     table = _table(out, called, overwrite=overwrite)
     size = options.shown_size(camera_size)
     clicked = None if annotations is None else pictures.annotated(annotations, shown, names)
@@ -216,32 +220,6 @@ def _number_of(text: str, pictures: PictureSource) -> int:
         f"--from {text}: there is no such frame (they are called"
         f" {pictures.frames[0].name} to {pictures.frames[-1].name}, numbers 0 to {last})"
     )
-
-
-def _check_out(
-    out: Path, inputs: Sequence[Path | None], frames: Sequence[str], *, overwrite: bool
-) -> None:
-    """Fail before the work.
-
-    Raises:
-        UsageError: OUT is no folder, holds pictures, annotations or what else is read, or cameras
-            that are not of a track.
-    """
-    if is_archive(out) or (out.exists() and not out.is_dir()):
-        raise UsageError(f"{out}: a folder is needed")
-    for given in inputs:
-        if given is not None and given.is_dir():
-            with open_source(given) as source:
-                outputs.check_folder_apart(out, [source])
-    if not out.is_dir():
-        return
-    outputs.check_no_annotations(out)
-    foreign = not (out / TABLE_FILE).exists() and outputs.holds_cameras(out, frames)
-    if foreign and not overwrite:
-        raise UsageError(
-            f"{out}: holds cameras but no {TABLE_FILE}; choose another place, or --overwrite to"
-            " replace them"
-        )
 
 
 def _table(out: Path, names: tuple[str, ...], *, overwrite: bool) -> TrackTable:

@@ -49,44 +49,57 @@ def csv_cells(path: Path) -> list[tuple[int, list[str]]]:
         raise InputError(path, f"is no CSV: {error}", place=f"line {reader.line_num}") from error
 
 
-def frame_rows(
-    path: Path, required: Sequence[str], advice: str, *, in_sets: bool = False
+def read_table(
+    path: Path, required: Sequence[str], advice: str
 ) -> tuple[list[str], list[tuple[int, dict[str, str]]]]:
-    """The columns of a table about frames, and of every row its line number and cells by column.
+    """The columns of a table, and of every row its line number and cells by column.
 
     Args:
         path: of a CSV file with a header.
-        required: columns that it must have, among them ``frame``, which no row may leave empty, nor
-            two rows share.
+        required: columns that it must have.
         advice: what the file should look like.
-        in_sets: whether a column ``set``, if there is one, tells frames of one name apart.
 
     Raises:
         InputError: it cannot be read, or what is wrong and where.
     """
     (at, header), *rows = csv_cells(path) or [(0, [])]
-    names = [cell.strip() for cell in header]
-
-    def refused(problem: str, line: int, advice: str = advice) -> InputError:
-        return InputError(path, problem, place=f"line {line}", advice=advice)
-
     if not at:
         raise InputError(path, "is empty", advice=advice)
-    for name in required:
-        if names.count(name) != 1:
-            problem = "two columns" if name in names else "no column"
-            raise refused(f"has {problem} {name!r}", at)
-    found, lines = [], dict[tuple[str, str], int]()
+    names = [cell.strip() for cell in header]
+    lacking = [f"has no column {name!r}" for name in required if name not in names]
+    twice = [f"has two columns {name!r}" for name in names if name and names.count(name) > 1]
+    if problems := lacking + twice:
+        raise InputError(path, problems[0], place=f"line {at}", advice=advice)
+    found = []
     for line, cells in rows:
         if len(cells) != len(names):
-            has = count_of(len(cells), "cell")
-            raise refused(f"has {has}, expected {len(names)} as in the header", line, "")
-        row = dict(zip(names, (formula_text(cell.strip()) for cell in cells), strict=True))
-        frame = row["frame"]
+            has = f"has {count_of(len(cells), 'cell')}, expected {len(names)} as in the header"
+            raise InputError(path, has, place=f"line {line}")
+        texts = (formula_text(cell.strip()) for cell in cells)
+        found.append((line, dict(zip(names, texts, strict=True))))
+    return names, found
+
+
+def read_frame_table(
+    path: Path, required: Sequence[str], advice: str, *, in_sets: bool = False
+) -> tuple[list[str], list[tuple[int, dict[str, str]]]]:
+    """As `read_table`, of a table about frames: its column ``frame`` names each of them once.
+
+    Args:
+        path, required, advice: as of `read_table`.
+        in_sets: whether a column ``set``, if there is one, tells frames of one name apart.
+
+    Raises:
+        InputError: it cannot be read, or what is wrong and where.
+    """
+    names, rows = read_table(path, ["frame", *required], advice)
+    lines = dict[tuple[str, str], int]()
+    for line, row in rows:
+        frame, place = row["frame"], f"line {line}"
         if not frame:
-            raise refused("names no frame", line, "")
+            raise InputError(path, "names no frame", place=place)
         first = lines.setdefault((row.get("set", "") if in_sets else "", frame), line)
         if first != line:
-            raise refused(f"frame {frame!r} again, after line {first}", line, "keep one of them")
-        found.append((line, row))
-    return names, found
+            problem = f"frame {frame!r} again, after line {first}"
+            raise InputError(path, problem, place=place, advice="keep one of them")
+    return names, rows

@@ -2,27 +2,31 @@
 
 from __future__ import annotations
 
-import heapq
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any, Protocol
+from typing import Any
+
+import numpy as np
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.atomic import replacing
-from procc_annotator.metric.agreement import (
-    AgreementSummary,
-    ClassAgreement,
-    FrameAgreement,
-    quantile,
-)
+from procc_annotator.metric.agreement import AgreementSummary, quantile
 from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.report.agreement_figures import floor_entry, intervals_described
+from procc_annotator.report.agreement_figures import (
+    ELEMENT_COLUMNS,
+    WORST,
+    element_rows,
+    farthest,
+    floor_entry,
+    frame_entry,
+    intervals_described,
+    status_row,
+)
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.tables import pixels, worst_words
-from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
+from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import encoded, figure_entry
 from procc_annotator.report.sheet.figure import shortest, values_of
 from procc_annotator.report.sheet.figures import (
@@ -39,55 +43,16 @@ from procc_annotator.report.sheet.figures import (
     POINTS,
 )  # fmt: skip
 from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
-from procc_annotator.session.runs.agreement_run import AgreementResult, AgreementRun
+from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.session.runs.clusters import Clusters, clusters_of
+from procc_annotator.session.runs.consensus_run import SeveralResult
 from procc_annotator.session.runs.sure_agreement import SureAgreement, sure_agreement
 from procc_annotator.words import count_of
 
-WORST = 10
-
-_COLUMNS = (
-    Column("name"), Column("field"), whole("width"), whole("height"), Column("class"),
-    Column("status"), whole("points"), whole("left_out"), *map(of, DISTANCES),
-    Column("mirrored_hint", kind="yes_no"), Column("error"),
-)  # fmt: skip
+_LONE = ("only_a", "only_b")
 
 ClustersOf = Callable[[Sequence[str]], Clusters]
-Progress = Callable[[Iterable[AgreementResult], int, str], Iterator[AgreementResult]]
-
-
-@dataclass(frozen=True, slots=True)
-class AgreementRow:
-    """What the table of worst frames says about one frame at one threshold."""
-
-    name: str
-    jac: float
-    common: int
-    only_a: int
-    only_b: int
-    median: float | None
-    largest: float | None
-    farthest: str
-    mirrored_hint: bool
-
-    @classmethod
-    def of(cls, name: str, frame: FrameAgreement, tau: float) -> AgreementRow:
-        """The row of a frame; its farthest element is the one with the largest distance."""
-        by_size = [(c.largest, n) for n, c in frame.by_class.items() if c.largest is not None]
-        largest, farthest = max(by_size, default=(None, ""))
-        distances = frame.distances.copy()
-        distances.sort()
-        return cls(
-            name,
-            frame.jac(tau),
-            len(frame.by_class),
-            len(frame.only_a),
-            len(frame.only_b),
-            quantile(distances, 0.5),
-            largest,
-            farthest.strip(),
-            frame.mirrored_hint,
-        )
+Progress = Callable[[Iterable[SeveralResult], int, str], Iterator[SeveralResult]]
 
 
 @dataclass(frozen=True)
@@ -96,34 +61,30 @@ class Agreed:
 
     Attributes:
         floor: the same with intervals; known: what these rest on.
+        results: of all frames.
+        errors: of files that could not be read.
     """
 
     summary: AgreementSummary
     described: str
-    worst: list[AgreementRow]
-    errors: list[str]
     floor: SureAgreement
     known: str
-
-
-def _no_progress(
-    items: Iterable[AgreementResult], _total: int, _what: str
-) -> Iterator[AgreementResult]:
-    return iter(items)
+    results: tuple[SeveralResult, ...]
+    errors: list[str]
 
 
 def agree_sets(
     run: AgreementRun,
     *,
     outputs: Sequence[Path] = (),
-    progress: Progress = _no_progress,
+    progress: Progress = lambda items, _total, _what: iter(items),
     clusters: ClustersOf = lambda frames: clusters_of(frames, None, {}),
 ) -> Agreed:
-    """Compare two annotators' files and write what is found, frame by frame.
+    """Compare two annotators' files and write what is found.
 
     Args:
         run: not yet iterated.
-        outputs: ``.json`` or ``.csv`` files; they appear when they are complete.
+        outputs: ``.json`` or ``.csv`` files.
         progress: wraps the frames as they come, given their number and a word for the work.
         clusters: which of some frames are alike, for intervals.
 
@@ -132,38 +93,24 @@ def agree_sets(
             read; an output of another kind.
         SaveError: an output cannot be written.
     """
-    worst: list[tuple[tuple[float, float], int, AgreementRow]] = []
-    errors: list[str] = []
-    found: list[tuple[str, FrameAgreement]] = []
-    with ExitStack() as files:
-        writers: list[_Writer] = []
-        for output in outputs:
-            kind = _JsonWriter if score_format(output) == "json" else _CsvWriter
-            writers.append(kind(files.enter_context(replacing(output)), run))
-        for count, result in enumerate(progress(run, run.total, "comparing")):
-            errors += result.errors
-            for writer in writers:
-                writer.add(result)
-            if result.agreement is not None:
-                found.append((result.name, result.agreement))
-            if result.agreement is not None and result.agreement.element_count:
-                row = AgreementRow.of(result.name, result.agreement, run.thresholds[0])
-                entry = ((-row.jac, row.largest or 0.0), -count, row)
-                (heapq.heappush if len(worst) < WORST else heapq.heappushpop)(worst, entry)
-        summary = run.summary()
-        if not summary.frames:
-            raise UsageError(
-                f"of none of the {run.total} frames both annotations can be read;"
-                f" the first: {errors[0]}"
-            )
-        names = [name for name, _ in found]
-        alike, draws = clusters(names), Draws()
-        floor = sure_agreement(names, found, run.thresholds, alike, draws)
-        known = intervals_described(draws, alike)
-        for writer in writers:
-            writer.end(summary, floor_entry(floor, known))
-    rows = [row for _, _, row in sorted(worst, reverse=True)]
-    return Agreed(summary, run.describe(), rows, errors, floor, known)
+    results = tuple(progress(run, run.total, "comparing"))
+    errors = [error for result in results for error in result.errors]
+    found = [(r.name, r.agreement) for r in results if r.agreement is not None]
+    if not found:
+        raise UsageError(
+            f"of none of the {run.total} frames both annotations can be read;"
+            f" the first: {errors[0]}"
+        )
+    names = [name for name, _ in found]
+    alike, draws = clusters(names), Draws()
+    floor = sure_agreement(names, found, run.thresholds, alike, draws)
+    known = intervals_described(draws, alike)
+    agreed = Agreed(run.summary(), run.describe(), floor, known, results, errors)
+    for output in outputs:
+        is_json = score_format(output) == "json"
+        with replacing(output) as stream:
+            stream.write(_json(agreed, run) if is_json else csv_bytes(_frames_sheet(agreed, run)))
+    return agreed
 
 
 # ---------------------------------------------------------------------------------------- tables
@@ -209,6 +156,12 @@ def agreement_classes_table(agreed: Agreed) -> Sheet:
 def worst_agreement_table(agreed: Agreed) -> Sheet:
     """The frames to look at first: lowest JaC, then largest distance."""
     tau = next(iter(agreed.summary.mean_jac))
+    found = [
+        (result.name, result.agreement, *farthest(result.agreement))
+        for result in agreed.results
+        if result.agreement is not None and result.agreement.element_count
+    ]
+    found.sort(key=lambda one: (one[1].jac(tau), -(one[2] or 0.0)))
     columns = (
         Column("frame", "frame"), of(JAC), whole("common", "in common"), whole("only_a", "only A"),
         whole("only_b", "only B"), of(MEDIAN_PX), of(LARGEST_PX),
@@ -216,66 +169,35 @@ def worst_agreement_table(agreed: Agreed) -> Sheet:
     )  # fmt: skip
     rows = tuple(
         (
-            row.name, row.jac, row.common, row.only_a, row.only_b, row.median, row.largest,
-            row.farthest, "mirrored?" if row.mirrored_hint else None,
+            name, frame.jac(tau), len(frame.by_class), len(frame.only_a), len(frame.only_b),
+            quantile(np.sort(frame.distances), 0.5), largest, element,
+            "mirrored?" if frame.mirrored_hint else None,
         )
-        for row in agreed.worst
+        for name, frame, largest, element in found[:WORST]
     )  # fmt: skip
-    title = f"{worst_words(len(agreed.worst))} at {tau:g} px"
+    title = f"{worst_words(len(rows))} at {tau:g} px"
     return Sheet("worst_frames", title, columns, rows, agreed.described)
 
 
 # ----------------------------------------------------------------------------------------- files
 
 
-class _Writer(Protocol):
-    def __init__(self, stream: IO[bytes], run: AgreementRun) -> None: ...
-
-    def add(self, result: AgreementResult) -> None: ...
-
-    def end(self, summary: AgreementSummary, floor: dict[str, Any]) -> None: ...
-
-
-class _JsonWriter:
-    """The terms of the field, then ``"size", "thresholds", "a", "b", "images", "summary"``."""
-
-    def __init__(self, stream: IO[bytes], run: AgreementRun) -> None:
-        self._stream = stream
-        self._thresholds = run.thresholds
-        self._separator = b"\n"
-        head = encoded(
-            {
-                **field_terms(run.field),
-                "size": list(run.size),
-                "thresholds": list(run.thresholds),
-                "a": str(run.a.path),
-                "b": str(run.b.path),
-            }
-        )
-        stream.write(head[:-1] + b',"images":[')
-
-    def add(self, result: AgreementResult) -> None:
-        frame = result.agreement
-        entry: dict[str, Any] = {"name": result.name, "errors": list(result.errors)}
-        if frame is not None:
-            entry |= {
-                "jac": {shortest(tau): frame.jac(tau) for tau in self._thresholds},
-                "only_a": list(frame.only_a),
-                "only_b": list(frame.only_b),
-                "mirrored_hint": frame.mirrored_hint,
-                "elements": {name: _element_entry(c) for name, c in frame.by_class.items()},
-            }
-        self._stream.write(self._separator + encoded(entry))
-        self._separator = b",\n"
-
-    def end(self, summary: AgreementSummary, floor: dict[str, Any]) -> None:
-        entry = _summary_entry(summary) | {"noise_floor": floor}
-        self._stream.write(b'\n],"summary":' + encoded(entry) + b"}\n")
+def _json(agreed: Agreed, run: AgreementRun) -> bytes:
+    """A line a frame: the terms of the field, then ``"size", "thresholds", "a", "b", "images",
+    "summary"``."""
+    a, b = (str(source.path) for source in run.sources)
+    terms = {"size": list(run.size), "thresholds": list(run.thresholds), "a": a, "b": b}
+    images = b",\n".join(encoded(_frame_entry(one, run.thresholds)) for one in agreed.results)
+    floor = {"noise_floor": floor_entry(agreed.floor, agreed.known)}
+    summary = encoded(_summary_entry(agreed.summary) | floor)
+    head = encoded({**field_terms(run.field), **terms})[:-1]
+    return head + b',"images":[\n' + images + b'\n],"summary":' + summary + b"}\n"
 
 
-def _element_entry(found: ClassAgreement) -> dict[str, Any]:
-    counts = {"left_out": found.left_out, "distances": found.distances.tolist()}
-    return figure_entry(DISTANCES, found) | counts
+def _frame_entry(result: SeveralResult, thresholds: Sequence[float]) -> dict[str, Any]:
+    entry: dict[str, Any] = {"name": result.name, "errors": list(result.errors)}
+    found = result.agreement
+    return entry if found is None else entry | frame_entry(found, thresholds, _LONE)
 
 
 def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
@@ -289,49 +211,21 @@ def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
     }
 
 
-class _CsvWriter:
-    """A header, one row a frame and class; a frame with nothing to show has a row without class.
+def _frames_sheet(agreed: Agreed, run: AgreementRun) -> Sheet:
+    """One row a frame and class; a frame with nothing to show has a row without class.
 
     The status of a class is ``common``, ``apart``, ``only_a`` or ``only_b``; that of a row without
     class ``empty``, ``unreadable``, ``frame_only_a`` or ``frame_only_b``.
     """
-
-    def __init__(self, stream: IO[bytes], run: AgreementRun) -> None:
-        self._stream = stream
-        self._terms = (run.field.described, *run.size)
-        stream.write(csv_header(_COLUMNS))
-
-    def add(self, result: AgreementResult) -> None:
-        frame = result.agreement
-        if frame is None:
-            rows = [self._row(result.name, None, "unreadable", error="; ".join(result.errors))]
-        else:
-            hint = frame.mirrored_hint
-            rows = [self._class_row(result.name, c, hint) for c in frame.by_class.values()]
-            for status, names in (("only_a", frame.only_a), ("only_b", frame.only_b)):
-                rows += [self._row(result.name, n, status, hint=hint) for n in names]
-        self._stream.write(csv_rows(_COLUMNS, rows or [self._row(result.name, None, "empty")]))
-
-    def end(self, summary: AgreementSummary, floor: dict[str, Any]) -> None:
-        """Frames of one annotator only; the figures of the set have no row of their own."""
-        for status, names in (
-            ("frame_only_a", summary.frames_only_a),
-            ("frame_only_b", summary.frames_only_b),
-        ):
-            self._stream.write(csv_rows(_COLUMNS, (self._row(n, None, status) for n in names)))
-
-    def _class_row(self, name: str, found: ClassAgreement, hint: bool) -> Row:
-        figures = (len(found.distances), found.left_out, *values_of(DISTANCES, found))
-        status = "apart" if found.apart else "common"
-        return self._row(name, found.class_name, status, figures, hint)
-
-    def _row(
-        self,
-        name: str,
-        class_name: str | None,
-        status: str,
-        figures: tuple[float | None, ...] = (None,) * 5,
-        hint: bool | None = None,
-        error: str | None = None,
-    ) -> Row:
-        return (name, *self._terms, class_name, status, *figures, hint, error)
+    columns = (Column("name"), Column("field"), whole("width"), whole("height"), *ELEMENT_COLUMNS)
+    terms = (run.field.described, *run.size)
+    found: list[tuple[str, Row]] = []
+    for one in agreed.results:
+        if one.agreement is None:
+            found.append((one.name, status_row("unreadable", error="; ".join(one.errors))))
+            continue
+        own = element_rows(one.agreement, _LONE) or [status_row("empty")]
+        found += [(one.name, row) for row in own]
+    for status, names in (("frame_only_a", run.only_a), ("frame_only_b", run.only_b)):
+        found += [(name, status_row(status)) for name in names]
+    return Sheet("frames", "Frames", columns, tuple((name, *terms, *row) for name, row in found))

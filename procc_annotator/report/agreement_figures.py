@@ -2,20 +2,76 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
+from procc_annotator.metric.agreement import FrameAgreement
 from procc_annotator.metric.chance.intervals import Interval
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.report.scores.chance_sheets import interval_columns, interval_ends
 from procc_annotator.report.scores.tables import pixels
 from procc_annotator.report.sheet.as_json import figure_entry
-from procc_annotator.report.sheet.figures import JAC, MEDIAN_PX, OF_AGREEMENT, P95_PX
+from procc_annotator.report.sheet.figure import shortest, values_of
+from procc_annotator.report.sheet.figures import DISTANCES, JAC, MEDIAN_PX, OF_AGREEMENT, P95_PX
 from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, Value, of, whole
 from procc_annotator.session.runs.clusters import Clusters
 from procc_annotator.session.runs.sure_agreement import SureAgreement
 
+WORST = 10  # frames that tables of the worst show
+ELEMENT_COLUMNS = (
+    Column("class"), Column("status"), whole("points"), whole("left_out"), *map(of, DISTANCES),
+    Column("mirrored_hint", kind="yes_no"), Column("error"),
+)  # fmt: skip
 _POINTS = (0.01, 0.02, 0.05)  # of JaC
 _SHARES = (0.05, 0.1, 0.2)  # of a distance
+
+
+def element_rows(frame: FrameAgreement, lone: tuple[str, str]) -> list[Row]:
+    """One row of `ELEMENT_COLUMNS` an element.
+
+    Args:
+        lone: the status of elements of the first annotation alone, and of the second alone.
+    """
+    hint = frame.mirrored_hint
+    rows: list[Row] = [
+        (own.class_name, "apart" if own.apart else "common", len(own.distances), own.left_out,
+         *values_of(DISTANCES, own), hint, None)
+        for own in frame.by_class.values()
+    ]  # fmt: skip
+    for status, names in zip(lone, (frame.only_a, frame.only_b), strict=True):
+        rows += [status_row(status, name, hint=hint) for name in names]
+    return rows
+
+
+def status_row(
+    status: str, name: str | None = None, *, hint: bool | None = None, error: str | None = None
+) -> Row:
+    """A row of `ELEMENT_COLUMNS` without distances."""
+    return (name, status, *(None,) * (2 + len(DISTANCES)), hint, error)
+
+
+def frame_entry(
+    frame: FrameAgreement, thresholds: Sequence[float], lone: tuple[str, str]
+) -> dict[str, Any]:
+    """The agreement of two annotations of one frame in files; ``lone`` as of `element_rows`."""
+    return {
+        "jac": {shortest(tau): frame.jac(tau) for tau in thresholds},
+        lone[0]: list(frame.only_a),
+        lone[1]: list(frame.only_b),
+        "mirrored_hint": frame.mirrored_hint,
+        "elements": {
+            name: figure_entry(DISTANCES, own)
+            | {"left_out": own.left_out, "distances": own.distances.tolist()}
+            for name, own in frame.by_class.items()
+        },
+    }
+
+
+def farthest(frame: FrameAgreement) -> tuple[float | None, str]:
+    """The largest distance, px, and the class of its element."""
+    by_size = [(c.largest, n) for n, c in frame.by_class.items() if c.largest is not None]
+    largest, name = max(by_size, default=(None, ""))
+    return largest, name.strip()
 
 
 def sure_columns() -> list[Column]:

@@ -18,9 +18,15 @@ from procc_annotator.metric.agreement import ClassAgreement, FrameAgreement
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.report.agreement_figures import (
+    ELEMENT_COLUMNS,
+    WORST,
+    element_rows,
+    farthest,
     floor_entry,
     floor_words,
+    frame_entry,
     intervals_described,
+    status_row,
     sure_columns,
     sure_values,
 )
@@ -28,8 +34,8 @@ from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.tables import worst_words
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.as_json import figure_entry, json_bytes, sheet_entry
-from procc_annotator.report.sheet.figure import Figure, shortest, values_of
+from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
+from procc_annotator.report.sheet.figure import Figure, values_of
 from procc_annotator.report.sheet.figures import (
     ADDED,
     APART,
@@ -53,8 +59,8 @@ from procc_annotator.session.runs.consensus_run import (
 from procc_annotator.session.runs.sure_agreement import SureAgreement, sure_agreement
 from procc_annotator.words import count_of
 
-WORST = 10
 _COUNTS = (COMMON, APART, ADDED, MISSED, LEFT_OUT)
+_LONE = ("added", "missed")
 
 Progress = Callable[[Iterable[SeveralResult], int, str], Iterator[SeveralResult]]
 ClustersOf = Callable[[Sequence[str]], Clusters]
@@ -261,12 +267,9 @@ def worst_sheet(agreed: AgreedAll) -> Sheet:
         for at, frame in result.against_others.items():
             if not frame.element_count:
                 continue
-            by_size = [(c.largest, n) for n, c in frame.by_class.items() if c.largest is not None]
-            largest, farthest = max(by_size, default=(None, ""))
             rows.append(
                 (result.name, ascii_uppercase[at], frame.jac(tau), len(frame.only_a),
-                 len(frame.only_b), largest, farthest.strip(),
-                 "mirrored?" if frame.mirrored_hint else None)
+                 len(frame.only_b), *farthest(frame), "mirrored?" if frame.mirrored_hint else None)
             )  # fmt: skip
     rows.sort(key=lambda row: (row[2], -(row[5] or 0.0)))
     columns = (
@@ -313,30 +316,20 @@ def consensus_frames_sheet(agreed: AgreedAll, run: ConsensusRun) -> Sheet:
     """
     columns = (
         Column("name"), Column("field"), whole("width"), whole("height"), Column("annotator"),
-        Column("class"), Column("status"), whole("points"), whole("left_out"), *map(of, DISTANCES),
-        Column("mirrored_hint", kind="yes_no"), Column("error"),
+        *ELEMENT_COLUMNS,
     )  # fmt: skip
     terms = (run.field.described, *run.size)
-    nothing: Row = (None,) * 5
     rows: list[Row] = []
     for result in agreed.results:
         for at, frame in result.against_others.items():
             who = (result.name, *terms, ascii_uppercase[at])
-            hint = (frame.mirrored_hint, None)
-            own: list[Row] = [
-                (*who, c.class_name, "apart" if c.apart else "common", len(c.distances), c.left_out,
-                 *values_of(DISTANCES, c), *hint)
-                for c in frame.by_class.values()
-            ]  # fmt: skip
-            for status, names in (("added", frame.only_a), ("missed", frame.only_b)):
-                own += [(*who, name, status, *nothing, *hint) for name in names]
-            rows += own or [(*who, None, "empty", *nothing, *hint)]
+            own = element_rows(frame, _LONE) or [status_row("empty", hint=frame.mirrored_hint)]
+            rows += [(*who, *row) for row in own]
         if result.errors:
-            error = "; ".join(result.errors)
-            rows.append((result.name, *terms, None, None, "unreadable", *nothing, None, error))
-    for at, names in enumerate(run.alone):
-        letter = ascii_uppercase[at]
-        rows += [(n, *terms, letter, None, "alone", *nothing, None, None) for n in names]
+            unread = status_row("unreadable", error="; ".join(result.errors))
+            rows.append((result.name, *terms, None, *unread))
+    for letter, names in zip(ascii_uppercase, run.alone, strict=False):
+        rows += [(name, *terms, letter, *status_row("alone")) for name in names]
     return Sheet("frames", "Frames", columns, tuple(rows))
 
 
@@ -369,17 +362,7 @@ def _frame_entry(result: SeveralResult, thresholds: Sequence[float]) -> dict[str
         "errors": list(result.errors),
         "undecided": list(undecided),
         "annotators": {
-            ascii_uppercase[at]: {
-                "jac": {shortest(tau): frame.jac(tau) for tau in thresholds},
-                "added": list(frame.only_a),
-                "missed": list(frame.only_b),
-                "mirrored_hint": frame.mirrored_hint,
-                "elements": {
-                    name: figure_entry(DISTANCES, own)
-                    | {"left_out": own.left_out, "distances": own.distances.tolist()}
-                    for name, own in frame.by_class.items()
-                },
-            }
+            ascii_uppercase[at]: frame_entry(frame, thresholds, _LONE)
             for at, frame in result.against_others.items()
         },
     }

@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import IO
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
@@ -31,9 +30,7 @@ from procc_annotator.io.camera_files.fitted_on import Fitted
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.clicked import clicked
-from procc_annotator.metric.measure import measure
 from procc_annotator.metric.project import why_clipped
-from procc_annotator.metric.score import score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
@@ -45,8 +42,8 @@ from procc_annotator.report.scores.score_files import (
 )
 from procc_annotator.report.targets import Target, is_archive, open_target
 from procc_annotator.session.dataset.annotated_frames import AnnotatedFrames
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.runs.evaluation_run import FrameResult
+from procc_annotator.session.dataset.camera_set import CameraForFrame, CameraSet
+from procc_annotator.session.runs.score_chunk import FrameInput, FrameResult, Tally, score_frames
 
 NO_CAMERAS = "no cameras were given: nothing to score against"
 JAC_FILES = ("jac.csv", "jac.json")
@@ -293,7 +290,7 @@ class _Totals:
         self._scoring = scoring
         self._exported = exported
         self._writers = writers
-        self._sums = SetAccumulator(scoring.setup, scoring.thresholds)
+        self._tally = Tally(SetAccumulator(scoring.setup, scoring.thresholds))
         for writer in writers:
             writer.begin()
 
@@ -307,46 +304,46 @@ class _Totals:
 
     def finish(self) -> None:
         if self._scoring.cameras is not None:
-            self._exported.summary = self._sums.summary()
+            self._exported.summary = self._tally.sums.summary()
+        self._exported.ground_only = self._tally.ground_only
         for writer in self._writers:
             writer.end(self._exported.summary, ground_only=self._exported.ground_only)
 
     def _score(self, name: str, annotation: FrameAnnotation) -> FrameResult:
         cameras, setup = self._scoring.cameras, self._scoring.setup
-        extent = clicked(annotation, setup.field)
         if cameras is None:
+            extent = clicked(annotation, setup.field)
             return FrameResult(name, None, NO_CAMERAS, (), {}, clicked=extent)
-        problem, loaded = None, None
+        frame = FrameInput(name, annotation)
         try:
             loaded = cameras.camera(name, setup.size)
         except CameraError as error:
-            problem = str(error)
-        if loaded is not None and (why := of_another_field(loaded.assumed_field, setup.field)):
-            problem = f"{name}: {why} ({NAME_THE_FORMAT})"
-        elif loaded is not None and (why := why_clipped(loaded.camera, setup)):
-            problem = f"{name}: {why}"
-        if loaded is None or problem is not None:
-            self._exported.problems += [problem] if problem else []
-            self._sums.add_missing_camera(name)
-            return FrameResult(name, None, problem, (), {}, clicked=extent)
-        measurement = measure(annotation, loaded.camera, setup.of_frame(name))
-        scores = {t: score(measurement, t) for t in self._scoring.thresholds}
-        self._sums.add(name, measurement, scores)
-        self._exported.scored += 1
-        self._exported.notices.update([loaded.notice] if loaded.notice else [])
-        ground_only = projects_only_ground(loaded.camera)
-        self._exported.ground_only |= ground_only
-        return FrameResult(
-            name,
-            cameras.frames[name],
-            None,
-            (),
-            scores,
-            ground_only=ground_only,
-            model=loaded.model,
-            fitted=Fitted.of(loaded.fitted_on, annotation),
-            clicked=extent,
-        )
+            frame = FrameInput(name, annotation, error=str(error))
+        else:
+            if loaded is not None:
+                frame = _input(name, annotation, loaded, cameras.frames[name], setup)
+                if frame.camera is not None:
+                    self._exported.scored += 1
+                    self._exported.notices.update([loaded.notice] if loaded.notice else [])
+        self._exported.problems += [frame.error] if frame.error else []
+        (evaluated,) = score_frames([frame], self._tally)
+        return evaluated.result
+
+
+def _input(
+    name: str,
+    annotation: FrameAnnotation,
+    loaded: CameraForFrame,
+    place: str,
+    setup: EvaluationSetup,
+) -> FrameInput:
+    problem = why_clipped(loaded.camera, setup)
+    if why := of_another_field(loaded.assumed_field, setup.field):
+        problem = f"{why} ({NAME_THE_FORMAT})"
+    if problem:
+        return FrameInput(name, annotation, error=f"{name}: {problem}")
+    fitted = Fitted.of(loaded.fitted_on, annotation)
+    return FrameInput(name, annotation, loaded.camera, place, model=loaded.model, fitted=fitted)
 
 
 # ------------------------------------------------------------------------------------- targets

@@ -17,7 +17,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.atomic import remove
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.csv_text import csv_cells, formula_text
+from procc_annotator.io.csv_text import read_table
 from procc_annotator.io.frame_names import FrameTable, leads_out
 from procc_annotator.io.json_text import decode_as, is_unicode, printable
 from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
@@ -188,9 +188,8 @@ def _files_of_release(folder: Path) -> set[str]:
     if not (folder / RELEASE_FILE).exists():
         return set()
     frames = _read_release(folder).frames
-    (_, header), *rows = csv_cells(folder / INDEX_FILE) or [(1, [])]
-    cells = (dict(zip(header, row, strict=False)) for _, row in rows)
-    pictures = [formula_text(row.get("picture", "")) for row in cells]
+    _, rows = read_table(folder / INDEX_FILE, (), "")
+    pictures = [row.get("picture", "") for _, row in rows]
     return {
         *(f"{ANNOTATIONS}/{name}.json" for name in frames),
         *(f"{PICTURES}/{file}" for file in pictures if file and not leads_out(file)),

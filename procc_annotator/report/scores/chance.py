@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 from procc_annotator.field.model import Field
@@ -26,6 +26,7 @@ from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.frame_sums import SourceSums
 from procc_annotator.session.runs.moved_clicks import ClickNoise
 from procc_annotator.session.runs.strata import Stratum, strata, values_of_frames
+from procc_annotator.session.runs.tags import Tags
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class ChanceTerms:
 
     Attributes:
         cluster: a tag, ``shot`` or ``none``; None for shots where there are any.
-        tags: set -> tag -> frame -> its value.
+        tags: of the frames of all sets.
         orders: set -> its table of frames, where it has one.
         draws, method: how intervals are found.
         power: whether to say how many frames are needed.
@@ -43,7 +44,7 @@ class ChanceTerms:
     """
 
     cluster: str | None = None
-    tags: Mapping[str, Mapping[str, Mapping[str, str | None]]] = field(default_factory=dict)
+    tags: Tags | None = None
     orders: Mapping[str, FrameOrder] = field(default_factory=dict)
     draws: Draws = field(default_factory=Draws)
     method: Method = "t"
@@ -53,11 +54,7 @@ class ChanceTerms:
 
     def tag(self, of_set: str, name: str | None) -> Mapping[str, str | None]:
         """The values of a tag, by frame."""
-        return self.tags.get(of_set, {}).get(name or "", {})
-
-    def with_noise(self, noise: ClickNoise | None) -> ChanceTerms:
-        """The same with points moved so."""
-        return replace(self, noise=noise)
+        return {} if self.tags is None else self.tags.values(name, of_set)
 
     def certainty(self, of_set: str, sources: Sequence[SourceSums]) -> Certainty:
         """Of sources over the same set.

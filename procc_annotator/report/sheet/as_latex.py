@@ -11,9 +11,31 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from procc_annotator.report.sheet.latex_widths import text_width
 from procc_annotator.report.sheet.sheet import Sheet
 from procc_annotator.report.sheet.shown import Cell, ShownSheet, as_texts
+
+_GROUPS = {
+    2.8: "ijl.,:;'`![]|",
+    3.7: " f-I",
+    4.0: "rst()",
+    4.8: "cez?",
+    5.3: "agovxyqk0123456789*/–$_",
+    5.7: 'bdhnpuSJ"',
+    7.3: "FELPBTw",
+    7.9: "ACDGHKNOQRUVXYZ+<>=@&~",
+    8.4: "%m#",
+    10.3: "WM",
+}
+_WIDTHS = {character: width for width, group in _GROUPS.items() for character in group}
+_UNKNOWN = 10.3
+_BOLD = 1.16  # of the upright type's width
+
+
+def text_width(text: str, *, bold: bool = False) -> float:
+    """Width of a line of text, pt."""
+    width = sum(_WIDTHS.get(character, _UNKNOWN) for character in text)
+    return _BOLD * width if bold else width
+
 
 COLUMN_PT = 229.0  # the narrowest in use: LaTeX's article with two columns
 _WIDEST_COLUMN_PT = 260.0  # a wider table spans both columns, where a page has two

@@ -17,7 +17,7 @@ from procc_annotator.field.model import Field, Stadiums
 from procc_annotator.field.stadiums import with_stadiums
 from procc_annotator.field.words import did_you_mean
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.csv_text import frame_rows, no_formula
+from procc_annotator.io.csv_text import no_formula, read_frame_table
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.session.dataset.dataset_folder import STADIUMS_FILE
 
@@ -41,7 +41,7 @@ def read_stadiums(path: Path, field: Field) -> Stadiums:
     Raises:
         InputError: it is none, or gives this field dimensions that it cannot have.
     """
-    header, table = frame_rows(path, (FRAME, STADIUM), _ADVICE)
+    header, table = read_frame_table(path, (STADIUM,), _ADVICE)
     _check_header(path, header, field)
     frames: dict[str, str] = {}
     found: dict[str, tuple[int, dict[str, float]]] = {}
@@ -79,8 +79,6 @@ def write_stadiums(path: Path, stadiums: Stadiums) -> None:
 def _check_header(path: Path, header: list[str], field: Field) -> None:
     known = [d.name for d in field.dimensions]
     for name in header:
-        if header.count(name) > 1:
-            raise InputError(path, f"has two columns {name!r}", place="line 1", advice=_ADVICE)
         if name not in (FRAME, STADIUM, *known):
             problem = f"{name!r} is no dimension of {field.name}{did_you_mean(name, known)}"
             there = f"there is {', '.join(known)}" if known else "it has none"

@@ -20,7 +20,7 @@ from natsort import natsorted
 from procc_annotator.errors import InputError, SaveError
 from procc_annotator.field.words import did_you_mean, printed
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.csv_text import frame_rows, no_formula
+from procc_annotator.io.csv_text import no_formula, read_frame_table
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import read_if_there
 
@@ -108,7 +108,7 @@ def load_views(path: Path) -> ViewGroups:
     """
     if not path.exists():
         return ViewGroups()
-    _, table = frame_rows(path, (_FRAME, _INSTANT), _ADVICE)
+    _, table = read_frame_table(path, (_INSTANT,), _ADVICE)
     found: dict[str, ViewOf] = {}
     taken: dict[ViewOf, int] = {}
     for line, row in table:

@@ -47,7 +47,7 @@ class SeveralResult:
         name: of the frame.
         pairs: every two whose files can be read.
         against_others: each of these against the consensus of all others.
-        consensus: of all of them; None where fewer than two can be read.
+        consensus: of all of them; None where fewer than two can be read, or of pairs alone.
         errors: of the files that cannot.
     """
 
@@ -57,14 +57,20 @@ class SeveralResult:
     consensus: Consensus | None
     errors: tuple[str, ...] = ()
 
+    @property
+    def agreement(self) -> FrameAgreement | None:
+        """The agreement of the first two; None where one of their files cannot be read."""
+        return self.pairs.get((0, 1))
+
 
 @dataclass(frozen=True)
 class CompareSeveral:
-    """Compares chunks of frames."""
+    """Compares chunks of frames; with a consensus, unless pairs alone are asked for."""
 
     sources: tuple[KeptOpen[FileSource], ...]
     field: Field
     size: tuple[int, int]
+    pairs_only: bool = False
 
     def __call__(self, chunk: Sequence[FrameOfSeveral]) -> tuple[list[SeveralResult], None]:
         return [self._compare(frame) for frame in chunk], None
@@ -90,6 +96,8 @@ class CompareSeveral:
             return SeveralResult(frame.name, {}, {}, None, tuple(errors))
         compared = partial(compare_annotations, field=self.field, size=self.size)
         pairs = {(a, b): compared(read[a], read[b]) for a, b in combinations(read, 2)}
+        if self.pairs_only:
+            return SeveralResult(frame.name, pairs, {}, None, tuple(errors))
         consensus, of_others = consensus_of(list(read.values()), self.field, self.size)
         against_others = {
             place: against(own, others, self.field, self.size)
@@ -106,6 +114,7 @@ class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
         field: the sports field.
         size: (width, height) in px in which distances are taken.
         thresholds: tau of the JaC, px, at least one.
+        pairs_only: whether to compare pairs alone, by the frames' names in each source.
 
     Attributes:
         alone: for each annotator the frames that nobody else has: not compared.
@@ -121,6 +130,8 @@ class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
         field: Field,
         size: tuple[int, int],
         thresholds: Sequence[float],
+        *,
+        pairs_only: bool = False,
     ) -> None:
         if min(size) < 2:
             raise UsageError(f"the size {size[0]}x{size[1]} is too small")
@@ -128,21 +139,23 @@ class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
             raise UsageError(f"{len(sources)} annotators, expected 2 to {MOST}")
         self.sources, self.field, self.size = tuple(sources), field, size
         self.thresholds = check_thresholds(thresholds)
-        files = told_by_trees([require_annotations(source) for source in sources])
-        frames = _frames_of(files)
+        files = [require_annotations(source) for source in sources]
+        self.files = files if pairs_only else told_by_trees(files)
+        frames = _frames_of(self.files)
         shared = [frame for frame in frames if len(frame.files) - frame.files.count(None) > 1]
         if not shared:
             named = ", ".join(
-                f"{next(iter(own))!r} in {s.path}" for own, s in zip(files, sources, strict=True)
+                f"{next(iter(own))!r} in {s.path}"
+                for own, s in zip(self.files, sources, strict=True)
             )
             raise UsageError(
                 f"nothing to do: no frame has annotations of two (names are like {named})"
             )
         kept = tuple(source_kept_open(source) for source in sources)
-        super().__init__(shared, CompareSeveral(kept, field, size))
+        super().__init__(shared, CompareSeveral(kept, field, size, pairs_only))
         self.alone = tuple(
-            tuple(f.name for f in frames if f.files[at] and f.files.count(None) == len(files) - 1)
-            for at in range(len(files))
+            tuple(f.name for f in frames if f.files[at] and f.files.count(None) == len(sources) - 1)
+            for at in range(len(sources))
         )
 
     def describe(self) -> str:

@@ -16,7 +16,7 @@ from pathlib import Path
 from natsort import natsorted
 
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.io.csv_text import frame_rows
+from procc_annotator.io.csv_text import read_frame_table
 from procc_annotator.io.frame_names import FrameTable
 
 _FRAME, _SHOT, _NUMBER = "frame", "shot", "number"
@@ -66,7 +66,7 @@ class FrameOrder:
         Raises:
             InputError: it cannot be read, or what is wrong and where.
         """
-        names, table = frame_rows(path, [_FRAME], _ADVICE)
+        names, table = read_frame_table(path, (), _ADVICE)
         if not {_SHOT, _NUMBER} & set(names):
             raise InputError(path, f"has no columns {_FRAME!r} and {_SHOT!r}", advice=_ADVICE)
         shots: dict[str, str] = {}

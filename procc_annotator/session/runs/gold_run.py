@@ -10,8 +10,8 @@ import numpy as np
 from procc_annotator.metric.agreement import FrameAgreement, quantile
 from procc_annotator.metric.chance.sampling import Draws
 from procc_annotator.metric.chance.trend import Trend, trend
-from procc_annotator.session.runs.agreement_run import AgreementResult
 from procc_annotator.session.runs.clusters import Clusters
+from procc_annotator.session.runs.consensus_run import SeveralResult
 from procc_annotator.session.runs.sure_agreement import SureAgreement, sure_agreement
 
 THIRDS = ("first", "middle", "last")
@@ -58,7 +58,7 @@ class GoldErrors:
 
 
 def gold_errors(
-    results: Sequence[AgreementResult],
+    results: Sequence[SeveralResult],
     times: Mapping[str, float],
     thresholds: Sequence[float],
     clusters: Clusters,

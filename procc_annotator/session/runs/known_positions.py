@@ -13,9 +13,10 @@ from procc_annotator.fit.from_picture.agreed_positions import positions_of_camer
 from procc_annotator.fit.from_picture.proposal import KnownPosition
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
-from procc_annotator.io.csv_text import csv_cells
+from procc_annotator.io.csv_text import read_table
 
 _PLACE, _DEVIATIONS = ("x_m", "y_m", "z_m"), ("sd_x_m", "sd_y_m", "sd_z_m")
+_ADVICE = "expected positions.csv of calibrate --shared-position, or cameras"
 _LEAST_SD_M = 0.05  # a table that says less than it can know
 
 
@@ -49,22 +50,13 @@ def read_positions(path: Path, field: Field, fmt: str = "auto") -> tuple[KnownPo
 
 
 def _from_table(path: Path) -> tuple[KnownPosition, ...]:
-    rows = csv_cells(path)
-    head = [cell.strip() for cell in rows[0][1]] if rows else []
-    missing = [name for name in (*_PLACE, *_DEVIATIONS) if name not in head]
-    if missing:
-        raise InputError(
-            path,
-            f"has no column {missing[0]}",
-            advice="expected positions.csv of calibrate --shared-position, or cameras",
-        )
+    _, rows = read_table(path, (*_PLACE, *_DEVIATIONS), _ADVICE)
     found = []
-    for line, cells in rows[1:]:
-        row = dict(zip(head, cells, strict=False))
+    for line, row in rows:
         try:
             place = np.array([float(row[name]) for name in _PLACE])
             sd = np.array([float(row[name]) for name in _DEVIATIONS])
-        except (KeyError, ValueError) as error:
+        except ValueError as error:
             why = "expected numbers for position and standard deviations"
             raise InputError(path, why, place=f"line {line}") from error
         if not (np.isfinite(place).all() and np.isfinite(sd).all()):

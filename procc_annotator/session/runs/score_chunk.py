@@ -1,36 +1,90 @@
-"""Score chunks of frames: what is sent to whoever does the work, and what comes back."""
+"""Score frames: the one loop behind ``evaluate``, exports and the API, and its task for chunks."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, Generic, NamedTuple, TypeVar
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import islice
+from typing import Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.camera.model_name import model_name
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
+from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
 from procc_annotator.io.camera_files.held_out_table import HeldOut
+from procc_annotator.io.json_text import printable
 from procc_annotator.metric.clicked import AnnotatedExtent, clicked
 from procc_annotator.metric.measure import Measurement, measure_frames
 from procc_annotator.metric.project import why_clipped
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.runs.annotation_notes import AnnotationNotes
 from procc_annotator.session.runs.held_out import HeldOutTally
 from procc_annotator.session.runs.set_run import AnnotationTask, KeptOpen
 from procc_annotator.session.runs.tags import MODEL
+from procc_annotator.words import first_of, listed
+
+
+@dataclass
+class AnnotationNotes:
+    """Frames with such annotations, and the classes that are of no element of the field."""
+
+    in_pixels: list[str] = field(default_factory=list)
+    empty: list[str] = field(default_factory=list)
+    without_place: list[str] = field(default_factory=list)
+    classes: Counter[str] = field(default_factory=Counter)
+
+    def add(self, frame: str, annotation: FrameAnnotation, known: Field) -> None:
+        """Add a frame.
+
+        Args:
+            known: the field its classes are of.
+        """
+        strange = [n for n in annotation.annotated if known.canonical_name(n) not in known.index]
+        if pixel_like(annotation) is not None:
+            self.in_pixels.append(frame)
+        if not annotation.annotated:
+            self.empty.append(frame)
+        if strange:
+            self.without_place.append(frame)
+            self.classes.update(strange)
+
+    def merge(self, other: AnnotationNotes) -> None:
+        """Add those of the frames that follow."""
+        self.in_pixels += other.in_pixels
+        self.empty += other.empty
+        self.without_place += other.without_place
+        self.classes.update(other.classes)
+
+    def lines(self) -> tuple[str, ...]:
+        """One line for people for each kind that there is."""
+        found = []
+        if self.in_pixels:
+            frames = listed(self.in_pixels, "frame")
+            found.append(f"coordinates look like pixels, expected 0 to 1, in {frames}")
+        if self.empty:
+            frames = listed(self.empty, "frame")
+            found.append(f"no element is annotated in {frames}: whatever a camera shows is wrong")
+        if self.without_place:
+            names = first_of([*map(printable, self.classes)])
+            frames = listed(self.without_place, "frame")
+            found.append(
+                f"classes of no element of the field always count as missed: {names}, in {frames}"
+            )
+        return tuple(found)
+
 
 T = TypeVar("T")
 
 # Frames measured together: fewer cost more calls, more of them leave the processor's cache.
-AT_ONCE = 32
+_AT_ONCE = 32
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,6 +173,104 @@ class Tally:
         return self.groups[key]
 
 
+@dataclass(frozen=True, slots=True)
+class FrameInput:
+    """A frame to score.
+
+    Attributes:
+        annotation: None if it could not be read.
+        camera: px of the evaluation size; None if there is none or it could not be read.
+        place: where the camera was read.
+        model, notices, fitted, held_out: of the camera.
+        error: what could not be read, and why.
+        groups: values of what the set is grouped by; that of ``model`` is the camera's.
+    """
+
+    name: str
+    annotation: FrameAnnotation | None
+    camera: CameraOrProjections | None = None
+    place: str | None = None
+    model: str = ""
+    notices: tuple[str, ...] = ()
+    fitted: Fitted = NOT_FITTED
+    held_out: HeldOut | None = None
+    error: str | None = None
+    groups: tuple[str | None, ...] = ()
+
+
+def score_frames(
+    frames: Iterable[FrameInput], tally: Tally, by: tuple[str, ...] = ()
+) -> Iterator[Evaluated]:
+    """Score frames one after the other and add them to a tally, which has setup and thresholds.
+
+    Args:
+        by: what ``groups`` of the frames are values of.
+    """
+    rest = iter(frames)
+    while some := list(islice(rest, _AT_ONCE)):
+        measured = _measured(some, tally.sums.setup)
+        for frame in some:
+            yield _scored(frame, measured.get(frame.name), tally, by)
+
+
+def _measured(frames: Sequence[FrameInput], setup: EvaluationSetup) -> dict[str, Measurement]:
+    """The measurements of the frames that have a camera; of those on the same field at once."""
+    alike: dict[int, tuple[EvaluationSetup, list[FrameInput]]] = {}
+    for frame in frames:
+        if frame.annotation is not None and frame.camera is not None:
+            own = setup.of_frame(frame.name)
+            alike.setdefault(id(own.field), (own, []))[1].append(frame)
+    measured: dict[str, Measurement] = {}
+    for own, some in alike.values():
+        annotations = [frame.annotation for frame in some if frame.annotation is not None]
+        cameras = [frame.camera for frame in some if frame.camera is not None]
+        names = [frame.name for frame in some]
+        measured.update(zip(names, measure_frames(annotations, cameras, own), strict=True))
+    return measured
+
+
+def _scored(
+    frame: FrameInput, measurement: Measurement | None, tally: Tally, by: tuple[str, ...]
+) -> Evaluated:
+    name, annotation, setup = frame.name, frame.annotation, tally.sums.setup
+    if annotation is None:
+        unread = FrameResult(name, None, frame.error, (), {}, counted=False, groups=frame.groups)
+        return Evaluated(unread)
+    tally.counted += 1
+    tally.notes.add(name, annotation, setup.of_frame(name).field)
+    extent = clicked(annotation, setup.field)
+    if measurement is None:
+        for sums in tally.of_frame(by, frame.groups):
+            sums.add_missing_camera(name)
+        without = FrameResult(name, None, frame.error, (), {}, groups=frame.groups, clicked=extent)
+        return Evaluated(without)
+    groups = tuple(
+        frame.model if kind == MODEL else value
+        for kind, value in zip(by, frame.groups, strict=True)
+    )
+    scores = {threshold: score(measurement, threshold) for threshold in tally.sums.thresholds}
+    for sums in tally.of_frame(by, groups):
+        sums.add(name, measurement, scores)
+    ground_only = measurement.projected.ground_only
+    tally.with_camera += 1
+    tally.ground_only |= ground_only
+    tally.fitted += frame.fitted
+    tally.held_out.add(frame.held_out if frame.fitted.these else None)
+    result = FrameResult(
+        name,
+        frame.place,
+        None,
+        frame.notices,
+        scores,
+        ground_only=ground_only,
+        model=frame.model,
+        groups=groups,
+        fitted=frame.fitted,
+        clicked=extent,
+    )
+    return Evaluated(result, frame.camera, frame.model, measurement, annotation)
+
+
 @dataclass(frozen=True)
 class ScoreChunk(AnnotationTask, Generic[T]):
     """Evaluates chunks of frames."""
@@ -132,11 +284,8 @@ class ScoreChunk(AnnotationTask, Generic[T]):
 
     def __call__(self, chunk: Sequence[FrameFiles]) -> tuple[list[T], Tally]:
         tally = self.new_tally()
-        digests: list[T] = []
-        for start in range(0, len(chunk), AT_ONCE):
-            read = [_read(pair, self) for pair in chunk[start : start + AT_ONCE]]
-            digests += map(self.digest, _evaluated(read, self, tally))
-        return digests, tally
+        found = score_frames(map(self._input, chunk), tally, self.by)
+        return list(map(self.digest, found)), tally
 
     def new_tally(self) -> Tally:
         return Tally(SetAccumulator(self.setup, self.thresholds))
@@ -146,116 +295,34 @@ class ScoreChunk(AnnotationTask, Generic[T]):
         super().close()
         self.cameras.close()
 
+    def _input(self, frame: FrameFiles) -> FrameInput:
+        name, annotation = frame.name, None
+        try:
+            annotation = self.read(frame.annotation_file, self.setup.field)
+            if frame.has_camera:
+                return self._with_camera(frame, annotation)
+        except InputError as error:
+            return FrameInput(name, annotation, error=str(error), groups=frame.groups)
+        return FrameInput(name, annotation, groups=frame.groups)
 
-class _Read(NamedTuple):
-    """What was read of a frame: the annotation unless it is unreadable, the camera if there is one,
-    with its model and the remarks on it; what went wrong; and how much is annotated."""
-
-    frame: FrameFiles
-    annotation: FrameAnnotation | None
-    camera: CameraOrProjections | None = None
-    model: str = ""
-    notices: tuple[str, ...] = ()
-    fitted: Fitted = NOT_FITTED
-    held_out: HeldOut | None = None
-    error: str | None = None
-    clicked: AnnotatedExtent | None = None
-
-
-def _read(frame: FrameFiles, task: ScoreChunk[Any]) -> _Read:
-    try:
-        annotation = task.read(frame.annotation_file, task.setup.field)
-    except InputError as error:
-        return _Read(frame, None, error=str(error))
-    how_much = clicked(annotation, task.setup.field)
-    if not frame.has_camera:
-        return _Read(frame, annotation, clicked=how_much)
-    try:
-        found = _load_camera(frame.name, annotation, task, task.cameras.opened)
-        return _Read(frame, annotation, *found, clicked=how_much)
-    except InputError as error:
-        return _Read(frame, annotation, error=str(error), clicked=how_much)
-
-
-def _evaluated(frames: Sequence[_Read], task: ScoreChunk[Any], tally: Tally) -> Iterator[Evaluated]:
-    measured = _measured(frames, task.setup)
-    for read in frames:
-        name, groups = read.frame.name, read.frame.groups
-        if read.annotation is None:
-            unread = FrameResult(name, None, read.error, (), {}, counted=False, groups=groups)
-            yield Evaluated(unread)
-            continue
-        tally.counted += 1
-        tally.notes.add(name, read.annotation, task.setup.of_frame(name).field)
-        if read.camera is None:
-            for sums in tally.of_frame(task.by, groups):
-                sums.add_missing_camera(name)
-            without = FrameResult(name, None, read.error, (), {}, groups=groups)
-            yield Evaluated(replace(without, clicked=read.clicked))
-            continue
-        yield _scored(read, measured[name], task, tally)
-
-
-def _measured(frames: Sequence[_Read], setup: EvaluationSetup) -> dict[str, Measurement]:
-    """The measurements of the frames that have a camera; of those on the same field at once."""
-    alike: dict[int, tuple[EvaluationSetup, list[_Read]]] = {}
-    for read in frames:
-        if read.annotation is not None and read.camera is not None:
-            own = setup.of_frame(read.frame.name)
-            alike.setdefault(id(own.field), (own, []))[1].append(read)
-    measured: dict[str, Measurement] = {}
-    for own, some in alike.values():
-        annotations = [read.annotation for read in some if read.annotation is not None]
-        cameras = [read.camera for read in some if read.camera is not None]
-        names = [read.frame.name for read in some]
-        measured.update(zip(names, measure_frames(annotations, cameras, own), strict=True))
-    return measured
-
-
-def _scored(
-    read: _Read, measurement: Measurement, task: ScoreChunk[Any], tally: Tally
-) -> Evaluated:
-    name = read.frame.name
-    groups = tuple(
-        read.model if by == MODEL else group
-        for by, group in zip(task.by, read.frame.groups, strict=True)
-    )
-    scores = {threshold: score(measurement, threshold) for threshold in task.thresholds}
-    for sums in tally.of_frame(task.by, groups):
-        sums.add(name, measurement, scores)
-    ground_only = measurement.projected.ground_only
-    tally.with_camera += 1
-    tally.ground_only |= ground_only
-    tally.fitted += read.fitted
-    tally.held_out.add(read.held_out if read.fitted.these else None)
-    result = FrameResult(
-        name,
-        task.cameras.opened.display(name),
-        None,
-        read.notices,
-        scores,
-        ground_only=ground_only,
-        model=read.model,
-        groups=groups,
-        fitted=read.fitted,
-        clicked=read.clicked,
-    )
-    return Evaluated(result, read.camera, read.model, measurement, read.annotation)
-
-
-def _load_camera(
-    name: str, annotation: FrameAnnotation, task: ScoreChunk[Any], cameras: CameraCollection
-) -> tuple[CameraOrProjections, str, tuple[str, ...], Fitted, HeldOut | None]:
-    if name not in cameras.frames:  # it was there when the set was listed, on the first machine
-        raise CameraError(
-            cameras.path, f"holds no camera of frame {name!r} any more", advice="try again"
+    def _with_camera(self, frame: FrameFiles, annotation: FrameAnnotation) -> FrameInput:
+        name, cameras, setup = frame.name, self.cameras.opened, self.setup
+        if name not in cameras.frames:  # it was there when the set was listed, on the first machine
+            raise CameraError(
+                cameras.path, f"holds no camera of frame {name!r} any more", advice="try again"
+            )
+        loaded, place = cameras.read(name, setup.field), cameras.display(name)
+        camera, scaled = fit_to_size(loaded, setup.size, self.camera_size, setup.unsized)
+        if problem := why_clipped(camera, setup):
+            raise CameraError(place, problem)
+        return FrameInput(
+            name,
+            annotation,
+            camera,
+            place,
+            model_name(camera, loaded.model, setup.size),
+            loaded.notices if scaled is None else (*loaded.notices, scaled),
+            Fitted.of(loaded.fitted_on, annotation),
+            loaded.held_out,
+            groups=frame.groups,
         )
-    loaded = cameras.read(name, task.setup.field)
-    setup = task.setup
-    camera, scaled = fit_to_size(loaded, setup.size, task.camera_size, setup.unsized)
-    if problem := why_clipped(camera, setup):
-        raise CameraError(cameras.display(name), problem)
-    notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
-    model = model_name(camera, loaded.model, setup.size)
-    fitted = Fitted.of(loaded.fitted_on, annotation)
-    return camera, model, notices, fitted, loaded.held_out

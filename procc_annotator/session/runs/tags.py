@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.io.csv_text import frame_rows
+from procc_annotator.io.csv_text import read_frame_table
 from procc_annotator.io.frame_names import FrameTable
 
 MODEL = "model"  # group by the model of the camera
@@ -58,11 +58,9 @@ class Tags:
         Raises:
             InputError: it cannot be read, or is not such a file.
         """
-        names, table = frame_rows(path, [_FRAME], _ADVICE, in_sets=True)
+        names, table = read_frame_table(path, (), _ADVICE, in_sets=True)
         columns = tuple(name for name in names if name not in (_FRAME, _SET))
-        twice = [name for name in names if names.count(name) > 1]
         problem = "" if columns else f"has no column of tags beside {_FRAME!r}"
-        problem = f"has two columns {twice[0]!r}" if twice else problem
         problem = f"column {names.index('') + 1} has no name" if "" in names else problem
         if problem:
             raise InputError(path, problem, place="line 1", advice=_ADVICE)
@@ -88,9 +86,16 @@ class Tags:
             ),
         )
 
+    def values(self, column: str | None, of_set: str) -> FrameTable[str | None]:
+        """Frame -> its value of a tag in one set; empty if there is no such tag."""
+        if column not in self.columns:
+            return FrameTable()
+        found = self.grouping((column,), of_set).values
+        return FrameTable((frame, own[0]) for frame, own in found.items())
+
 
 def check_by(by: Sequence[str], tags: Tags | None, further: Sequence[str] = ()) -> tuple[str, ...]:
-    """What to group by: as asked for, or else by every tag.
+    """What to group by, each once.
 
     Args:
         further: what else a person may ask for, to be named where something is asked for that
@@ -110,4 +115,4 @@ def check_by(by: Sequence[str], tags: Tags | None, further: Sequence[str] = ()) 
             there = ", ".join((MODEL, *further, *columns))
             more = "" if tags else "; further ones come from --tags FILE"
             raise UsageError(f"cannot group by {name!r}: there is {there}{more}")
-    return tuple(dict.fromkeys(by)) or columns
+    return tuple(dict.fromkeys(by))

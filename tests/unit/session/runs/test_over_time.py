@@ -212,12 +212,8 @@ def test_a_table_tells_shots(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "problem"),
     [
-        ("", "is empty"),
         ("frame,size\na,1\n", "no columns"),
-        ("frame,shot\na,s\na,s\n", "again"),
-        ("frame,shot\n,s\n", "no frame"),
         ("frame,number\na,-1\n", "no number"),
-        ("frame,shot,number\na,s,100\nb,s\nc,s,102\n", "line 3: has 2 cells, expected 3"),
     ],
 )
 def test_a_table_that_cannot_be_used(tmp_path: Path, text: str, problem: str) -> None:

@@ -57,18 +57,8 @@ def test_rows_of_a_named_set_count_for_it_only(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("", "is empty"),
-        ("\n\n", "is empty"),
-        ("name,light\n1,day\n", r"line 1: has no column 'frame'"),
         ("frame\n1\n", r"line 1: has no column of tags"),
         ("frame,\n1,day\n", r"line 1: column 2 has no name"),
-        ("frame,light,light\n1,a,b\n", r"line 1: has two columns 'light'"),
-        ("frame,light\n1,day\n2\n", r"line 3: has 1 cell, expected 2"),
-        ("frame,light\n1,day,x\n", r"line 2: has 3 cells, expected 2"),
-        ("frame,light\n1,day\n\n1,night\n", r"line 4: frame '1' again, after line 2"),
-        ("frame,light\n,day\n", r"line 2: names no frame"),
-        ('frame,light\n1,"day\n', r"line \d: is no CSV"),
-        (b"frame,light\n1,\xff\n", r"is not UTF-8"),
     ],
 )
 def test_damaged_files_are_one_clear_error(tmp_path: Path, text: str | bytes, says: str) -> None:
@@ -79,8 +69,6 @@ def test_damaged_files_are_one_clear_error(tmp_path: Path, text: str | bytes, sa
 
 def test_what_can_be_grouped_by(tmp_path: Path) -> None:
     read = tags(tmp_path, "frame,stadium,light\n1,A,day\n")
-    assert check_by([], None) == ()
-    assert check_by([], read) == ("stadium", "light")
     assert check_by(["light", "model", "light"], read) == ("light", "model")
     with pytest.raises(UsageError, match="'lihgt': there is model, stadium, light"):
         check_by(["lihgt"], read)
@@ -104,9 +92,3 @@ def test_tables_know_a_frame_by_its_other_names(tmp_path: Path, told: str, asked
     assert (shot.frames, shot.numbers) == ((asked, "next"), (7, 8))
     (both,) = order.shots_of([asked, told, "next"])  # cameras and pictures of the same frames
     assert both.frames == (told, "next")
-
-
-def test_cells_are_read_as_tables_of_this_program_write_them(tmp_path: Path) -> None:
-    """With an apostrophe before what a spreadsheet would run."""
-    grouping = tags(tmp_path, "frame,light\n'-1,'=day\n").grouping(("light",), "any")
-    assert grouping.of("-1") == ("=day",)
